@@ -14,8 +14,8 @@ using ChunkBody = void (*)(const void* context, std::int64_t begin, std::int64_t
 void run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context);
 }  // namespace detail
 
-/// Calls body(begin, end) for [0, grain), [grain, 2 grain), ... up to count, in parallel. When a body throws, chunks that
-/// have not begun may be left out, and one of the exceptions thrown comes out of here.
+/// Calls body(begin, end) for [0, grain), [grain, 2 grain), ... up to count, in parallel. When a body throws, chunks
+/// that have not begun may be left out, and one of the exceptions thrown comes out of here.
 template <class Body>
 void parallel_chunks(std::int64_t count, std::int64_t grain, const Body& body) {
   detail::run_chunks(

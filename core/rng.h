@@ -12,8 +12,8 @@ namespace dspm {
 /// What the numbers are for; streams are independent of one another.
 enum class Stream : std::uint64_t { camera, photon, light, final_gather, setup };
 
-/// A bijection of 64 bits whose every output bit depends on every input bit. [Steele et al. 2014, SplitMix64; Stafford's
-/// variant 13 of the murmur3 finaliser]
+/// A bijection of 64 bits whose every output bit depends on every input bit. [Steele et al. 2014, SplitMix64;
+/// Stafford's variant 13 of the murmur3 finaliser]
 constexpr std::uint64_t mix_bits(std::uint64_t v) {
   v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
   v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;

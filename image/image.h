@@ -37,8 +37,8 @@ struct ColorEncoding {
   static std::optional<ColorEncoding> parse(std::string_view words);
 };
 
-/// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y) or Radiance HDR; which of them, the first bytes say. Alpha is
-/// ignored. Throws std::runtime_error, naming the file and the cause; never allocates for more than kMaxPixels.
+/// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y) or Radiance HDR; which of them, the first bytes say. Alpha
+/// is ignored. Throws std::runtime_error, naming the file and the cause; never allocates for more than kMaxPixels.
 Image read_image(const std::filesystem::path& path, ColorEncoding encoding = {});
 
 inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;

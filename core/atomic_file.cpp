@@ -1,0 +1,80 @@
+#include "core/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace dspm {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where the bytes go in the end: a link is followed, so that it is its file that is replaced.
+fs::path replaced_file(const fs::path& target) {
+  std::error_code no_such_file;
+  const fs::path real = fs::canonical(target, no_such_file);
+  return no_such_file ? target : real;
+}
+
+/// Differs between processes and between files of one process, so that nobody renames what another one is writing.
+fs::path temporary_name(const fs::path& target) {
+  static std::atomic<unsigned> files{0};
+  fs::path name = target;
+  name += ".part-" + std::to_string(getpid()) + "-" + std::to_string(files++);
+  return name;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(replaced_file(target)) {
+  std::error_code ignored;
+  const fs::path directory = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  if (!fs::is_directory(directory, ignored)) {
+    throw std::runtime_error("cannot write " + shown_.string() + ": there is no directory " + directory.string());
+  }
+  if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
+    throw std::runtime_error("cannot write " + shown_.string() + ": it is not a regular file");
+  }
+  temporary_ = temporary_name(target_);
+  descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail(errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) fail(errno);
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::commit() {
+  if (fsync(descriptor_) != 0) fail(errno);
+  if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+}
+
+void AtomicFile::fail(int error) const {
+  throw std::runtime_error("cannot write " + shown_.string() + ": " + std::generic_category().message(error));
+}
+
+void write_file(const fs::path& target, std::string_view bytes) {
+  AtomicFile file(target);
+  file.write(bytes);
+  file.commit();
+}
+
+}  // namespace dspm

@@ -1,0 +1,22 @@
+// What the readers of the single formats share, and those that only read.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace dspm {
+
+/// A black image of that size. Throws std::runtime_error for sizes that no image has, before it allocates.
+Image sized_image(std::int64_t width, std::int64_t height);
+
+/// Through libjpeg: grey and colour, baseline and progressive; not CMYK. Throws std::runtime_error with the cause.
+bool is_jpeg(std::string_view bytes);
+Image decode_jpeg(std::string_view bytes, ColorEncoding encoding);
+
+/// Radiance RGBE as the file has it; the header's EXPOSURE is not applied, as in pbrt and most other readers.
+bool is_hdr(std::string_view bytes);
+Image decode_hdr(std::string_view bytes);
+
+}  // namespace dspm

@@ -1,0 +1,59 @@
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "image/decoders.h"
+#include "image/encoding.h"
+#include "image/exr.h"
+#include "image/png.h"
+
+namespace dspm {
+
+namespace {
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw std::runtime_error("there is no such file");
+  if (!std::filesystem::is_regular_file(path, ignored)) throw std::runtime_error("it is not a regular file");
+  std::string bytes(std::filesystem::file_size(path), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    throw std::runtime_error("it cannot be read");
+  return bytes;
+}
+
+Image decode_image(std::string_view bytes, ColorEncoding encoding) {
+  if (is_png(bytes)) return decode_png(bytes, encoding);
+  if (is_jpeg(bytes)) return decode_jpeg(bytes, encoding);
+  if (!is_exr(bytes) && !is_hdr(bytes)) {
+    throw std::runtime_error("it is neither a PNG, JPEG, OpenEXR nor Radiance HDR file");
+  }
+  Image image = is_exr(bytes) ? decode_exr(bytes) : decode_hdr(bytes);
+  for (Rgb& pixel : image.pixels)
+    pixel = {decode(encoding, pixel.r), decode(encoding, pixel.g), decode(encoding, pixel.b)};
+  return image;
+}
+
+}  // namespace
+
+Image sized_image(std::int64_t width, std::int64_t height) {
+  const auto most = static_cast<std::int64_t>(kMaxPixels);
+  if (width < 1 || height < 1) throw std::runtime_error("it has no size");
+  if (width > most || height > most || width * height > most) {
+    throw std::runtime_error("it is too large: " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  }
+  return Image(static_cast<int>(width), static_cast<int>(height));
+}
+
+Image read_image(const std::filesystem::path& path, ColorEncoding encoding) {
+  try {
+    return decode_image(bytes_of(path), encoding);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("cannot read the image " + path.string() + ": it does not fit into memory");
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot read the image " + path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace dspm
