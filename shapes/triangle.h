@@ -1,0 +1,75 @@
+// The one triangle test of dspm. Every tree calls it, or a SIMD twin that does the same operations in the same order.
+// Watertight: rays that pass through a shared edge or vertex hit at least one of the triangles around it.
+// [Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection]
+#pragma once
+
+#include <optional>
+
+#include "core/ray.h"
+#include "shapes/shape.h"
+
+namespace dspm {
+
+/// What the test needs of a ray: axes permuted so that z is where the direction is largest, and the shear that turns
+/// the direction into (0, 0, 1) after scaling by sz.
+struct TriangleRay {
+  Vec3 origin;
+  int kx, ky, kz;
+  float sx, sy, sz;
+
+  explicit TriangleRay(const Ray& ray) : origin(ray.origin) {
+    const Vec3 d = abs(ray.direction);
+    kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    sx = ray.direction[kx] / ray.direction[kz];
+    sy = ray.direction[ky] / ray.direction[kz];
+    sz = 1 / ray.direction[kz];
+  }
+};
+
+/// Twice the triangle's area along its normal, which points to where the vertices are seen counter-clockwise in a
+/// right-handed system. In double: exact enough that thin triangles keep a good normal.
+struct DoubleVec3 {
+  double x, y, z;
+};
+inline DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const double ax = double{p1.x} - p0.x, ay = double{p1.y} - p0.y, az = double{p1.z} - p0.z;
+  const double bx = double{p2.x} - p0.x, by = double{p2.y} - p0.y, bz = double{p2.z} - p0.z;
+  return {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
+}
+
+/// Has no area, hence no normal, and is never hit. A SIMD twin may leave such triangles out beforehand.
+inline bool is_degenerate(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const DoubleVec3 n = area_vector(p0, p1, p2);
+  return !(n.x * n.x + n.y * n.y + n.z * n.z > 0);
+}
+
+/// The hit with t in (0, t_max), finite; uv are the barycentrics of p1 and p2. Both sides are hit.
+inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
+                                             float t_max) {
+  const Vec3 a = p0 - ray.origin, b = p1 - ray.origin, c = p2 - ray.origin;
+  const float ax = a[ray.kx] - ray.sx * a[ray.kz], ay = a[ray.ky] - ray.sy * a[ray.kz];
+  const float bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
+  const float cx = c[ray.kx] - ray.sx * c[ray.kz], cy = c[ray.ky] - ray.sy * c[ray.kz];
+
+  // Where rounding leaves an edge function different from zero its sign is exact, as rounding is monotonic; in double
+  // the products are exact. So two triangles never disagree about the side of their common edge.
+  float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+  if (u == 0 || v == 0 || w == 0) {
+    u = static_cast<float>(double{cx} * by - double{cy} * bx);
+    v = static_cast<float>(double{ax} * cy - double{ay} * cx);
+    w = static_cast<float>(double{bx} * ay - double{by} * ax);
+  }
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
+  const float determinant = (u + v) + w;
+  if (determinant == 0) return std::nullopt;
+
+  const float scale = 1 / determinant;
+  const float z = (u * (ray.sz * a[ray.kz]) + v * (ray.sz * b[ray.kz])) + w * (ray.sz * c[ray.kz]);
+  const float t = z * scale;
+  if (!(t > 0 && t < t_max && t < kInfinity) || is_degenerate(p0, p1, p2)) return std::nullopt;
+  return PrimitiveHit{t, {v * scale, w * scale}};
+}
+
+}  // namespace dspm

@@ -1,0 +1,99 @@
+// Triangle meshes: surface points, sides, sampling, and rays that leave a triangle without meeting it again.
+#include "shapes/triangle_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/shapes/meshes.h"
+#include "tests/shapes/placed.h"
+#include "tests/shapes/random.h"
+
+namespace dspm {
+namespace {
+
+using test::Random;
+
+TEST(TriangleMesh, SurfacePointInterpolates) {
+  const TriangleMesh mesh({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {}, {{0, 0}, {4, 0}, {0, 1}}, {{0, 1, 2}}});
+  const SurfacePoint s = mesh.surface_point(0, {0.25f, 0.5f});
+  EXPECT_EQ(s.p, (Vec3{0.5f, 1, 0}));
+  EXPECT_EQ(s.ng, (Vec3{0, 0, 1}));
+  EXPECT_EQ(s.ns, (Vec3{0, 0, 1}));
+  EXPECT_EQ(s.uv, (Vec2{1, 0.5f}));
+  EXPECT_EQ(s.dpdu, (Vec3{0.5f, 0, 0}));  // u grows by 4 over a length of 2
+  EXPECT_EQ(mesh.area(0), 2.f);
+}
+
+TEST(TriangleMesh, NormalsTellTheSide) {
+  const TriangleMesh mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, -2}, {0, 0, -1}, {1, 0, -1}}, {}, {{0, 1, 2}}});
+  const SurfacePoint s = mesh.surface_point(0, {0, 0.5f});
+  EXPECT_EQ(s.ng, (Vec3{0, 0, -1}));
+  EXPECT_GT(dot(s.ns, s.ng), 0.f);
+  EXPECT_NEAR(length(s.ns), 1.f, 1e-6f);
+}
+
+TEST(TriangleMesh, FaultsAreNamed) {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(fault_of({corners, {}, {}, {{0, 1, 2}}}), std::nullopt);
+  EXPECT_EQ(fault_of({corners, {}, {}, {{0, 1, 3}}}), "face 0 refers to vertex 3, but the mesh has vertices 0 to 2");
+  EXPECT_EQ(fault_of({corners, {{0, 0, 1}}, {}, {{0, 1, 2}}}), "1 normals for 3 vertices");
+  EXPECT_THROW(TriangleMesh({corners, {}, {}, {{0, 1, -1}}}), std::invalid_argument);
+}
+
+// The outside of a mirrored or turned mesh is where the transformed normals of the mesh in its own space point to.
+TEST(TriangleMesh, BakingKeepsTheOutside) {
+  Random random(4);
+  for (const bool with_normals : {false, true}) {
+    MeshData data = test::icosphere(1, 1, {});
+    if (with_normals) data.normals = data.vertices;
+    const TriangleMesh mesh(data);
+    for (const double mirror : {-1.0, 1.0}) {
+      const Transform t(Matrix4::translate(3, -2, 5) * Matrix4::rotate(33, 1, 2, 3) * Matrix4::scale(mirror, 2, 0.5));
+      const TriangleMesh baked = mesh.transformed(t);
+      const PlacedShape placed = test::placed(mesh, t);
+      for (int i = 0; i < mesh.primitive_count(); ++i) {
+        const Vec3 outward = placed.surface_point(i, {0.3f, 0.3f}).ng;
+        EXPECT_GT(dot(outward, baked.surface_point(i, {0.3f, 0.3f}).ng), 0.999f);
+        EXPECT_GT(dot(outward, baked.vertex(i, 0) - t.point({})), 0.f);
+      }
+    }
+  }
+}
+
+// Uniform by area: the means of the barycentrics and of their squares and product over a triangle are 1/3, 1/6, 1/12.
+TEST(TriangleMesh, SamplesAreUniform) {
+  const TriangleMesh mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {{0, 1, 2}}});
+  double x = 0, y = 0, xx = 0, xy = 0;
+  const int n = 400;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec2 b = mesh.sample_area(0, {(static_cast<float>(i) + 0.5f) / n, (static_cast<float>(j) + 0.5f) / n});
+      ASSERT_TRUE(b.x >= 0 && b.y >= 0 && b.x + b.y <= 1.000001f);
+      x += b.x, y += b.y, xx += double{b.x} * b.x, xy += double{b.x} * b.y;
+    }
+  const double count = n * n;
+  EXPECT_NEAR(x / count, 1.0 / 3, 1e-4);
+  EXPECT_NEAR(y / count, 1.0 / 3, 1e-4);
+  EXPECT_NEAR(xx / count, 1.0 / 6, 1e-4);
+  EXPECT_NEAR(xy / count, 1.0 / 12, 1e-4);
+}
+
+// A ray that leaves a triangle does not meet it again, however flat it leaves.
+TEST(TriangleMesh, SpawnedRaysLeave) {
+  Random random(5);
+  long again = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const float scale = random.magnitude(-4, 5);
+    const Vec3 center = random.direction() * (scale * (random.below(2) != 0 ? random.magnitude(-2, 3) : 0.f));
+    const bool flat = random.below(4) == 0;  // in a plane z = const
+    std::vector<Vec3> p{random.in_cube(scale), random.in_cube(scale), random.in_cube(scale)};
+    for (Vec3& v : p) v = v + center;
+    if (flat) p[0].z = p[1].z = p[2].z = random.below(2) != 0 ? 0.f : center.z;
+    const TriangleMesh mesh({p, {}, {}, {{0, 1, 2}}});
+    const SurfacePoint s = mesh.surface_point(0, mesh.sample_area(0, random.square()));
+    if (mesh.intersect(0, s.spawn(test::leaving(s.ng, random)))) ++again;
+  }
+  EXPECT_EQ(again, 0);
+}
+
+}  // namespace
+}  // namespace dspm
