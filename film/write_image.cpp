@@ -1,0 +1,24 @@
+#include "film/write_image.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "image/png.h"
+
+namespace dspm {
+
+void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
+                 const ToneMap& tone) {
+  for (Rgb& pixel : image.pixels) pixel = limited(pixel, film.max_component);
+  if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
+  if (path.extension() != ".exr") {
+    throw std::runtime_error("cannot write " + path.string() + ": images are .exr or .png files");
+  }
+  const PixelRect crop = crop_of(film);
+  header.x = crop.x0, header.y = crop.y0;
+  header.full_width = film.width, header.full_height = film.height;
+  write_exr(path, image, header, film.save_half ? ExrPixels::half : ExrPixels::single);
+}
+
+}  // namespace dspm
