@@ -1,0 +1,68 @@
+#include "cameras/projection.h"
+
+#include "core/sampling.h"
+
+namespace dspm {
+namespace {
+
+// The shorter axis reaches from -1 to 1.
+void fit(Screen& screen, float aspect) {
+  const float x = std::max(aspect, 1.f), y = std::max(1 / aspect, 1.f);
+  screen.left = -x, screen.right = x, screen.bottom = -y, screen.top = y;
+}
+
+void read_window(ParamReader& reader, Screen& screen) {
+  const std::vector<float> window =
+      reader.numbers("screenwindow", "left, right, bottom and top of the screen; by default the shorter axis is -1 to 1");
+  if (window.empty()) return;
+  if (window.size() != 4 || !(window[0] < window[1]) || !(window[2] < window[3])) {
+    reader.error("screenwindow", "\"screenwindow\" takes left < right and bottom < top: four numbers");
+    return;
+  }
+  screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
+}
+
+// dspm renders moments; world says what is to be said where transforms would move while the shutter is open.
+void read_shutter(ParamReader& reader) {
+  reader.number("shutteropen", 0, "s", "when the shutter opens; without effect, nothing moves within a frame");
+  reader.number("shutterclose", 1, "s", "when the shutter closes; without effect");
+}
+
+}  // namespace
+
+Ray ThinLens::through(const Ray& central, Vec2 u) const {
+  if (!(radius > 0)) return central;
+  const Vec3 focus = central.at(focal_distance / central.direction.z);
+  const Vec2 offset = sample_disk(u) * radius;
+  const Vec3 origin = central.origin + Vec3{offset.x, offset.y, 0};
+  return {origin, normalize(focus - origin)};
+}
+
+float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
+                    std::string_view sentence) {
+  const float value = reader.number(name, fallback, unit, sentence);
+  if (value > 0) return value;
+  reader.error(name, "\"" + std::string(name) + "\" must be above 0");
+  return fallback;
+}
+
+Projection read_projection(ParamReader& reader, const CameraContext& context) {
+  Projection p;
+  p.screen.width = context.width;
+  p.screen.height = context.height;
+  const float film_aspect = static_cast<float>(context.width) / static_cast<float>(context.height);
+  fit(p.screen, read_positive(reader, "frameaspectratio", film_aspect, "", "width over height of the screen"));
+  read_window(reader, p.screen);
+  p.lens.radius = reader.number("lensradius", 0, "scene units", "radius of the lens; 0: all is sharp");
+  if (p.lens.radius < 0) reader.error("lensradius", "\"lensradius\" must not be below 0");
+  p.lens.focal_distance =
+      read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane that is sharp");
+  read_shutter(reader);
+  return p;
+}
+
+float mean_spacing(const Transform& to_world, Vec2 size) {
+  return std::sqrt(length(cross(to_world.vector({size.x, 0, 0}), to_world.vector({0, size.y, 0}))));
+}
+
+}  // namespace dspm

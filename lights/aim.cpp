@@ -1,0 +1,14 @@
+#include "lights/aim.h"
+
+namespace dspm {
+
+Aim read_aim(ParamReader& reader) {
+  const Vec3 from = reader.point("from", {0, 0, 0}, "light space", "the light goes from here ...");
+  const Vec3 to = reader.point("to", {0, 0, 1}, "light space", "... towards here");
+  const Vec3 along = to - from;
+  if (length(along) > 0) return {from, along};
+  reader.error(reader.has("to") ? "to" : "from", "\"from\" and \"to\" are the same point, so the light has no direction");
+  return {{0, 0, 0}, {0, 0, 1}};
+}
+
+}  // namespace dspm

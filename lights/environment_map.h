@@ -1,0 +1,48 @@
+// Radiance from all directions, constant within each pixel of an image; directions are drawn in exact proportion to its
+// luminance.
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+#include "lights/discrete.h"
+#include "lights/sphere_mapping.h"
+
+namespace dspm {
+
+class EnvironmentMap {
+ public:
+  struct Sample {
+    Vec3 direction;
+    Rgb radiance;
+    float pdf_w;
+  };
+
+  /// Every value of the image is finite and not below 0.
+  EnvironmentMap(Image image, SphereMapping mapping);
+
+  Rgb radiance(const Vec3& direction) const { return image_.pixels[pixel_at(direction)]; }
+  float pdf_w(const Vec3& direction) const;
+  /// Only where the map is not black.
+  Sample sample(Vec2 u) const;
+  bool is_black() const { return !(rows_.total() > 0); }
+  /// Radiance integrated over all directions.
+  Rgb fluence() const;
+  /// What a white surface that faces +z gets: the integral of luminance times cosine over the directions above.
+  float illuminance() const;
+
+ private:
+  std::size_t pixel_at(const Vec3& direction) const;
+  float solid_angle(int row) const;  // of one of its pixels
+  float pdf_w(int x, int y) const;
+  Vec3 direction_in(int x, int y, Vec2 u) const;
+  std::vector<DiscreteDistribution> distributions_within_rows() const;
+  DiscreteDistribution distribution_of_rows() const;
+
+  Image image_;
+  SphereMapping mapping_;
+  std::vector<DiscreteDistribution> columns_;  // of each row
+  DiscreteDistribution rows_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,63 @@
+// What sends light into the scene. Every light emits photons and can be sampled directly. Plugins: point.cpp is the
+// shortest to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/params.h"
+#include "core/registry.h"
+#include "core/transform.h"
+#include "shapes/placed_shape.h"
+
+namespace dspm {
+
+/// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power.
+struct Emission {
+  Ray ray;
+  Rgb flux;
+};
+
+/// Light that arrives at a point from one direction.
+struct Illumination {
+  Vec3 wi;         // towards the light
+  float distance;  // infinite for distant and infinite lights
+  Rgb radiance;    // for a delta light: the irradiance on a surface perpendicular to wi
+  float pdf_w;     // by solid angle; 0 for a delta light (one that no ray can hit)
+};
+
+class Light {
+ public:
+  virtual ~Light() = default;
+  /// The whole flux in W, or a good estimate of it: lights are chosen in proportion.
+  virtual Rgb power() const = 0;
+  /// Starts a photon path; nothing where these numbers yield no light.
+  virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
+  /// Draws a direction from which p may be lit; nothing where these numbers yield no light.
+  virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
+
+  /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
+  virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
+  /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.
+  virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
+  /// Radiance of a ray of that direction which leaves the scene (infinite lights), and illuminate's density for it.
+  virtual Rgb escaped(const Vec3& /*direction*/) const { return {}; }
+  virtual float escaped_pdf_w(const Vec3& /*direction*/) const { return 0; }
+};
+
+/// What a light is made from besides its parameters.
+struct LightContext {
+  Transform to_world;
+  Vec3 scene_center;                   // the sphere around everything, over all frames of the file
+  float scene_radius = 1;
+  const PlacedShape* shape = nullptr;  // of an area light; outlives the light
+};
+
+using MakeLight = std::unique_ptr<Light>(ParamReader&, const LightContext&);
+std::span<const Plugin<MakeLight>> light_plugins();       // LightSource
+std::span<const Plugin<MakeLight>> area_light_plugins();  // AreaLightSource
+std::span<const std::string_view> unbuilt_lights();       // pbrt's other LightSources, for find_plugin's `not_built`
+
+}  // namespace dspm
