@@ -57,8 +57,7 @@ std::vector<ParamInfo> describe(const Plugin<Make>& plugin, const Context&... co
   ParamReader reader(described, ignored);
   try {
     plugin.make(reader, context...);
-  } catch (const DescribedEnough&) {
-  }
+  } catch (const DescribedEnough&) {}
   return described;
 }
 

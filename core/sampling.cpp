@@ -1,0 +1,106 @@
+#include "core/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dspm {
+namespace {
+
+constexpr float kBelowOne = 0x1.fffffep-1f;  // the largest float below 1
+
+/// The direction of height z whose azimuth is the fraction u of a turn; r2 = 1 - z^2.
+Vec3 at_height(float z, float r2, float u) {
+  const float r = std::sqrt(std::max(r2, 0.f)), phi = 2 * kPi * u;
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+std::vector<Distribution1D> row_distributions(int width, int height, std::span<const float> weights) {
+  std::vector<Distribution1D> rows;
+  const std::size_t n = static_cast<std::size_t>(width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) rows.emplace_back(weights.subspan(y * n, n));
+  return rows;
+}
+
+Distribution1D across(const std::vector<Distribution1D>& rows) {
+  std::vector<float> totals;
+  for (const Distribution1D& row : rows) totals.push_back(row.total());
+  return Distribution1D(totals);
+}
+
+/// The bin of the coordinate x of [0, 1].
+int bin_of(float x, int count) { return std::clamp(static_cast<int>(x * static_cast<float>(count)), 0, count - 1); }
+
+}  // namespace
+
+Vec2 concentric_disk(Vec2 u) {
+  const float x = 2 * u.x - 1, y = 2 * u.y - 1;
+  if (x == 0 && y == 0) return {};
+  const bool wide = std::abs(x) > std::abs(y);
+  const float r = wide ? x : y, phi = wide ? kPi / 4 * (y / x) : kPi / 2 - kPi / 4 * (x / y);
+  return {r * std::cos(phi), r * std::sin(phi)};
+}
+
+Vec3 cosine_hemisphere(Vec2 u) {
+  const Vec2 d = concentric_disk(u);
+  return {d.x, d.y, std::sqrt(std::max(1 - d.x * d.x - d.y * d.y, 0.f))};
+}
+
+Vec3 uniform_sphere(Vec2 u) { return at_height(1 - 2 * u.x, 4 * u.x * (1 - u.x), u.y); }
+
+Vec3 uniform_hemisphere(Vec2 u) { return at_height(1 - u.x, u.x * (2 - u.x), u.y); }
+
+Vec3 uniform_cone(Vec2 u, float one_minus_cos_max) {
+  const float h = u.x * one_minus_cos_max;  // 1 - cos of the angle
+  return at_height(1 - h, h * (2 - h), u.y);
+}
+
+Vec2 uniform_triangle(Vec2 u) { return u.x < u.y ? Vec2{u.x / 2, u.y - u.x / 2} : Vec2{u.x - u.y / 2, u.y / 2}; }
+
+Distribution1D::Distribution1D(std::span<const float> weights) {
+  double total = 0;
+  for (const float weight : weights) total += static_cast<double>(weight);
+  total_ = static_cast<float>(total);
+  const double n = static_cast<double>(weights.size());
+  double sum = 0;
+  cdf_.push_back(0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    sum += total > 0 ? static_cast<double>(weights[i]) / total : 1 / n;
+    cdf_.push_back(static_cast<float>(std::min(sum, 1.)));
+  }
+  // Rounding may have left the last steps short of 1; bins of no weight at the end must stay empty.
+  std::replace(cdf_.begin() + 1, cdf_.end(), float{cdf_.back()}, 1.f);
+}
+
+Distribution1D::Choice Distribution1D::choose(float u) const {
+  // The last bin that begins at or below u; one of no weight begins where the next begins, so it is never the last.
+  const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), std::min(u, kBelowOne));
+  const int index = static_cast<int>(above - cdf_.begin()) - 1;
+  const float begin = *(above - 1), width = *above - begin;
+  return {index, width, std::min((u - begin) / width, kBelowOne)};
+}
+
+float Distribution1D::probability(int index) const {
+  const std::size_t i = static_cast<std::size_t>(index);
+  return cdf_[i + 1] - cdf_[i];
+}
+
+Distribution2D::Distribution2D(int width, int height, std::span<const float> weights)
+    : rows_(row_distributions(width, height, weights)), columns_(across(rows_)) {}
+
+Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
+  const Distribution1D::Choice y = columns_.choose(u.y);
+  const Distribution1D& row = rows_[static_cast<std::size_t>(y.index)];
+  const Distribution1D::Choice x = row.choose(u.x);
+  const float width = static_cast<float>(row.size()), height = static_cast<float>(columns_.size());
+  const Vec2 p{(static_cast<float>(x.index) + x.rest) / width, (static_cast<float>(y.index) + y.rest) / height};
+  return {p, x.probability * y.probability * width * height};
+}
+
+float Distribution2D::pdf(Vec2 p) const {
+  const int y = bin_of(p.y, columns_.size());
+  const Distribution1D& row = rows_[static_cast<std::size_t>(y)];
+  const float cells = static_cast<float>(row.size()) * static_cast<float>(columns_.size());
+  return columns_.probability(y) * row.probability(bin_of(p.x, row.size())) * cells;
+}
+
+}  // namespace dspm
