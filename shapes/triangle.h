@@ -3,6 +3,7 @@
 // [Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection]
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "core/ray.h"
@@ -13,11 +14,11 @@ namespace dspm {
 /// What the test needs of a ray: axes permuted so that z is where the direction is largest, and the shear that turns
 /// the direction into (0, 0, 1) after scaling by sz.
 struct TriangleRay {
-  Vec3 origin;
+  Vec3 origin, direction;
   int kx, ky, kz;
   float sx, sy, sz;
 
-  explicit TriangleRay(const Ray& ray) : origin(ray.origin) {
+  explicit TriangleRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
     const Vec3 d = abs(ray.direction);
     kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
@@ -28,21 +29,18 @@ struct TriangleRay {
   }
 };
 
-/// Twice the triangle's area along its normal, which points to where the vertices are seen counter-clockwise in a
-/// right-handed system. In double: exact enough that thin triangles keep a good normal.
 struct DoubleVec3 {
   double x, y, z;
 };
-inline DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  const double ax = double{p1.x} - p0.x, ay = double{p1.y} - p0.y, az = double{p1.z} - p0.z;
-  const double bx = double{p2.x} - p0.x, by = double{p2.y} - p0.y, bz = double{p2.z} - p0.z;
-  return {ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx};
-}
+inline double dot(const DoubleVec3& a, const DoubleVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline DoubleVec3 widen(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline DoubleVec3 difference(const Vec3& a, const Vec3& b) { return {double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z}; }
 
-/// Has no area, hence no normal, and is never hit. A SIMD twin may leave such triangles out beforehand.
-inline bool is_degenerate(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  const DoubleVec3 n = area_vector(p0, p1, p2);
-  return !(n.x * n.x + n.y * n.y + n.z * n.z > 0);
+/// Twice the triangle's area along its normal, which points to where the vertices are seen counter-clockwise in a
+/// right-handed system. In double: even the thinnest triangles keep their plane.
+inline DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const DoubleVec3 a = difference(p1, p0), b = difference(p2, p0);
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// The hit with t in (0, t_max), finite; uv are the barycentrics of p1 and p2. Both sides are hit.
@@ -65,10 +63,16 @@ inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3&
   const float determinant = (u + v) + w;
   if (determinant == 0) return std::nullopt;
 
+  // The edge functions would give the distance as well, but with an error that grows as the projected triangle gets
+  // thin: a ray could meet the triangle that it leaves. The plane's side on which the origin lies is certain in double.
+  const DoubleVec3 n = area_vector(p0, p1, p2);
+  const double across = dot(n, widen(ray.direction));
+  const float plane_t = static_cast<float>(dot(n, difference(p0, ray.origin)) / across);
+  if (!(plane_t > 0)) return std::nullopt;  // NaN, too, where the triangle has no area
+  const float za = ray.sz * a[ray.kz], zb = ray.sz * b[ray.kz], zc = ray.sz * c[ray.kz];
+  const float t = std::clamp(plane_t, std::min(za, std::min(zb, zc)), std::max(za, std::max(zb, zc)));
+  if (!(t > 0 && t < t_max && t < kInfinity)) return std::nullopt;
   const float scale = 1 / determinant;
-  const float z = (u * (ray.sz * a[ray.kz]) + v * (ray.sz * b[ray.kz])) + w * (ray.sz * c[ray.kz]);
-  const float t = z * scale;
-  if (!(t > 0 && t < t_max && t < kInfinity) || is_degenerate(p0, p1, p2)) return std::nullopt;
   return PrimitiveHit{t, {v * scale, w * scale}};
 }
 

@@ -11,13 +11,13 @@
 namespace dspm {
 namespace {
 
-// The triangle test rounds coordinates relative to the ray's origin, in every direction: a point's error is at least
-// this share of the triangle's size, even on a plane such as z = 0 whose points have no error of their own.
-constexpr int kTestRoundings = 16;
+// Trees that test triangles in float alone round coordinates relative to the ray's origin: a point's error is at least
+// this many roundings of the triangle's size, even on a plane such as z = 0 whose points have no error of their own.
+constexpr int kSizeRoundings = 4;
 
 Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const DoubleVec3 n = area_vector(p0, p1, p2);
-  const double l = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  const double l = std::sqrt(dot(n, n));
   return {static_cast<float>(n.x / l), static_cast<float>(n.y / l), static_cast<float>(n.z / l)};
 }
 
@@ -51,7 +51,7 @@ TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)) {
   for (Face& f : data_.faces) {
     const Vec3 side = at(data_.normals, f[0]) + at(data_.normals, f[1]) + at(data_.normals, f[2]);
     const DoubleVec3 n = area_vector(at(data_.vertices, f[0]), at(data_.vertices, f[1]), at(data_.vertices, f[2]));
-    if (n.x * side.x + n.y * side.y + n.z * side.z < 0) std::swap(f[1], f[2]);
+    if (dot(n, widen(side)) < 0) std::swap(f[1], f[2]);
   }
 }
 
@@ -84,11 +84,11 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
   const Vec3 b{1 - uv.x - uv.y, uv.x, uv.y};
   const Vec3 c0 = p0 * b.x, c1 = p1 * b.y, c2 = p2 * b.z;
   const float size = std::max(max_component(abs(p1 - p0)), max_component(abs(p2 - p0)));
-  const float test_error = gamma_bound(kTestRoundings) * size;
+  const float size_error = gamma_bound(kSizeRoundings) * size;
 
   SurfacePoint s;
   s.p = c0 + c1 + c2;
-  s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{test_error, test_error, test_error};
+  s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
   s.ng = unit_normal(p0, p1, p2);
   s.ns = shading_normal(primitive, b, s.ng);
   s.dpdu = tangent(primitive, s.ng);
@@ -126,7 +126,7 @@ Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3
 
 float TriangleMesh::area(int primitive) const {
   const DoubleVec3 n = area_vector(vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2));
-  return static_cast<float>(0.5 * std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
+  return static_cast<float>(0.5 * std::sqrt(dot(n, n)));
 }
 
 // Folds the unit square along its diagonal onto the triangle. [Heitz 2019, A Low-Distortion Map Between Triangle and Square]

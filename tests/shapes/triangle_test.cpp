@@ -107,6 +107,22 @@ TEST(Triangle, ClosedMeshesDoNotLeak) {
     }
 }
 
+// A thin triangle seen from its own plane's neighbourhood: the distance stays that of the plane.
+TEST(Triangle, ThinTrianglesKeepTheirDistance) {
+  Random random(6);
+  for (int i = 0; i < 300'000; ++i) {
+    const Vec3 a = random.in_cube(1), along = random.direction(), aside = random.direction();
+    const Vec3 b = a + along, c = a + along * random.uniform() + aside * random.magnitude(-6, 0);
+    const Vec3 target = a * 0.3f + b * 0.3f + c * 0.4f, direction = random.direction();
+    const float distance = random.uniform(0.1f, 2);
+    const DoubleVec3 n = area_vector(a, b, c);
+    const double cosine = std::abs(dot(n, widen(direction))) / std::sqrt(dot(n, n));
+    const auto hit = intersect(TriangleRay({target - direction * distance, direction}), a, b, c, kInfinity);
+    if (!hit || cosine < 0.01) continue;
+    EXPECT_NEAR(hit->t, distance, 1e-6 / cosine);
+  }
+}
+
 // Rays along an axis through the vertices of a grid: every coordinate difference is exact, edge functions are zero.
 TEST(Triangle, ClosedMeshesDoNotLeakAlongTheAxes) {
   const TriangleMesh mesh(test::box(1, {}));
