@@ -215,6 +215,7 @@ void ParamReader::finish() {
                          guess.empty() ? all : fmt::format("{} ({})", guess, all));
     }
   }
+  if (only_checks_) throw DescribedEnough{};
 }
 
 SourceLocation ParamReader::where(std::string_view name) const {

@@ -82,7 +82,7 @@ struct ValueOrTexture {
   SourceLocation where;
 };
 
-/// Thrown by finish() where a plugin is only asked to describe itself; caught by describe().
+/// Thrown by finish() where no object is wanted: by describe(), and after only_check().
 struct DescribedEnough {};
 
 class ParamReader {
@@ -93,6 +93,9 @@ class ParamReader {
               std::filesystem::path main_directory = {});
   /// Only describes: every read appends to `described` and yields its default, finish() throws DescribedEnough.
   ParamReader(std::vector<ParamInfo>& described, Diagnostics& diagnostics);
+
+  /// From here on finish() throws DescribedEnough after its checks: the parameters are looked at, nothing is made.
+  void only_check() { only_checks_ = true; }
 
   /// Whether the scene gives it, by this name or an alias. To be asked besides reading, not instead: a factory reads
   /// every parameter in every case, or --describe would miss some.
@@ -177,6 +180,7 @@ class ParamReader {
   Diagnostics& diagnostics_;
   std::filesystem::path main_directory_;
   std::vector<ParamInfo>* described_ = nullptr;
+  bool only_checks_ = false;
   std::vector<std::string> known_;                            // names that were asked for
   std::vector<std::string> tolerated_;                        // names that unsupported() has dealt with
   std::vector<std::pair<std::string, std::string>> aliases_;  // alias, name
