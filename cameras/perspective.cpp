@@ -48,7 +48,7 @@ std::unique_ptr<Camera> make_perspective(ParamReader& reader, const CameraContex
   const Projection projection = read_projection(reader, context);
   float fov = read_positive(reader, "fov", 90, "degrees", "field of view over the shorter axis");
   if (fov >= 180) {
-    reader.error("fov", "\"fov\" must be below 180 degrees");
+    reader.error("fov", "parameter \"fov\" of " + reader.subject() + " must be below 180");
     fov = 90;
   }
   reader.finish();

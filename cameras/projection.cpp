@@ -16,7 +16,7 @@ void read_window(ParamReader& reader, Screen& screen) {
       reader.numbers("screenwindow", "left, right, bottom and top of the screen; by default the shorter axis is -1 to 1");
   if (window.empty()) return;
   if (window.size() != 4 || !(window[0] < window[1]) || !(window[2] < window[3])) {
-    reader.error("screenwindow", "\"screenwindow\" takes left < right and bottom < top: four numbers");
+    reader.error("screenwindow", "parameter \"screenwindow\" takes four numbers: left < right, bottom < top");
     return;
   }
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
@@ -33,7 +33,7 @@ void read_shutter(ParamReader& reader) {
 Ray ThinLens::through(const Ray& central, Vec2 u) const {
   if (!(radius > 0)) return central;
   const Vec3 focus = central.at(focal_distance / central.direction.z);
-  const Vec2 offset = sample_disk(u) * radius;
+  const Vec2 offset = concentric_disk(u) * radius;
   const Vec3 origin = central.origin + Vec3{offset.x, offset.y, 0};
   return {origin, normalize(focus - origin)};
 }
@@ -42,7 +42,7 @@ float read_positive(ParamReader& reader, std::string_view name, float fallback, 
                     std::string_view sentence) {
   const float value = reader.number(name, fallback, unit, sentence);
   if (value > 0) return value;
-  reader.error(name, "\"" + std::string(name) + "\" must be above 0");
+  reader.error(name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " must be above 0");
   return fallback;
 }
 
@@ -54,7 +54,7 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
   fit(p.screen, read_positive(reader, "frameaspectratio", film_aspect, "", "width over height of the screen"));
   read_window(reader, p.screen);
   p.lens.radius = reader.number("lensradius", 0, "scene units", "radius of the lens; 0: all is sharp");
-  if (p.lens.radius < 0) reader.error("lensradius", "\"lensradius\" must not be below 0");
+  if (p.lens.radius < 0) reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be below 0");
   p.lens.focal_distance =
       read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane that is sharp");
   read_shutter(reader);

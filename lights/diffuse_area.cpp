@@ -12,7 +12,6 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.4]
 #include "core/sampling.h"
-#include "lights/discrete.h"
 #include "lights/plugins.h"
 #include "lights/strength.h"
 
@@ -35,10 +34,10 @@ float world_area(const PlacedShape& placed, int primitive) {
   return static_cast<float>(sum / (n * n));
 }
 
-DiscreteDistribution primitives_by_area(const PlacedShape& placed) {
+Distribution1D primitives_by_area(const PlacedShape& placed) {
   std::vector<float> areas(static_cast<std::size_t>(placed.shape->primitive_count()));
   for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = world_area(placed, static_cast<int>(i));
-  return DiscreteDistribution(areas);
+  return Distribution1D(areas);
 }
 
 // Area light over all primitives; every density of a point is by area in the world.
@@ -46,7 +45,7 @@ class DiffuseArea final : public Light {
  public:
   DiffuseArea(const PlacedShape& placed, const Rgb& radiance, bool two_sided, const Strength& strength)
       : placed_(placed), primitives_(primitives_by_area(placed)), two_sided_(two_sided) {
-    const float flux_at_1 = kPi * static_cast<float>(primitives_.total()) * sides();
+    const float flux_at_1 = kPi * primitives_.total() * sides();
     radiance_ = radiance * strength.factor(flux_at_1);
     power_ = radiance_ * flux_at_1;
   }
@@ -61,7 +60,7 @@ class DiffuseArea final : public Light {
       side = u_direction.x < 0.5f ? 1.f : -1.f;
       u_direction.x = 2 * u_direction.x - (side < 0 ? 1.f : 0.f);
     }
-    const Vec3 local = sample_cosine_hemisphere(u_direction);
+    const Vec3 local = cosine_hemisphere(u_direction);
     const Vec3 w = normalize(Basis::around(side * s.point.ng).to_world(local));
     return Emission{s.point.spawn(w), radiance_ * (kPi * sides() / s.pdf_a)};
   }
@@ -92,7 +91,7 @@ class DiffuseArea final : public Light {
   float sides() const { return two_sided_ ? 2.f : 1.f; }
 
   AreaSample sample_point(Vec2 u) const {
-    const auto [primitive, probability, rest] = primitives_.sample(u.x);
+    const auto [primitive, probability, rest] = primitives_.choose(u.x);
     AreaSample s = placed_.sample_area(primitive, {rest, u.y});
     s.pdf_a *= probability;
     return s;
@@ -106,7 +105,7 @@ class DiffuseArea final : public Light {
   }
 
   const PlacedShape& placed_;
-  DiscreteDistribution primitives_;
+  Distribution1D primitives_;
   bool two_sided_;
   Rgb radiance_, power_;
 };

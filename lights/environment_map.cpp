@@ -15,8 +15,8 @@ EnvironmentMap::EnvironmentMap(Image image, SphereMapping mapping)
       columns_(distributions_within_rows()),
       rows_(distribution_of_rows()) {}
 
-std::vector<DiscreteDistribution> EnvironmentMap::distributions_within_rows() const {
-  std::vector<DiscreteDistribution> columns;
+std::vector<Distribution1D> EnvironmentMap::distributions_within_rows() const {
+  std::vector<Distribution1D> columns;
   columns.reserve(static_cast<std::size_t>(image_.height));
   std::vector<float> weights(static_cast<std::size_t>(image_.width));
   for (int y = 0; y < image_.height; ++y) {
@@ -26,12 +26,12 @@ std::vector<DiscreteDistribution> EnvironmentMap::distributions_within_rows() co
   return columns;
 }
 
-DiscreteDistribution EnvironmentMap::distribution_of_rows() const {
+Distribution1D EnvironmentMap::distribution_of_rows() const {
   std::vector<float> weights;
   weights.reserve(columns_.size());
   for (int y = 0; y < image_.height; ++y)
-    weights.push_back(static_cast<float>(columns_[static_cast<std::size_t>(y)].total()) * solid_angle(y));
-  return DiscreteDistribution(weights);
+    weights.push_back(columns_[static_cast<std::size_t>(y)].total() * solid_angle(y));
+  return Distribution1D(weights);
 }
 
 float EnvironmentMap::solid_angle(int row) const {
@@ -67,8 +67,8 @@ Vec3 EnvironmentMap::direction_in(int x, int y, Vec2 u) const {
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
-  const auto [y, row_probability, rest_y] = rows_.sample(u.y);
-  const auto [x, column_probability, rest_x] = columns_[static_cast<std::size_t>(y)].sample(u.x);
+  const auto [y, row_probability, rest_y] = rows_.choose(u.y);
+  const auto [x, column_probability, rest_x] = columns_[static_cast<std::size_t>(y)].choose(u.x);
   return {direction_in(x, y, {rest_x, rest_y}), image_.at(x, y),
           row_probability * column_probability / solid_angle(y)};
 }

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "core/sampling.h"
 #include "image/image.h"
-#include "lights/discrete.h"
 #include "lights/sphere_mapping.h"
 
 namespace dspm {
@@ -36,13 +36,13 @@ class EnvironmentMap {
   float solid_angle(int row) const;  // of one of its pixels
   float pdf_w(int x, int y) const;
   Vec3 direction_in(int x, int y, Vec2 u) const;
-  std::vector<DiscreteDistribution> distributions_within_rows() const;
-  DiscreteDistribution distribution_of_rows() const;
+  std::vector<Distribution1D> distributions_within_rows() const;
+  Distribution1D distribution_of_rows() const;
 
   Image image_;
   SphereMapping mapping_;
-  std::vector<DiscreteDistribution> columns_;  // of each row
-  DiscreteDistribution rows_;
+  std::vector<Distribution1D> columns_;  // of each row
+  Distribution1D rows_;
 };
 
 }  // namespace dspm

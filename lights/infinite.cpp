@@ -117,13 +117,13 @@ EnvironmentMap constant(const Rgb& radiance) {
 
 std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& context) {
   const Rgb radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance of one colour from everywhere");
-  const std::filesystem::path file = reader.file("filename", "an image of the radiance, instead of L");
+  const std::filesystem::path file = reader.optional_file("filename", "an image of the radiance, instead of L");
   const std::string mapping = reader.choice("mapping", "auto", {"auto", "equalarea", "equirectangular"},
                                             "how the image covers the sphere; auto: by its aspect");
   const Strength strength = read_illuminance(reader);
   reader.unsupported("portal", "portals");
   if (reader.has("L") && reader.has("filename"))
-    reader.error("filename", "an infinite light takes \"L\" or \"filename\", not both");
+    reader.error("filename", reader.subject() + " takes \"L\" or \"filename\", not both");
   reader.finish();
 
   if (!file.empty()) {

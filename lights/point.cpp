@@ -24,7 +24,7 @@ class Point final : public Light {
   Rgb power() const override { return 4 * kPi * intensity_; }
 
   std::optional<Emission> emit(Vec2, Vec2 u_direction) const override {
-    return Emission{{p_, sample_sphere(u_direction)}, power()};
+    return Emission{{p_, uniform_sphere(u_direction)}, power()};
   }
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {

@@ -15,7 +15,7 @@ struct SceneSphere {
   float disk_area() const { return kPi * radius * radius; }
   /// A ray against the unit vector `towards_light`, uniform over the disk, that starts clear of the sphere.
   Ray entering(const Vec3& towards_light, Vec2 u) const {
-    const Vec2 offset = sample_disk(u) * radius;
+    const Vec2 offset = concentric_disk(u) * radius;
     const Basis basis = Basis::around(towards_light);
     constexpr float kClear = 1.01f;  // more than rounding can take away
     return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};

@@ -15,7 +15,6 @@
 // | power          | -1      | where above 0: lumen that I is scaled to have were its luminance 1 |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.1]
-#include "core/sampling.h"
 #include "lights/aim.h"
 #include "lights/plugins.h"
 #include "lights/strength.h"
@@ -89,9 +88,9 @@ Cone read_cone(ParamReader& reader) {
   Cone cone{reader.number("coneangle", 30, "degrees", "between the axis and darkness"),
             reader.number("conedeltaangle", 5, "degrees", "of the falloff, within coneangle")};
   if (!(cone.angle > 0 && cone.angle <= 180)) {
-    reader.error("coneangle", "\"coneangle\" must be above 0 and not above 180 degrees");
+    reader.error("coneangle", "parameter \"coneangle\" of " + reader.subject() + " must be above 0 and not above 180");
   } else if (!(cone.delta >= 0 && cone.delta <= cone.angle)) {
-    reader.error("conedeltaangle", "\"conedeltaangle\" must lie between 0 and \"coneangle\"");
+    reader.error("conedeltaangle", "parameter \"conedeltaangle\" of " + reader.subject() + " must lie in 0..coneangle");
   } else {
     return cone;
   }

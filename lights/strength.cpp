@@ -6,7 +6,7 @@ namespace {
 float read_scale(ParamReader& reader) {
   const float scale = reader.number("scale", 1, "", "multiplies the light");
   if (scale >= 0) return scale;
-  reader.error("scale", "\"scale\" of a light must not be below 0");
+  reader.error("scale", "parameter \"scale\" of " + reader.subject() + " must not be below 0");
   return 1;
 }
 
