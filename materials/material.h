@@ -1,0 +1,34 @@
+// What a surface is made of. Plugins: diffuse.cpp is the shortest to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/params.h"
+#include "core/registry.h"
+#include "materials/bsdf.h"
+#include "shapes/shape.h"
+
+namespace dspm {
+
+class TextureSet;
+
+class Material {
+ public:
+  virtual ~Material() = default;
+  /// The scattering at a point, built in `slot`.
+  virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
+  /// Light passes into the body: its mesh should be closed and its normals point outward.
+  virtual bool bounds_a_body() const { return false; }
+};
+
+struct MaterialContext {
+  const TextureSet& textures;
+};
+
+using MakeMaterial = std::unique_ptr<Material>(ParamReader&, const MaterialContext&);
+std::span<const Plugin<MakeMaterial>> material_plugins();
+/// pbrt's others.
+std::span<const std::string_view> unbuilt_materials();
+
+}  // namespace dspm
