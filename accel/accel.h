@@ -1,0 +1,73 @@
+// The query that everything stands on: what does a ray meet first, in each of these frames?
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/frames.h"
+#include "core/params.h"
+#include "core/registry.h"
+#include "shapes/placed_shape.h"
+
+namespace dspm {
+
+/// What a ray meets: `shape` indexes the placed shapes and is negative for a miss.
+struct RayHit {
+  float t = kInfinity;
+  int shape = -1;
+  int primitive = 0;
+  Vec2 uv;
+
+  bool missed() const { return shape < 0; }
+  /// The order that decides which of two hits is the nearest: distance, then shape, then primitive.
+  bool nearer_than(const RayHit& o) const {
+    if (t != o.t) return t < o.t;
+    if (shape != o.shape) return static_cast<unsigned>(shape) < static_cast<unsigned>(o.shape);
+    return primitive < o.primitive;
+  }
+};
+
+/// In these frames, this is what the ray meets first (or a miss).
+struct FrameHit {
+  FrameSet frames;
+  RayHit hit;
+};
+
+/// The frames of a ray cut up by what it meets: parts are disjoint, their union is what was asked for, a miss is a
+/// part, no two parts hold the same (shape, primitive). Ordered by the parts' lowest frames.
+class HitPartition {
+ public:
+  HitPartition() {}  // the parts stay uninitialised: this is made for every ray
+  void add(FrameSet frames, const RayHit& hit) { parts_[static_cast<std::size_t>(count_++)] = {frames, hit}; }
+  int size() const { return count_; }
+  FrameHit& operator[](int i) { return parts_[static_cast<std::size_t>(i)]; }
+  const FrameHit& operator[](int i) const { return parts_[static_cast<std::size_t>(i)]; }
+  const FrameHit* begin() const { return parts_.data(); }
+  const FrameHit* end() const { return parts_.data() + count_; }
+
+ private:
+  int count_ = 0;
+  union {
+    std::array<FrameHit, kMaxFrames> parts_;
+  };
+};
+
+class Accel {
+ public:
+  virtual ~Accel() = default;
+  /// The nearest hit with t in (0, ray.t_max), frame by frame.
+  virtual HitPartition partition(const Ray& ray, FrameSet frames) const = 0;
+  /// The frames in which something lies in (0, ray.t_max).
+  virtual FrameSet occluded(const Ray& ray, FrameSet frames) const = 0;
+  /// Bytes held, for the report before rendering.
+  virtual std::size_t memory() const = 0;
+};
+
+/// `shapes` and what they point to must outlive the tree; `all` are the frames of the interval: a shape that is there in
+/// all of them is static.
+using MakeAccel = std::unique_ptr<Accel>(ParamReader&, std::span<const PlacedShape> shapes, FrameSet all);
+std::span<const Plugin<MakeAccel>> accel_plugins();
+
+}  // namespace dspm

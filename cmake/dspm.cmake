@@ -1,0 +1,43 @@
+# The project's libraries, tests and the compiler's settings, one line each where they are used.
+
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(GTest REQUIRED)
+find_package(Threads REQUIRED)
+
+add_library(dspm_settings INTERFACE)
+target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR})
+# No contraction and no fast-math: equal paths must take equal decisions in every run, see docs/design.md.
+target_compile_options(dspm_settings INTERFACE -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(DSPM_WERROR)
+  target_compile_options(dspm_settings INTERFACE -Werror)
+endif()
+target_link_libraries(dspm_settings INTERFACE fmt::fmt Threads::Threads)
+
+# dspm_library(materials SOURCES a.cpp b.cpp NEEDS core textures)
+function(dspm_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS;USES" ${ARGN})
+  add_library(dspm_${name} STATIC ${ARG_SOURCES})
+  list(TRANSFORM ARG_NEEDS PREPEND dspm_)
+  target_link_libraries(dspm_${name} PUBLIC dspm_settings ${ARG_NEEDS} PRIVATE ${ARG_USES})
+endfunction()
+
+# dspm_test(materials/chi2 LABEL statistical NEEDS materials): tests/materials/chi2_test.cpp becomes one ctest.
+function(dspm_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "NEEDS;USES" ${ARGN})
+  string(REPLACE "/" "_" target ${name}_test)
+  add_executable(${target} ${CMAKE_SOURCE_DIR}/tests/${name}_test.cpp)
+  list(TRANSFORM ARG_NEEDS PREPEND dspm_)
+  target_link_libraries(${target} PRIVATE ${ARG_NEEDS} ${ARG_USES} GTest::gtest_main)
+  target_compile_definitions(${target} PRIVATE DSPM_TEST_DATA="${DSPM_TEST_DATA}"
+    DSPM_SOURCE_DIR="${CMAKE_SOURCE_DIR}" DSPM_BINARY="$<TARGET_FILE_DIR:dspm>/dspm")
+  add_test(NAME ${name} COMMAND ${target})
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL quick)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "SKIPPED")
+endfunction()

@@ -1,0 +1,80 @@
+// Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point [WG12 4.3].
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "integrators/estimator.h"
+#include "integrators/pixel_statistics.h"
+
+namespace dspm {
+namespace {
+
+class Hj09 final : public PixelEstimator {
+ public:
+  explicit Hj09(const EstimatorSettings& settings)
+      : frames_(settings.frames), alpha_(settings.alpha),
+        statistics_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
+
+  float search_radius(const HitPoint& hit) const override {
+    float largest2 = 0;
+    hit.frames.for_each([&](Frame f) {
+      const float R2 = statistics_[index(hit.pixel, f)].R2;
+      largest2 = std::max(largest2, R2 == 0 ? hit.radius * hit.radius : R2);
+    });
+    return std::sqrt(largest2);
+  }
+
+  void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
+    PixelStatistics* pixel = &statistics_[index(hit.pixel, 0)];
+    // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
+    float largest2 = 0, smallest2 = kInfinity;
+    hit.frames.for_each([&](Frame f) {
+      if (pixel[f].R2 == 0) pixel[f].R2 = hit.radius * hit.radius;
+      largest2 = std::max(largest2, pixel[f].R2), smallest2 = std::min(smallest2, pixel[f].R2);
+    });
+
+    PassSums shared;
+    std::array<PassSums, kMaxFrames> sums;
+    hit.frames.for_each([&](Frame f) { sums[static_cast<std::size_t>(f)] = {}; });
+    gather(hit, map, std::sqrt(largest2), counts, [&](FrameSet frames, const Rgb& flux, float distance2) {
+      if (frames == hit.frames && distance2 <= smallest2) {
+        ++shared.M, shared.phi += flux;
+        return;
+      }
+      frames.for_each([&](Frame f) {
+        PassSums& sum = sums[static_cast<std::size_t>(f)];
+        if (distance2 <= pixel[f].R2) ++sum.M, sum.phi += flux;
+      });
+    });
+
+    hit.frames.for_each([&](Frame f) {
+      PassSums& sum = sums[static_cast<std::size_t>(f)];
+      sum.M += shared.M, sum.phi = (sum.phi + shared.phi) * hit.throughput;
+      pixel[f].absorb(sum, alpha_);
+    });
+  }
+
+  void end_iteration(std::int64_t photons) override { emitted_ += photons; }
+
+  Rgb radiance(int pixel, Frame frame) const override {
+    return statistics_[index(pixel, frame)].radiance(static_cast<double>(emitted_));
+  }
+
+  std::size_t bytes() const override { return statistics_.capacity() * sizeof(PixelStatistics); }
+
+ private:
+  std::size_t index(int pixel, Frame frame) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
+  }
+
+  int frames_;
+  float alpha_;
+  std::int64_t emitted_ = 0;  // photon paths so far, in each frame
+  std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
+};
+
+}  // namespace
+
+std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings) { return std::make_unique<Hj09>(settings); }
+
+}  // namespace dspm

@@ -1,0 +1,78 @@
+// Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is then
+// linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums of
+// those frames that have them.
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "integrators/estimator.h"
+
+namespace dspm {
+namespace {
+
+class Kz11 final : public PixelEstimator {
+ public:
+  explicit Kz11(const EstimatorSettings& settings)
+      : frames_(settings.frames), alpha_(settings.alpha), shared_(static_cast<std::size_t>(settings.pixels)),
+        own_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
+
+  float search_radius(const HitPoint& hit) const override { return hit.radius * static_cast<float>(scale_); }
+
+  void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
+    const float radius = search_radius(hit);
+    const Rgb per_area = hit.throughput / (kPi * radius * radius);
+    Rgb shared;
+    std::array<Rgb, kMaxFrames> own;
+    FrameSet with_own;
+    gather(hit, map, radius, counts, [&](FrameSet frames, const Rgb& flux, float) {
+      if (frames == hit.frames) {
+        shared += flux;
+        return;
+      }
+      (frames - with_own).for_each([&](Frame f) { own[static_cast<std::size_t>(f)] = {}; });
+      with_own |= frames;
+      frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += flux; });
+    });
+    const Rgb sum = shared * per_area;
+    if (hit.frames == FrameSet::first(frames_)) {
+      shared_[static_cast<std::size_t>(hit.pixel)] += sum;
+    } else {
+      hit.frames.for_each([&](Frame f) { own_[index(hit.pixel, f)] += sum; });
+    }
+    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)] * per_area; });
+  }
+
+  // s'^2 = s^2 (i + alpha) / (i + 1), the i-th iteration counted from 1. [KZ11]
+  void end_iteration(std::int64_t photons) override {
+    photons_ = photons;
+    ++iterations_;
+    scale_ *= std::sqrt((iterations_ + static_cast<double>(alpha_)) / (iterations_ + 1));
+  }
+
+  Rgb radiance(int pixel, Frame frame) const override {
+    if (iterations_ == 0) return {};
+    const double emitted = iterations_ * static_cast<double>(photons_);
+    return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
+  }
+
+  std::size_t bytes() const override { return (shared_.capacity() + own_.capacity()) * sizeof(Rgb); }
+
+ private:
+  std::size_t index(int pixel, Frame frame) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
+  }
+
+  int frames_;
+  float alpha_;
+  double iterations_ = 0;
+  std::int64_t photons_ = 0;  // emitted an iteration: the same in all
+  double scale_ = 1;          // s_i
+  std::vector<Rgb> shared_;   // by pixel: radiance times photons, what counts in all frames
+  std::vector<Rgb> own_;      // by pixel and frame: the rest
+};
+
+}  // namespace
+
+std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings) { return std::make_unique<Kz11>(settings); }
+
+}  // namespace dspm

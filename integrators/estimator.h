@@ -1,0 +1,35 @@
+// How gathered photons become a pixel's radiance, in each of the frames rendered together. Two ways: hj09 (each pixel
+// and frame shrinks its own radius) and kz11 (the radius depends on the iteration alone).
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "integrators/gather.h"
+
+namespace dspm {
+
+class PixelEstimator {
+ public:
+  virtual ~PixelEstimator() = default;
+  /// The radius within which gather_at would look: the largest of the frames'.
+  virtual float search_radius(const HitPoint& hit) const = 0;
+  /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the same
+  /// time; a pixel's hit points of one iteration hold disjoint frames.
+  virtual void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) = 0;
+  /// Once an iteration, after all gathers: `photons` paths were emitted in each frame.
+  virtual void end_iteration(std::int64_t photons) = 0;
+  /// Radiance by photons after the iterations so far.
+  virtual Rgb radiance(int pixel, Frame frame) const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+struct EstimatorSettings {
+  int pixels = 0, frames = 1;
+  float alpha = 0.7f;
+};
+
+std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings);
+std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings);
+
+}  // namespace dspm

@@ -1,0 +1,46 @@
+// What one photon gives one hit point: the inner loop of every photon gather. The order of tests: distance (the grid's),
+// frames, side of the surface, then the scattering function.
+#pragma once
+
+#include <cmath>
+
+#include "integrators/hit_point.h"
+#include "integrators/photon_map.h"
+
+namespace dspm {
+
+/// Work of a gather.
+struct GatherCounts {
+  SharedCount tests, found;
+  std::uint64_t invalid = 0;
+
+  GatherCounts& operator+=(const GatherCounts& o) {
+    tests += o.tests, found += o.found, invalid += o.invalid;
+    return *this;
+  }
+};
+
+/// Calls fn(frames, flux times f, distance squared) for every photon within `radius` that counts for the hit point in some
+/// frame: photons which arrive at the back of the surface do not. Throughput is left to the caller.
+template <class Fn>
+void gather(const HitPoint& hit, const PhotonMap& map, float radius, GatherCounts& counts, Fn&& fn) {
+  SharedCount within;
+  const std::uint64_t tested = map.for_each_within(hit.p, radius, [&](const PhotonMap::Gathered& photon, float distance2) {
+    const FrameSet frames = photon.frames & hit.frames;
+    within.add(frames.count());
+    if (frames.empty() || !(dot(photon.wi, hit.ng) > 0)) return;
+    if (hit.lambertian) return fn(frames, photon.flux, distance2);
+    const Rgb f = hit.bsdf->evaluate(hit.wo, photon.wi, Transport::radiance, hit.lobes);
+    const Rgb flux = photon.flux * f;
+    if (!is_finite(flux)) {
+      ++counts.invalid;
+      return fn(frames, Rgb(), distance2);
+    }
+    fn(frames, flux, distance2);
+  });
+  counts.found += within;
+  // How many frames the photons too far away belong to is not looked up: they are taken to be like those within.
+  counts.tests += {tested, static_cast<std::uint64_t>(std::llround(static_cast<double>(tested) * within.factor()))};
+}
+
+}  // namespace dspm

@@ -1,0 +1,48 @@
+// A light transport algorithm that gets better with every iteration, for all frames of an interval at once. The driver
+// owns the stop rule, progress and the writing of images; an integrator only iterates and answers.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/params.h"
+#include "core/registry.h"
+#include "film/pixel_filter.h"
+#include "film/pixel_rect.h"
+#include "film/pixel_rect.h"
+#include "image/image.h"
+#include "integrators/statistics.h"
+#include "world/scene.h"
+
+namespace dspm {
+
+/// What the driver decided, equal for every integrator.
+struct RenderSettings {
+  int width = 0, height = 0;  // of the full image
+  PixelRect crop;             // what is rendered of it
+  std::shared_ptr<const PixelFilter> filter;
+  bool jitter = true;            // false: every camera path through the pixel's centre
+  std::uint64_t seed = 0;
+  int default_iterations = 256;  // where the integrator's parameters give none
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// Iterations that were asked for; 0: until stopped.
+  virtual int iterations() const = 0;
+  /// All frames take one step; iterations count from 0 and come in order.
+  virtual void iterate(int iteration) = 0;
+  /// Radiance of a frame of the interval after the iterations so far, over the crop.
+  virtual Image estimate(Frame frame) const = 0;
+  /// Work and time so far.
+  virtual Statistics statistics() const = 0;
+};
+
+/// `scene` outlives the integrator.
+using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, const RenderSettings&);
+std::span<const Plugin<MakeIntegrator>> integrator_plugins();
+/// How many frames the integrator wants in one scene: 1 for those that know nothing of sharing.
+int frames_together(std::string_view integrator);
+
+}  // namespace dspm

@@ -1,0 +1,185 @@
+// Integrator "path" "integer maxdepth" 65
+//
+// Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
+// Unbiased: the reference for all others. An iteration is one path a pixel; frames share paths until they part.
+//
+//   iterations  paths a pixel                     the sampler's pixelsamples, else 256
+//   maxdepth    bounces                           5
+#include "integrators/path.h"
+
+#include "core/parallel.h"
+#include "integrators/direct_light.h"
+#include "integrators/seen_light.h"
+#include "integrators/tiles.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kTileSide = 16;
+constexpr int kFirstRouletteBounce = 4;
+
+struct TracedPath : PathState {
+  Vec3 from;        // where the segment starts: the last surface's point
+  float pdf_w = 0;  // of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes
+};
+
+/// The balance heuristic's share of a technique with density `own` against one with `other`.
+float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
+
+class PixelTracer {
+ public:
+  PixelTracer(const Scene& scene, const RenderSettings& render, int max_depth, SeenLightSums& out)
+      : scene_(scene), render_(render), max_depth_(max_depth), out_(out) {}
+
+  void trace(int x, int y, std::uint64_t iteration) {
+    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
+    pixel_ = pixel_in_crop(render_.crop, x, y);
+    const Vec2 film = film_point(render_, x, y, random);
+    scene_.camera.for_each(scene_.frames(), [&](FrameSet frames, const Camera& camera) {
+      TracedPath path;
+      path.ray = camera.ray(film, random.pair(0, kLightDirection));
+      path.throughput = Rgb(1), path.frames = frames;
+      path.dynamic = frames != scene_.frames();
+      stack_.push(path);
+    });
+    run(random);
+    ++counts_.paths;
+    counts_.dynamic_paths += met_dynamic_;
+    met_dynamic_ = false;
+  }
+
+  const PathCounts& counts() const { return counts_; }
+  std::uint64_t invalid() const { return invalid_; }
+
+ private:
+  void run(const PathRandom& random) {
+    while (!stack_.empty()) {
+      const TracedPath path = stack_.pop();
+      met_dynamic_ |= path.dynamic;
+      counts_.segments.add(path.frames.count());
+      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) follow(path, part, random);
+    }
+  }
+
+  void follow(const TracedPath& path, const FrameHit& part, const PathRandom& random) {
+    if (part.hit.missed()) return escape(path, part.frames);
+    met_dynamic_ |= !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(scene_.frames());
+    const Vec3 wo = -path.ray.direction;
+    for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+      add_emission(path, {frames, part.hit}, point, wo);
+      if (path.bounces >= max_depth_) return;
+      sample_direct_light(scene_, frames, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
+                          [&](const Vec3& wi, float pdf_w) {
+                            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
+                          },
+                          [&](FrameSet lit, const Rgb& radiance) { add(lit, path.throughput * radiance); });
+      TracedPath branch = path;
+      branch.frames = frames;
+      scatter(branch, point, bsdf, wo, random);
+    });
+  }
+
+  void escape(const TracedPath& path, FrameSet frames) {
+    for_each_escape(scene_, frames, path.ray.direction,
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
+                      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1));
+                    });
+  }
+
+  void add_emission(const TracedPath& path, const FrameHit& part, const SurfacePoint& point, const Vec3& wo) {
+    for_each_emission(scene_, part, point, wo, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      const PlacedShape& shape = scene_.shapes[static_cast<std::size_t>(part.hit.shape)];
+      const float other = scene_.lights[static_cast<std::size_t>(shape.light)].probability *
+                          light.pdf_w(path.from, point, part.hit.primitive);
+      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1));
+    });
+  }
+
+  void scatter(TracedPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
+    const int bounce = path.bounces;
+    const Vec2 u = random.pair(bounce, kScatter);
+    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::radiance, bsdf.all_lobes());
+    if (!sample) return;
+    extend(path, point, *sample);
+    path.from = point.p;
+    path.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    const float p = bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(path.throughput));
+    if (!is_black(path.throughput) && survives(path, p, random.number(bounce, kRoulette))) stack_.push(path);
+  }
+
+  void add(FrameSet frames, const Rgb& radiance) {
+    if (is_finite(radiance)) return out_.add({pixel_, frames, radiance});
+    invalid_ += static_cast<std::uint64_t>(frames.count());
+  }
+
+  const Scene& scene_;
+  const RenderSettings& render_;
+  int max_depth_;
+  SeenLightSums& out_;
+  PathStack<TracedPath> stack_;
+  int pixel_ = 0;
+  bool met_dynamic_ = false;
+  PathCounts counts_;
+  std::uint64_t invalid_ = 0;
+};
+
+class Path final : public Integrator {
+ public:
+  Path(int iterations, int max_depth, const Scene& scene, const RenderSettings& render)
+      : iterations_(iterations), max_depth_(max_depth), scene_(scene), render_(render),
+        sums_(render.crop.count(), scene.frame_count()) {
+    statistics_.steps = {{"paths"}};
+    statistics_.bytes = sums_.bytes();
+  }
+
+  int iterations() const override { return iterations_; }
+
+  void iterate(int iteration) override {
+    const StepTimer timer(statistics_.steps[0]);
+    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
+    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
+      PixelTracer tracer(scene_, render_, max_depth_, sums_);
+      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
+                             [&](int x, int y) { tracer.trace(x, y, static_cast<std::uint64_t>(iteration)); });
+      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
+      counts[static_cast<std::size_t>(t)].invalid = tracer.invalid();
+    });
+    for (const Statistics& c : counts) statistics_.camera += c.camera, statistics_.invalid += c.invalid;
+    ++statistics_.iterations;
+  }
+
+  Image estimate(Frame frame) const override {
+    Image image(render_.crop.width(), render_.crop.height());
+    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
+      image.pixels[static_cast<std::size_t>(pixel)] = sums_.mean(pixel, frame, statistics_.iterations);
+    return image;
+  }
+
+  Statistics statistics() const override { return statistics_; }
+
+ private:
+  int iterations_, max_depth_;
+  const Scene& scene_;
+  RenderSettings render_;
+  SeenLightSums sums_;
+  Statistics statistics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  const int iterations = params.integer("iterations", render.default_iterations, "",
+                                        "paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  const int max_depth = params.integer("maxdepth", 5, "", "bounces of a path");
+  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+  params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
+                "accepted for pbrt's sake: lights are chosen by power");
+  params.unsupported("regularize", "path regularisation");
+  if (max_depth < 0) params.error("maxdepth", "maxdepth must not be negative");
+  if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
+  params.finish();
+  return std::make_unique<Path>(iterations, max_depth, scene, render);
+}
+
+}  // namespace dspm

@@ -1,0 +1,98 @@
+// One step of a path, for camera and photon paths of every integrator: what a path is, where it goes on, and how it ends.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/rng.h"
+#include "integrators/statistics.h"
+#include "world/scene.h"
+
+namespace dspm {
+
+/// A path is a value. When frames part, so do copies of it, with disjoint sets.
+struct PathState {
+  Ray ray;            // the next segment
+  Rgb throughput;     // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
+  FrameSet frames;    // the frames in which this very path exists; shrinks, never grows
+  int bounces = 0;    // scatterings so far
+  float length = 0;   // of the segments so far, in world units
+  bool dynamic = false;  // met something that is not there in all frames
+};
+
+/// The random numbers' dimensions at one bounce. At a path's start, bounce 0 uses the last three as well.
+enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
+
+/// The paths still to be followed. Their sets are disjoint, so there are never more than frames.
+template <class Path = PathState>
+class PathStack {
+ public:
+  bool empty() const { return count_ == 0; }
+  void push(const Path& path) { paths_[static_cast<std::size_t>(count_++)] = path; }
+  Path pop() { return paths_[static_cast<std::size_t>(--count_)]; }
+
+ private:
+  std::array<Path, kMaxFrames> paths_;
+  int count_ = 0;
+};
+
+/// Calls fn(FrameSet, const SurfacePoint&, const Bsdf&) for each scattering that the part's frames find at its hit: one,
+/// unless the material differs between them.
+template <class Fn>
+void for_each_surface(const Scene& scene, const FrameHit& part, Fn&& fn) {
+  const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
+  const SurfacePoint point = scene.surface_point(part.hit);
+  scene.materials[static_cast<std::size_t>(shape.material)].for_each(
+      part.frames, [&](FrameSet frames, const Material& material) {
+        BsdfSlot slot;
+        fn(frames, point, material.bsdf(point, slot));
+      });
+}
+
+/// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const Light&).
+template <class Fn>
+void for_each_emission(const Scene& scene, const FrameHit& part, const SurfacePoint& point, const Vec3& w, Fn&& fn) {
+  const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
+  if (shape.light < 0) return;
+  scene.lights[static_cast<std::size_t>(shape.light)].states.for_each(part.frames, [&](FrameSet frames, const Light& light) {
+    const Rgb radiance = light.emitted(point, w);
+    if (!is_black(radiance)) fn(frames, radiance, light);
+  });
+}
+
+/// Light from infinitely far for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
+template <class Fn>
+void for_each_escape(const Scene& scene, FrameSet frames, const Vec3& direction, Fn&& fn) {
+  for (const int index : scene.infinite_lights) {
+    const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
+    scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
+      const Rgb radiance = light.escaped(direction);
+      if (!is_black(radiance)) fn(common, radiance, scene_light, light);
+    });
+  }
+}
+
+/// Keeps the flux right where the shading normal is not the geometric one: what a photon from wo carries on to wi, beyond
+/// f |cos(wi, ns)|. [Veach 1997, 5.3]
+inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
+  if (point.ns == point.ng) return 1;
+  const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));
+  return below == 0 ? 0 : std::abs(dot(wo, point.ns) * dot(wi, point.ng)) / below;
+}
+
+/// Moves `path` on along the sampled direction.
+inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
+  path.throughput *= sample.weight;
+  path.ray = point.spawn(sample.wi);
+  ++path.bounces;
+}
+
+/// Russian roulette: survives where u < p, and is divided by p. Frames share u, so they decide alike where p is equal.
+inline bool survives(PathState& path, float p, float u) {
+  if (p >= 1) return true;
+  if (!(u < p)) return false;
+  path.throughput *= 1 / p;
+  return true;
+}
+
+}  // namespace dspm

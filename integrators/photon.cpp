@@ -1,0 +1,149 @@
+#include "integrators/photon.h"
+
+#include "core/parallel.h"
+#include "integrators/path_step.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::int64_t kPathsPerChunk = 2048;
+
+double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b); }
+
+class PhotonTracer {
+ public:
+  PhotonTracer(const Scene& scene, const PhotonSettings& settings, FrameSet frames, PhotonTrace& out)
+      : scene_(scene), settings_(settings), frames_(frames), out_(out) {}
+
+  void trace(std::uint64_t path_index, std::uint64_t iteration) {
+    const PathRandom random(settings_.seed, Stream::photon, path_index, iteration);
+    start(random);
+    ++out_.paths.paths;
+    bool met_dynamic = false;
+    while (!stack_.empty()) {
+      const PathState path = stack_.pop();
+      met_dynamic |= path.dynamic;
+      const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
+      out_.paths.segments.add(path.frames.count());
+      for (const FrameHit& part : parts) met_dynamic |= follow(path, part, random);
+    }
+    out_.paths.dynamic_paths += met_dynamic;
+  }
+
+ private:
+  void start(const PathRandom& random) {
+    const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
+    if (chosen.probability == 0) return;
+    const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
+    const Vec2 u_point = random.pair(0, kLightPoint), u_direction = random.pair(0, kLightDirection);
+    light.states.for_each(frames_, [&](FrameSet frames, const Light& state) {
+      const auto emission = state.emit(u_point, u_direction);
+      if (!emission || is_black(emission->flux)) return;
+      const Rgb flux = emission->flux / chosen.probability;
+      if (!is_finite(flux)) return reject(frames);
+      balance(frames, [&](EnergyBalance& e) { e.emitted += sum(flux); });
+      stack_.push({emission->ray, flux, frames, 0, 0, frames != frames_});
+    });
+  }
+
+  /// What one part of the partition meets; true where that is not there in all frames.
+  bool follow(const PathState& path, const FrameHit& part, const PathRandom& random) {
+    if (part.hit.missed()) {
+      balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
+      return false;
+    }
+    const bool dynamic = !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(frames_);
+    for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+      PathState branch = path;
+      branch.frames = frames;
+      branch.dynamic |= dynamic || frames != part.frames;
+      const Vec3 wo = -path.ray.direction;
+      store(branch, point, bsdf, wo);
+      scatter(branch, point, bsdf, wo, random);
+    });
+    return dynamic;
+  }
+
+  void store(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wi) {
+    if (path.bounces == 0 && !settings_.store_direct) return;
+    if (bsdf.lobes(settings_.least_alpha) == 0) return;
+    Rgb flux = path.throughput;
+    if (!(point.ns == point.ng)) {
+      const float geometric = std::abs(dot(wi, point.ng));
+      if (geometric == 0) return;
+      flux *= std::abs(dot(wi, point.ns)) / geometric;
+    }
+    out_.photons.push_back({point.p, wi, flux, path.frames});
+    out_.stored.add(path.frames.count());
+  }
+
+  void scatter(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
+    const double before = sum(path.throughput);
+    const auto absorb = [&](double absorbed, double terminated) {
+      balance(path.frames, [&](EnergyBalance& e) { e.absorbed += absorbed, e.terminated += terminated; });
+    };
+    if (path.bounces + 1 >= settings_.max_depth) return absorb(0, before);
+    const LobeSet lobes =
+        settings_.caustics_only ? static_cast<LobeSet>(bsdf.all_lobes() & ~bsdf.lobes(settings_.least_alpha)) : bsdf.all_lobes();
+    const float chance = lobes == bsdf.all_lobes() ? 1 : bsdf.share(wo, lobes);
+    const int bounce = path.bounces;
+    if (lobes == 0 || !(random.number(bounce, kSplit) < chance)) return absorb(before, 0);
+    const Vec2 u = random.pair(bounce, kScatter);
+    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::flux, lobes);
+    if (!sample) return absorb(before, 0);
+    const float largest = max_component(path.throughput);
+    extend(path, point, *sample);
+    path.throughput *= shading_correction(point, wo, sample->wi) / chance;
+    if (!is_finite(path.throughput)) return reject(path.frames);
+    const double scattered = sum(path.throughput);
+    const float p = std::min(1.f, max_component(path.throughput) / largest);
+    const bool alive = p > 0 && survives(path, p, random.number(bounce, kRoulette));
+    absorb(before - scattered, alive ? scattered - sum(path.throughput) : scattered);
+    if (alive) stack_.push(path);
+  }
+
+  void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
+
+  /// Frames in the full set share one balance, the last; it is added to each of them in the end.
+  template <class Fn>
+  void balance(FrameSet frames, Fn&& fn) {
+    if (frames == frames_) return fn(out_.energy.back());
+    frames.for_each([&](Frame f) { fn(out_.energy[static_cast<std::size_t>(f)]); });
+  }
+
+  const Scene& scene_;
+  const PhotonSettings& settings_;
+  FrameSet frames_;
+  PhotonTrace& out_;
+  PathStack<> stack_;
+};
+
+void clear(PhotonTrace& trace, int frames) {
+  trace.photons.clear();
+  trace.paths = {}, trace.stored = {}, trace.invalid = 0;
+  trace.energy.assign(static_cast<std::size_t>(frames) + 1, {});
+}
+
+void finish_balance(PhotonTrace& trace, FrameSet frames) {
+  const EnergyBalance shared = trace.energy.back();
+  trace.energy.pop_back();
+  frames.for_each([&](Frame f) { trace.energy[static_cast<std::size_t>(f)] += shared; });
+}
+
+}  // namespace
+
+std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, FrameSet frames,
+                                       std::uint64_t iteration, std::int64_t first, std::int64_t count,
+                                       std::vector<PhotonTrace> reuse) {
+  reuse.resize(static_cast<std::size_t>(chunk_count(count, kPathsPerChunk)));
+  parallel_chunks(count, kPathsPerChunk, [&](std::int64_t begin, std::int64_t end) {
+    PhotonTrace& trace = reuse[static_cast<std::size_t>(begin / kPathsPerChunk)];
+    clear(trace, scene.frame_count());
+    PhotonTracer tracer(scene, settings, frames, trace);
+    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(first + i), iteration);
+    finish_balance(trace, frames);
+  });
+  return reuse;
+}
+
+}  // namespace dspm

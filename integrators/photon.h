@@ -1,0 +1,43 @@
+// Photons: traced from the lights for all frames at once, split where frames part, stored where a camera path could gather
+// them. [WG12 4.2]
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "integrators/statistics.h"
+#include "world/scene.h"
+
+namespace dspm {
+
+struct Photon {
+  Vec3 p;
+  Vec3 wi;  // towards where it came from, unit length
+  Rgb flux;  // in W; already holds |cos(wi, ns) / cos(wi, ng)| of its surface, so that a gather needs no cosine
+  FrameSet frames;
+};
+
+struct PhotonSettings {
+  std::uint64_t seed = 0;
+  int max_depth = 8;           // a photon is stored at its first max_depth hits
+  float least_alpha = 0;       // lobes smoother than this do not gather: nothing is stored for them alone
+  bool store_direct = true;    // photons straight from the light, before any scattering
+  bool caustics_only = false;  // only photons whose every scattering so far was by lobes smoother than least_alpha
+};
+
+/// What a range of photon paths left behind.
+struct PhotonTrace {
+  std::vector<Photon> photons;  // in the order (path index, branch); a frame's photons of one path in the order of bounces
+  PathCounts paths;
+  SharedCount stored;
+  std::vector<EnergyBalance> energy;  // by frame
+  std::uint64_t invalid = 0;
+};
+
+/// Traces paths first .. first + count - 1 of an iteration in `frames`, in parallel; chunks of paths in their order. The
+/// buffers in `reuse` are taken over to spare allocations.
+std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, FrameSet frames,
+                                       std::uint64_t iteration, std::int64_t first, std::int64_t count,
+                                       std::vector<PhotonTrace> reuse);
+
+}  // namespace dspm

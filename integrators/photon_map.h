@@ -1,0 +1,38 @@
+// The photons of one iteration, sorted by place, ready to be gathered.
+#pragma once
+
+#include <vector>
+
+#include "integrators/photon.h"
+#include "integrators/point_grid.h"
+
+namespace dspm {
+
+/// Photons keep the order (cell, path index, bounce), which does not depend on threads.
+class PhotonMap {
+ public:
+  /// Sorts the photons of all `traces`; `cell_size` suits a typical search radius.
+  void build(const std::vector<PhotonTrace>& traces, float cell_size);
+
+  std::size_t size() const { return photons_.size(); }
+  std::size_t bytes() const;
+  /// Calls fn(const Gathered&, distance squared) for every photon within `radius` of p; returns how many were tested.
+  template <class Fn>
+  std::uint64_t for_each_within(const Vec3& p, float radius, Fn&& fn) const {
+    return grid_.for_each_within(p, radius, [&](std::uint32_t i, float distance2) { fn(photons_[i], distance2); });
+  }
+
+  /// What a gather needs of a photon besides its place.
+  struct Gathered {
+    Vec3 wi;
+    Rgb flux;
+    FrameSet frames;
+  };
+
+ private:
+  PointGrid grid_;
+  std::vector<Gathered> photons_;
+  std::vector<Vec3> points_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,39 @@
+// What a pixel remembers of all photons so far, in one frame, and how an iteration changes it.
+#pragma once
+
+#include <cstdint>
+
+#include "core/rgb.h"
+
+namespace dspm {
+
+/// What one iteration gathered at one hit point: dies with the iteration.
+struct PassSums {
+  std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
+  Rgb phi;              // their flux times f and the camera path's throughput
+};
+
+/// Survives iterations. [HJ09, WG12 (1)-(5)]
+struct PixelStatistics {
+  double N = 0;   // photons accepted; a share alpha of those found
+  float R2 = 0;   // search radius squared; 0: no hit point yet
+  Rgb tau;        // flux within the search radius, weighted as phi
+
+  /// Accepts a share alpha of the M new photons and shrinks the disc so that their density stays. [WG12 (1), (2), (4)]
+  void absorb(const PassSums& sums, float alpha) {
+    if (sums.M == 0) return;
+    const double M = sums.M, accepted = N + static_cast<double>(alpha) * M;
+    const auto shrink = static_cast<float>(accepted / (N + M));  // (R'/R)^2
+    tau = (tau + sums.phi) * shrink;
+    R2 *= shrink;
+    N = accepted;
+  }
+
+  /// [WG12 (5)]
+  Rgb radiance(double emitted) const {
+    if (R2 == 0 || emitted == 0) return {};
+    return tau * static_cast<float>(1 / (emitted * 3.14159265358979323846 * static_cast<double>(R2)));
+  }
+};
+
+}  // namespace dspm

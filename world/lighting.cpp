@@ -1,0 +1,110 @@
+#include "world/lighting.h"
+
+#include <fmt/format.h>
+
+namespace dspm {
+namespace {
+
+/// What a light looks like in one frame, before it is made.
+struct LightState {
+  ParamList params;
+  Matrix4 placement;
+  int shape = -1;  // of an emitter, into Geometry::shapes
+
+  friend bool operator==(const LightState& a, const LightState& b) {
+    return a.shape == b.shape && a.placement == b.placement && a.params.same_values(b.params);
+  }
+};
+
+class LightMaker {
+ public:
+  LightMaker(const SceneDescription& description, const Geometry& geometry, const Vec3& center, float radius,
+             Diagnostics& diagnostics)
+      : description_(description), geometry_(geometry), center_(center), radius_(radius), diagnostics_(diagnostics) {}
+
+  std::optional<WorldLight> make(const LightUse& use) {
+    const auto* plugin = find_plugin(light_plugins(), "light", use.type, use.type_where, diagnostics_, unbuilt_lights());
+    if (!plugin) return std::nullopt;
+    const FrameInterval all{0, description_.frame_count};
+    const FrameInterval frames =
+        use.dynamic_block < 0 ? all : description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].frames;
+    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
+      if (!frames.contains(f)) return std::nullopt;
+      return LightState{params_at(use.params, f), use.world_from_light.at(f)};
+    });
+    auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
+    if (light) light->infinite = use.type == "infinite";
+    return light;
+  }
+
+  std::optional<WorldLight> make(const Emitter& emitter) {
+    const AreaLightUse& use = *emitter.use;
+    const auto* plugin = find_plugin(area_light_plugins(), "area light", use.type, use.type_where, diagnostics_);
+    if (!plugin) return std::nullopt;
+    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
+      for (const int shape : emitter.shapes)
+        if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[static_cast<std::size_t>(f)])
+          return LightState{params_at(use.params, f), {}, shape};
+      return std::nullopt;
+    });
+    return finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
+  }
+
+ private:
+  static ParamList params_at(const ParamList& params, Frame f) { return params.is_keyed() ? params.at(f) : params; }
+
+  template <class At>
+  Timeline<LightState> timeline(At&& at) const {
+    return Timeline<LightState>::of(description_.frame_count, at, [](const LightState& a, const LightState& b) { return a == b; });
+  }
+
+  std::optional<WorldLight> finish(const PluginUse& use, std::string name, const Plugin<MakeLight>& plugin,
+                                   const Timeline<LightState>& states) {
+    WorldLight light;
+    light.name = std::move(name);
+    light.states.state_of = states.state_of;
+    const int errors = diagnostics_.error_count();
+    for (const LightState& state : states.states) {
+      LightContext context;
+      context.to_world = Transform(state.placement);
+      context.scene_center = center_, context.scene_radius = radius_;
+      if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
+      ParamReader reader(state.params, light.name, use.where, diagnostics_);
+      light.states.states.emplace_back(plugin.make(reader, context));
+      if (diagnostics_.error_count() > errors) return std::nullopt;
+    }
+    return light;
+  }
+
+  const SceneDescription& description_;
+  const Geometry& geometry_;
+  Vec3 center_;
+  float radius_;
+  Diagnostics& diagnostics_;
+};
+
+float mean_power(const WorldLight& light) {
+  std::vector<float> power;
+  for (const auto& state : light.states.states) power.push_back(luminance(state->power()));
+  double sum = 0;
+  for (const int s : light.states.state_of) sum += s < 0 ? 0 : static_cast<double>(power[static_cast<std::size_t>(s)]);
+  return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
+}
+
+}  // namespace
+
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Vec3& center,
+                                    float radius, Diagnostics& diagnostics) {
+  LightMaker maker(description, geometry, center, radius, diagnostics);
+  std::vector<WorldLight> lights;
+  // One that could not be made leaves an empty place, so that emitters keep their numbers; its error stops the scene.
+  for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
+  for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
+  if (diagnostics.error_count() > 0) return lights;
+  double total = 0;
+  for (WorldLight& light : lights) total += static_cast<double>(light.probability = mean_power(light));
+  for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;
+  return lights;
+}
+
+}  // namespace dspm

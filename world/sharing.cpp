@@ -1,0 +1,88 @@
+#include "world/sharing.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace dspm {
+namespace {
+
+std::string counted(std::size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
+
+/// How many of a thing's states occur in the frames; "not there" is one of them.
+template <class State>
+std::size_t states_in(const Timeline<State>& line, std::span<const Frame> frames) {
+  std::set<int> seen;
+  for (const Frame f : frames) seen.insert(line.at(f));
+  return seen.size();
+}
+
+struct BlockSummary {
+  std::size_t places = 0, frames_present = 0, primitives = 0;
+  std::set<const Shape*> geometries;
+};
+
+BlockSummary summary(const std::vector<const WorldShape*>& shapes, std::span<const Frame> frames) {
+  BlockSummary s;
+  for (const WorldShape* shape : shapes)
+    if (std::any_of(frames.begin(), frames.end(), [&](Frame f) { return shape->present[static_cast<std::size_t>(f)]; })) {
+      ++s.places;
+      if (s.geometries.insert(shape->placed.shape).second)
+        s.primitives += static_cast<std::size_t>(shape->placed.shape->primitive_count());
+    }
+  for (const Frame f : frames)
+    s.frames_present +=
+        std::any_of(shapes.begin(), shapes.end(), [&](const WorldShape* w) { return w->present[static_cast<std::size_t>(f)]; });
+  return s;
+}
+
+std::string explain_block(const DynamicBlock& block, const BlockSummary& s, std::size_t frames) {
+  const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
+  if (s.places == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
+  if (s.frames_present == frames && s.places == s.geometries.size() && s.geometries.size() < frames && s.places <= 1)
+    return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name, stored);
+  const std::string where = s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
+  if (s.geometries.size() < s.places)
+    return fmt::format("dynamic \"{}\": {}moves rigidly through {}; its geometry is stored once ({}). Paths that meet it split.",
+                       block.name, where, counted(s.places, "place"), stored);
+  return fmt::format("dynamic \"{}\": {}{} over the frames ({}). Paths that meet it split.", block.name, where,
+                     counted(s.places, "different shape"), stored);
+}
+
+}  // namespace
+
+std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
+                                         const std::vector<WorldLight>& lights, std::size_t camera_states,
+                                         std::span<const Frame> frames) {
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("{} rendered together.", counted(frames.size(), "frame")));
+
+  std::vector<const WorldShape*> still;
+  std::vector<std::vector<const WorldShape*>> moving(description.dynamic_blocks.size());
+  for (const WorldShape& shape : geometry.shapes())
+    (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
+  const BlockSummary fixed = summary(still, frames);
+  lines.push_back(fmt::format("static: {} in {}: shared by all frames. Paths that meet nothing else are traced once.",
+                              counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape")));
+  for (std::size_t b = 0; b < moving.size(); ++b)
+    lines.push_back(explain_block(description.dynamic_blocks[b], summary(moving[b], frames), frames.size()));
+
+  for (std::size_t m = 0; m < looks.materials().size(); ++m)
+    if (const std::size_t n = states_in(looks.materials()[m], frames); n > 1)
+      lines.push_back(fmt::format("{}: {} over the frames. Paths that meet it split into one path a state.",
+                                  looks.name_of(static_cast<int>(m)), counted(n, "state")));
+  for (const WorldLight& light : lights) {
+    const std::size_t n = states_in(light.states, frames);
+    if (n > 1)
+      lines.push_back(fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
+                                  light.name, counted(n, "state")));
+  }
+  lines.push_back(camera_states > 1
+                      ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
+                                    counted(camera_states, "state"))
+                      : "camera: the same in all frames: hit points are shared where nothing dynamic is seen.");
+  return lines;
+}
+
+}  // namespace dspm

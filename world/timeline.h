@@ -1,0 +1,60 @@
+// Which of a thing's distinct states holds in which frame of the file.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/frames.h"
+
+namespace dspm {
+
+template <class State>
+struct Timeline {
+  std::vector<State> states;
+  std::vector<int> state_of;  // by frame of the file; -1: not there
+
+  /// The states that `at(frame)` (an optional State) takes over `frames` frames, equal ones once, in order of first use.
+  template <class At, class Same>
+  static Timeline of(int frames, At&& at, Same&& same) {
+    Timeline line;
+    line.state_of.assign(static_cast<std::size_t>(frames), -1);
+    for (Frame f = 0; f < frames; ++f)
+      if (std::optional<State> state = at(f)) line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
+    return line;
+  }
+  static Timeline constant(int frames, State state) {
+    Timeline line;
+    line.states.push_back(std::move(state));
+    line.state_of.assign(static_cast<std::size_t>(frames), 0);
+    return line;
+  }
+
+  int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
+  bool changes() const {
+    for (const int s : state_of)
+      if (s != state_of.front()) return true;
+    return false;
+  }
+
+ private:
+  template <class Same>
+  int place(State state, Same&& same) {
+    // Newest first: what changes from frame to frame seldom goes back.
+    for (std::size_t i = states.size(); i-- > 0;)
+      if (same(states[i], state)) return static_cast<int>(i);
+    states.push_back(std::move(state));
+    return static_cast<int>(states.size()) - 1;
+  }
+};
+
+/// The frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered ones.
+template <class State>
+FrameSet frames_in_state(const Timeline<State>& line, int state, const std::vector<Frame>& rendered) {
+  FrameSet set;
+  for (std::size_t j = 0; j < rendered.size(); ++j)
+    if (line.at(rendered[j]) == state) set |= FrameSet::single(static_cast<Frame>(j));
+  return set;
+}
+
+}  // namespace dspm

@@ -1,0 +1,123 @@
+#include "world/world.h"
+
+#include "world/geometry.h"
+#include "world/lighting.h"
+#include "world/sharing.h"
+
+namespace dspm {
+namespace {
+
+constexpr float kEmptySceneRadius = 1;
+
+Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
+                                                    Diagnostics& diagnostics) {
+  struct State {
+    ParamList params;
+    Matrix4 camera_from_world;
+  };
+  CameraUse fallback;
+  fallback.type = "perspective";
+  const CameraUse& use = description.camera ? *description.camera : fallback;
+  Timeline<std::shared_ptr<const Camera>> cameras;
+  const auto* plugin = find_plugin(camera_plugins(), "camera", use.type, use.type_where, diagnostics, unbuilt_cameras());
+  if (!plugin) return cameras;
+  const bool keyed = use.params.is_keyed();
+  const auto states = Timeline<State>::of(
+      description.frame_count,
+      [&](Frame f) { return std::optional(State{keyed ? use.params.at(f) : use.params, use.camera_from_world.at(f)}); },
+      [](const State& a, const State& b) {
+        return a.camera_from_world == b.camera_from_world && a.params.same_values(b.params);
+      });
+  cameras.state_of = states.state_of;
+  const int errors = diagnostics.error_count();
+  for (const State& state : states.states) {
+    ParamReader reader(state.params, "camera \"" + use.type + "\"", use.where, diagnostics);
+    const auto inverse = state.camera_from_world.inverse();
+    cameras.states.emplace_back(
+        plugin->make(reader, CameraContext{Transform(inverse.value_or(Matrix4())), options.width, options.height}));
+    if (diagnostics.error_count() > errors) break;
+  }
+  return cameras;
+}
+
+template <class T>
+FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<Frame>& frames) {
+  FrameStates<T> result;
+  for (std::size_t s = 0; s < line.states.size(); ++s)
+    if (const FrameSet set = frames_in_state(line, static_cast<int>(s), frames); !set.empty())
+      result.states.push_back({set, line.states[s]});
+  return result;
+}
+
+FrameSet present_in(const WorldShape& shape, const std::vector<Frame>& frames) {
+  FrameSet set;
+  for (std::size_t j = 0; j < frames.size(); ++j)
+    if (shape.present[static_cast<std::size_t>(frames[j])]) set |= FrameSet::single(static_cast<Frame>(j));
+  return set;
+}
+
+}  // namespace
+
+struct World::Parts {
+  Parts(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
+      : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
+    const Bounds3& bounds = geometry.bounds();
+    if (!bounds.empty()) {
+      center = bounds.center();
+      radius = std::max(0.5f * length(bounds.extent()), 1e-6f * (1 + length(center)));
+    }
+    lights = make_lights(text, geometry, center, radius, diagnostics);
+    camera = make_camera(text, options, diagnostics);
+    const std::string name = options.accel.empty() ? "two-level" : options.accel;
+    accel = find_plugin(accel_plugins(), "accelerator", name, text.accelerator ? text.accelerator->type_where : SourceLocation{},
+                        diagnostics);
+  }
+
+  const SceneDescription& description;
+  Looks looks;
+  Geometry geometry;
+  Vec3 center;
+  float radius = kEmptySceneRadius;
+  std::vector<WorldLight> lights;
+  Timeline<std::shared_ptr<const Camera>> camera;
+  const Plugin<MakeAccel>* accel = nullptr;
+};
+
+World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
+    : parts_(std::make_unique<Parts>(description, options, diagnostics)) {}
+World::~World() = default;
+
+int World::frame_count() const { return parts_->description.frame_count; }
+
+std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
+  auto scene = std::make_unique<Scene>();
+  scene->file_frames.assign(frames.begin(), frames.end());
+  scene->center = parts_->center, scene->radius = parts_->radius;
+  const auto directives = static_cast<int>(parts_->description.lights.size());
+  for (const WorldShape& shape : parts_->geometry.shapes()) {
+    const FrameSet present = present_in(shape, scene->file_frames);
+    if (present.empty()) continue;
+    PlacedShape& placed = scene->shapes.emplace_back(shape.placed);
+    placed.frames = present;
+    placed.light = shape.emitter < 0 ? -1 : directives + shape.emitter;
+  }
+  for (const MaterialTimeline& material : parts_->looks.materials())
+    scene->materials.push_back(cut(material, scene->file_frames));
+  for (const WorldLight& light : parts_->lights) {
+    if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability});
+  }
+  scene->camera = cut(parts_->camera, scene->file_frames);
+  Diagnostics ignored;
+  const ParamList none;
+  ParamReader reader(none, "accelerator", {}, ignored);
+  scene->accel = parts_->accel->make(reader, scene->shapes, scene->frames());
+  return scene;
+}
+
+std::vector<std::string> World::explain(std::span<const Frame> frames) const {
+  return explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera.states.size(),
+                         frames);
+}
+
+}  // namespace dspm
