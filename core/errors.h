@@ -1,0 +1,75 @@
+// Where something stands in a scene file, and what is to be said about it. Everything a user did wrong becomes a
+// Diagnostic; all of a scene's diagnostics are shown in one go.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dspm {
+
+/// A scene file's name and its whole text, kept so that a message can show the line. Owned by the SceneDescription.
+struct SourceFile {
+  std::string name;
+  std::string text;
+};
+
+/// Lines and columns count from 1; `length` characters are underlined. `file` may be null: no place is known.
+struct SourceLocation {
+  const SourceFile* file = nullptr;
+  int line = 0, column = 0, length = 1;
+};
+
+/// As many errors of a scene are shown; whoever reads on beyond them may stop.
+inline constexpr int kErrorsShown = 20;
+
+enum class Severity { note, warning, error };
+
+struct Diagnostic {
+  Severity severity;
+  SourceLocation where;
+  std::string message;
+  std::string hint;  // a way out; may be empty
+};
+
+/// The text shown to the user: file:line:column, the line, a caret, the hint.
+std::string to_string(const Diagnostic& diagnostic);
+
+/// Up to three of `candidates` that `word` may be a misspelling of, nearest first.
+std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& candidates);
+/// `did you mean "reflectance"?`, or nothing where no candidate is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// What a scene that cannot be rendered ends in; what() holds every message.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Collects what is wrong with a scene. With `lenient`, what dspm lacks is a warning instead of an error.
+class Diagnostics {
+ public:
+  explicit Diagnostics(bool lenient = false) : lenient_(lenient) {}
+
+  void error(const SourceLocation& where, std::string message, std::string hint = {});
+  void warning(const SourceLocation& where, std::string message, std::string hint = {});
+  void note(const SourceLocation& where, std::string message, std::string hint = {});
+  /// Something valid that dspm does not have: an error, or with --lenient a warning.
+  void unsupported(const SourceLocation& where, std::string message, std::string hint = {});
+
+  int error_count() const { return errors_; }
+  bool lenient() const { return lenient_; }
+  const std::vector<Diagnostic>& all() const { return all_; }
+  /// Throws SceneError with the first 20 errors' text where there are errors.
+  void throw_if_errors() const;
+
+ private:
+  void add(Severity severity, const SourceLocation& where, std::string message, std::string hint);
+
+  bool lenient_;
+  int errors_ = 0;
+  std::vector<Diagnostic> all_;
+};
+
+}  // namespace dspm
