@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/ray.h"
+#include "shapes/double_vec.h"
 #include "shapes/shape.h"
 
 namespace dspm {
@@ -28,13 +29,6 @@ struct TriangleRay {
     sz = 1 / ray.direction[kz];
   }
 };
-
-struct DoubleVec3 {
-  double x, y, z;
-};
-inline double dot(const DoubleVec3& a, const DoubleVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline DoubleVec3 widen(const Vec3& v) { return {v.x, v.y, v.z}; }
-inline DoubleVec3 difference(const Vec3& a, const Vec3& b) { return {double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z}; }
 
 /// Twice the triangle's area along its normal, which points to where the vertices are seen counter-clockwise in a
 /// right-handed system. In double: even the thinnest triangles keep their plane.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/sampling.h"
 #include "shapes/rounding.h"
 #include "shapes/triangle.h"
 
@@ -17,8 +18,7 @@ constexpr int kSizeRoundings = 4;
 
 Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const DoubleVec3 n = area_vector(p0, p1, p2);
-  const double l = std::sqrt(dot(n, n));
-  return {static_cast<float>(n.x / l), static_cast<float>(n.y / l), static_cast<float>(n.z / l)};
+  return narrow(n * (1 / length(n)));
 }
 
 const Vec3& at(const std::vector<Vec3>& values, int index) { return values[static_cast<std::size_t>(index)]; }
@@ -126,14 +126,9 @@ Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3
 
 float TriangleMesh::area(int primitive) const {
   const DoubleVec3 n = area_vector(vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2));
-  return static_cast<float>(0.5 * std::sqrt(dot(n, n)));
+  return static_cast<float>(0.5 * length(n));
 }
 
-// Folds the unit square along its diagonal onto the triangle. [Heitz 2019, A Low-Distortion Map Between Triangle and Square]
-Vec2 TriangleMesh::sample_area(int, Vec2 u) const {
-  const float b0 = u.x < u.y ? u.x / 2 : u.x - u.y / 2;
-  const float b1 = u.x < u.y ? u.y - u.x / 2 : u.y / 2;
-  return {b1, 1 - b0 - b1};
-}
+Vec2 TriangleMesh::sample_area(int, Vec2 u) const { return uniform_triangle(u); }
 
 }  // namespace dspm

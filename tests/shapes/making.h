@@ -1,0 +1,48 @@
+// Shapes made by their plugins from parameters, as a scene would.
+#pragma once
+
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "shapes/shape.h"
+
+namespace dspm::test {
+
+inline Param param(ParamType type, std::string name, Param::Values values) {
+  Param p;
+  p.type = type;
+  p.name = std::move(name);
+  p.values = std::move(values);
+  return p;
+}
+
+/// All parts of a shape; what is wrong goes to `diagnostics`.
+inline std::vector<ShapePart> make_parts(std::string_view plugin, ParamList list, Diagnostics& diagnostics) {
+  const auto* found = find_plugin(shape_plugins(), "shape", plugin, {}, diagnostics, unbuilt_shapes());
+  if (!found) return {};
+  ParamReader reader(list, "shape \"" + std::string(plugin) + "\"", {}, diagnostics);
+  return found->make(reader);
+}
+
+/// The one part of a shape that takes numbers only; throws where something is wrong.
+inline std::unique_ptr<Shape> make_shape(std::string_view plugin,
+                                         std::initializer_list<std::pair<const char*, float>> numbers) {
+  ParamList list;
+  for (const auto& [name, value] : numbers)
+    list.params.push_back(param(ParamType::number, name, std::vector<float>{value}));
+  Diagnostics diagnostics;
+  std::vector<ShapePart> parts = make_parts(plugin, std::move(list), diagnostics);
+  diagnostics.throw_if_errors();
+  return std::move(parts.at(0).shape);
+}
+
+/// All messages, a line each.
+inline std::string messages(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& d : diagnostics.all()) text += d.message + "\n";
+  return text;
+}
+
+}  // namespace dspm::test
