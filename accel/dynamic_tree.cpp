@@ -1,0 +1,92 @@
+#include "accel/dynamic_tree.h"
+
+#include <map>
+#include <type_traits>
+
+namespace dspm {
+namespace {
+
+bool is_world_mesh(const PlacedShape& placed) { return placed.shape->triangles() && !placed.in_object_space(); }
+
+std::vector<int> world_meshes(std::span<const PlacedShape> shapes, std::span<const int> which) {
+  std::vector<int> meshes;
+  for (const int s : which)
+    if (is_world_mesh(shapes[static_cast<std::size_t>(s)])) meshes.push_back(s);
+  return meshes;
+}
+
+// Norm of a linear map where vectors are measured by their largest component.
+template <class Map>
+float norm(const Map& map) {
+  return max_component(abs(map(Vec3{1, 0, 0})) + abs(map(Vec3{0, 1, 0})) + abs(map(Vec3{0, 0, 1})));
+}
+
+// By how much a rounding in the object's space, or on the way there, can be larger in the world than one that is made
+// there: the condition of the transform. Twice that, as the margins of the object's space come on top of it.
+float stretch_of(const Transform& t) {
+  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) * norm([&](const Vec3& v) { return t.inverse_vector(v); });
+}
+
+}  // namespace
+
+DynamicTree::DynamicTree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all)
+    : meshes_(shapes, world_meshes(shapes, which), all) {
+  std::map<const Shape*, const ShapeTree*> trees;  // looked up only, so addresses decide nothing
+  std::vector<Placed> placed;
+  std::vector<Piece> pieces;
+  for (const int s : which) {
+    const PlacedShape& shape = shapes[static_cast<std::size_t>(s)];
+    if (is_world_mesh(shape) || shape.shape->primitive_count() == 0) continue;
+    const ShapeTree*& tree = trees[shape.shape];
+    if (!tree) tree = shape_trees_.emplace_back(std::make_unique<ShapeTree>(*shape.shape)).get();
+    placed.push_back({s, &shape, tree});
+    pieces.push_back({place(placed.back()), shape.frames});
+  }
+  bvh_ = build_bvh(pieces, 1, all);
+  for (const Bvh::Leaf& leaf : bvh_.leaves) placed_.push_back(placed[bvh_.order[leaf.first]]);
+  bvh_.forget_pieces();
+}
+
+Bounds3 DynamicTree::place(const Placed& placed) {
+  const Transform& to_world = placed.shape->to_world;
+  Bounds3 world;
+  for (const Bounds3& part : placed.tree->outline()) world.add(to_world.bounds(part));
+  const float margins = stretch_of(to_world), origin = max_component(abs(to_world.point({})));
+  margins_ = std::max(margins_, margins);
+  return widened(world, margins * kBoxMargin * (largest_coordinate(world) + origin));
+}
+
+template <class Query>
+void DynamicTree::find_in(const Placed& placed, const Ray& ray, Query& query) {
+  const FrameSet frames = placed.shape->frames & query.frames();
+  const Ray object_ray = placed.shape->in_object_space() ? placed.shape->to_world.inverse_ray(ray) : ray;
+  if constexpr (std::is_same_v<Query, Unblocked>) {
+    Unblocked unblocked(FrameSet::single(0), ray.t_max);
+    placed.tree->find(object_ray, unblocked);
+    if (unblocked.frames().empty()) query.offer({}, frames);
+  } else {
+    NearestHit nearest(FrameSet::single(0), query.limit(frames));
+    placed.tree->find(object_ray, nearest);
+    RayHit hit = nearest.hit();
+    if (hit.missed()) return;
+    hit.shape = placed.number;
+    query.offer(hit, frames);
+  }
+}
+
+template <class Query>
+void DynamicTree::find(const Ray& ray, Query& query) const {
+  walk(bvh_, BoxRay(ray, margins_), query, [&](std::uint32_t leaf) { find_in(placed_[leaf], ray, query); });
+  if (!meshes_.bvh().nodes.empty()) meshes_.find(MeshRay(ray), query);
+}
+template void DynamicTree::find(const Ray&, NearestHit&) const;
+template void DynamicTree::find(const Ray&, NearestHits&) const;
+template void DynamicTree::find(const Ray&, Unblocked&) const;
+
+std::size_t DynamicTree::memory() const {
+  std::size_t bytes = meshes_.memory() + bvh_.memory() + placed_.capacity() * sizeof(Placed);
+  for (const auto& tree : shape_trees_) bytes += tree->memory();
+  return bytes;
+}
+
+}  // namespace dspm

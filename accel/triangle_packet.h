@@ -1,0 +1,54 @@
+// Up to four triangles side by side: what a leaf of triangles is. Four lanes decide at once which of the triangles the
+// ray's line may meet; those few are then tested one by one by the routine that decides (meet.h), so no second version
+// of the triangle test exists that could disagree with it.
+#pragma once
+
+#include <immintrin.h>
+
+#include "accel/meet.h"
+
+namespace dspm {
+
+struct alignas(64) TrianglePacket {
+  static constexpr int kSize = 4;
+
+  float vertex[3][3][kSize];  // by corner, axis, lane
+  int shape[kSize];
+  int primitive[kSize];
+  unsigned lanes = 0;  // bits of those in use
+
+  void add(int to_shape, int number, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+    const auto lane = static_cast<std::size_t>(std::popcount(lanes));
+    const Vec3 corners[3] = {p0, p1, p2};
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis) vertex[corner][axis][lane] = corners[corner][axis];
+    shape[lane] = to_shape;
+    primitive[lane] = number;
+    lanes |= 1u << lane;
+  }
+  /// Lanes in which the three edge functions of the triangle test have no two opposite signs. Zero is no sign: there the
+  /// triangle test itself looks closer.
+  unsigned candidates(const TriangleRay& ray) const {
+    const __m128 sx = _mm_set1_ps(ray.sx), sy = _mm_set1_ps(ray.sy);
+    __m128 x[3], y[3];
+    for (int i = 0; i < 3; ++i) {
+      const __m128 z = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kz]), _mm_set1_ps(ray.origin[ray.kz]));
+      x[i] = _mm_sub_ps(_mm_sub_ps(_mm_load_ps(vertex[i][ray.kx]), _mm_set1_ps(ray.origin[ray.kx])), _mm_mul_ps(sx, z));
+      y[i] = _mm_sub_ps(_mm_sub_ps(_mm_load_ps(vertex[i][ray.ky]), _mm_set1_ps(ray.origin[ray.ky])), _mm_mul_ps(sy, z));
+    }
+    const __m128 u = _mm_sub_ps(_mm_mul_ps(x[2], y[1]), _mm_mul_ps(y[2], x[1]));
+    const __m128 v = _mm_sub_ps(_mm_mul_ps(x[0], y[2]), _mm_mul_ps(y[0], x[2]));
+    const __m128 w = _mm_sub_ps(_mm_mul_ps(x[1], y[0]), _mm_mul_ps(y[1], x[0]));
+    const __m128 zero = _mm_setzero_ps();
+    const __m128 some_negative = _mm_cmplt_ps(_mm_min_ps(_mm_min_ps(u, v), w), zero);
+    const __m128 some_positive = _mm_cmpgt_ps(_mm_max_ps(_mm_max_ps(u, v), w), zero);
+    return lanes & ~static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(some_negative, some_positive)));
+  }
+
+  std::optional<PrimitiveHit> meet(std::size_t lane, const MeshRay& ray) const {
+    const auto corner = [&](int i) { return Vec3{vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; };
+    return dspm::meet(ray, corner(0), corner(1), corner(2));
+  }
+};
+
+}  // namespace dspm

@@ -1,0 +1,91 @@
+// The walk through a Bvh, front to back. Who asks what is a Query: anything with
+//   FrameSet frames() const                           the frames that are still asked for
+//   bool reaches(float entry, FrameSet frames) const  something at distance `entry` or later may matter to one of them
+//   float limit() const                               nothing beyond this distance matters (at it, it may)
+//   static constexpr bool kOneFrame                   frames() never holds more than one frame, limit() says it all
+#pragma once
+
+#include <immintrin.h>
+
+#include <cassert>
+
+#include "accel/box_ray.h"
+#include "accel/bvh.h"
+
+namespace dspm {
+
+namespace detail {
+
+/// Box tests of a node's children, four at a time.
+class NodeTest {
+ public:
+  explicit NodeTest(const BoxRay& ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+      near_plane_[axis] = 2 * axis + (ray.negative[static_cast<std::size_t>(axis)] ? 1 : 0);
+      near_origin_[axis] = _mm_set1_ps(ray.near_origin[axis]);
+      far_origin_[axis] = _mm_set1_ps(ray.far_origin[axis]);
+      inverse_[axis] = _mm_set1_ps(ray.inverse[axis]);
+    }
+  }
+
+  /// Bits of the children whose boxes the ray enters within `limit`, and where it enters them.
+  unsigned operator()(const Bvh::Node& node, float limit, float* entry) const {
+    return half(node, 0, limit, entry) | half(node, 4, limit, entry) << 4;
+  }
+
+ private:
+  unsigned half(const Bvh::Node& node, int first, float limit, float* entry) const {
+    // The order of the operands matters: of a NaN (zero times infinity) min and max yield the second operand.
+    __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const __m128 near = _mm_load_ps(node.planes[near_plane_[axis]] + first);
+      const __m128 far = _mm_load_ps(node.planes[near_plane_[axis] ^ 1] + first);
+      enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(near, near_origin_[axis]), inverse_[axis]), enter);
+      leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(far, far_origin_[axis]), inverse_[axis]), leave);
+    }
+    _mm_store_ps(entry + first, enter);
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
+  }
+
+  int near_plane_[3];
+  __m128 near_origin_[3], far_origin_[3], inverse_[3];
+};
+
+}  // namespace detail
+
+/// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
+template <class Query, class Visit>
+void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
+  struct Entry {
+    float at;
+    std::uint32_t child;
+    FrameSet frames;
+  };
+  if (bvh.nodes.empty()) return;
+  const detail::NodeTest test(ray);
+  Entry stack[(Bvh::kWidth - 1) * Bvh::kMaxDepth + 1];
+  int size = 0;
+  stack[size++] = {0, 0, query.frames()};
+  while (size > 0) {
+    const Entry top = stack[--size];
+    if (Query::kOneFrame ? top.at > query.limit() : !query.reaches(top.at, top.frames)) continue;
+    if (top.child >= Bvh::kLeaf) {
+      visit(top.child - Bvh::kLeaf);
+      continue;
+    }
+    const Bvh::Node& node = bvh.nodes[top.child];
+    const Bvh::NodeFrames& frames = bvh.node_frames[top.child];
+    alignas(16) float entry[Bvh::kWidth];
+    const int base = size;
+    for (unsigned hits = test(node, query.limit(), entry); hits != 0; hits &= hits - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+      const FrameSet common = frames[i] & query.frames();
+      if (common.empty()) continue;
+      int place = size++;
+      for (; place > base && stack[place - 1].at < entry[i]; --place) stack[place] = stack[place - 1];
+      stack[place] = {entry[i], node.child[i], common};
+    }
+  }
+}
+
+}  // namespace dspm

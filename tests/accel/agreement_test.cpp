@@ -1,0 +1,134 @@
+// Property tests: on thousands of random scenes the trees find what a loop over all primitives finds, bit by bit, and
+// what they return is a partition.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "accel/brute_force.h"
+#include "accel/two_level.h"
+#include "tests/accel/random_scene.h"
+
+namespace dspm {
+namespace {
+
+std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+bool same(const RayHit& a, const RayHit& b) {
+  return bits(a.t) == bits(b.t) && a.shape == b.shape && a.primitive == b.primitive && bits(a.uv.x) == bits(b.uv.x) &&
+         bits(a.uv.y) == bits(b.uv.y);
+}
+
+bool same(const HitPartition& a, const HitPartition& b) {
+  if (a.size() != b.size()) return false;
+  for (int i = 0; i < a.size(); ++i)
+    if (a[i].frames != b[i].frames || !same(a[i].hit, b[i].hit)) return false;
+  return true;
+}
+
+std::string to_text(const HitPartition& parts) {
+  std::string text;
+  for (const FrameHit& part : parts)
+    text += fmt::format("  {:016x}: shape {} primitive {} t {} uv {} {}\n", part.frames.bits(), part.hit.shape,
+                        part.hit.primitive, part.hit.t, part.hit.uv.x, part.hit.uv.y);
+  return text;
+}
+
+std::string to_text(const Ray& ray) {
+  return fmt::format("origin {} {} {} direction {} {} {} t_max {}", ray.origin.x, ray.origin.y, ray.origin.z,
+                     ray.direction.x, ray.direction.y, ray.direction.z, ray.t_max);
+}
+
+void expect_partition(const HitPartition& parts, FrameSet frames) {
+  FrameSet seen;
+  Frame lowest = -1;
+  for (const FrameHit& part : parts) {
+    EXPECT_FALSE(part.frames.empty());
+    EXPECT_TRUE((part.frames & seen).empty());
+    EXPECT_GT(part.frames.lowest(), lowest);
+    for (const FrameHit& other : parts)
+      EXPECT_FALSE(&part != &other && part.hit.shape == other.hit.shape && part.hit.primitive == other.hit.primitive);
+    lowest = part.frames.lowest();
+    seen |= part.frames;
+  }
+  EXPECT_EQ(seen, frames);
+}
+
+void expect_agreement(const Accel& tree, const Accel& loop, const Ray& ray, FrameSet frames) {
+  const HitPartition expected = loop.partition(ray, frames), found = tree.partition(ray, frames);
+  EXPECT_TRUE(same(expected, found)) << to_text(ray) << "\nexpected\n" << to_text(expected) << "found\n" << to_text(found);
+  expect_partition(found, frames);
+  const FrameSet blocked = loop.occluded(ray, frames), found_blocked = tree.occluded(ray, frames);
+  EXPECT_EQ(blocked.bits(), found_blocked.bits()) << to_text(ray);
+
+  FrameSet hit_frames;
+  for (const FrameHit& part : found)
+    if (!part.hit.missed()) hit_frames |= part.frames;
+  EXPECT_EQ(hit_frames, found_blocked);
+}
+
+TEST(Agreement, OnRandomScenes) {
+  for (std::uint64_t seed = 0; seed < 4000 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene scene(seed);
+    const TwoLevel tree(scene.placed(), scene.all());
+    const BruteForce loop(scene.placed());
+    for (int i = 0; i < 40; ++i) expect_agreement(tree, loop, scene.some_ray(), scene.some_frames());
+  }
+}
+
+// The distance of a hit is no longer within a ray that ends there, and is within one that ends at the next float.
+TEST(Agreement, OnRaysThatEndAtAHit) {
+  for (std::uint64_t seed = 10000; seed < 11000 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene scene(seed);
+    const TwoLevel tree(scene.placed(), scene.all());
+    const BruteForce loop(scene.placed());
+    for (int i = 0; i < 20; ++i) {
+      Ray ray = scene.some_ray();
+      const HitPartition parts = loop.partition(ray, scene.all());
+      for (const FrameHit& part : parts) {
+        if (part.hit.missed()) continue;
+        for (const float end : {part.hit.t, std::nextafter(part.hit.t, kInfinity)}) {
+          ray.t_max = end;
+          expect_agreement(tree, loop, ray, scene.all());
+        }
+      }
+    }
+  }
+}
+
+// Frame j of a partition is what a ray that asks for frame j alone gets, from the same tree and from a tree that was
+// built for frame j alone (where everything is static).
+TEST(Agreement, OfAllFramesAndEachFrameAlone) {
+  for (std::uint64_t seed = 20000; seed < 20300 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene scene(seed);
+    const TwoLevel tree(scene.placed(), scene.all());
+    std::vector<std::unique_ptr<TwoLevel>> alone;
+    scene.all().for_each(
+        [&](Frame f) { alone.push_back(std::make_unique<TwoLevel>(scene.placed(), FrameSet::single(f))); });
+    for (int i = 0; i < 20; ++i) {
+      const Ray ray = scene.some_ray();
+      for (const FrameHit& part : tree.partition(ray, scene.all())) {
+        part.frames.for_each([&](Frame f) {
+          const FrameSet only = FrameSet::single(f);
+          EXPECT_TRUE(same(part.hit, tree.partition(ray, only)[0].hit)) << to_text(ray);
+          EXPECT_TRUE(same(part.hit, alone[static_cast<std::size_t>(f)]->partition(ray, only)[0].hit)) << to_text(ray);
+        });
+      }
+    }
+  }
+}
+
+TEST(Agreement, OnNothing) {
+  const TwoLevel tree({}, FrameSet::first(64));
+  const Ray ray{{0, 0, 0}, {0, 0, 1}};
+  const HitPartition parts = tree.partition(ray, FrameSet(5));
+  ASSERT_EQ(parts.size(), 1);
+  EXPECT_EQ(parts[0].frames, FrameSet(5));
+  EXPECT_TRUE(parts[0].hit.missed());
+  EXPECT_EQ(tree.partition(ray, FrameSet()).size(), 0);
+  EXPECT_TRUE(tree.occluded(ray, FrameSet(5)).empty());
+}
+
+}  // namespace
+}  // namespace dspm
