@@ -1,0 +1,97 @@
+#include "app/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "accel/accel.h"
+#include "app/options.h"
+#include "cameras/camera.h"
+#include "film/film.h"
+#include "film/pixel_filter.h"
+#include "integrators/integrator.h"
+#include "lights/light.h"
+#include "materials/material.h"
+#include "shapes/shape.h"
+#include "textures/texture.h"
+
+namespace dspm {
+namespace {
+
+struct Entry {
+  std::string kind, name, sentence;
+  std::function<std::vector<ParamInfo>()> params;
+};
+
+template <class Make, class... Context>
+void add(std::vector<Entry>& entries, const char* kind, std::span<const Plugin<Make>> plugins,
+         const Context&... context) {
+  for (const Plugin<Make>& plugin : plugins)
+    entries.push_back({kind, std::string(plugin.name), std::string(plugin.sentence),
+                       [&plugin, &context...] { return describe(plugin, context...); }});
+}
+
+/// The kinds are called as in messages about scenes.
+std::vector<Entry> all_plugins() {
+  static const TextureSet textures;
+  static const MaterialContext material{textures};
+  static const LightContext light{};
+  static const CameraContext camera{};
+  static const Scene scene{};
+  static const RenderSettings settings{};
+  static const std::span<const PlacedShape> no_shapes;
+  static const FrameSet no_frames;
+  std::vector<Entry> entries;
+  add(entries, "shape", shape_plugins());
+  add(entries, "material", material_plugins(), material);
+  add(entries, "texture", texture_plugins());
+  add(entries, "light", light_plugins(), light);
+  add(entries, "area light", area_light_plugins(), light);
+  add(entries, "camera", camera_plugins(), camera);
+  add(entries, "film", film_plugins());
+  add(entries, "filter", pixel_filter_plugins());
+  add(entries, "accelerator", accel_plugins(), no_shapes, no_frames);
+  add(entries, "integrator", integrator_plugins(), scene, settings);
+  return entries;
+}
+
+std::string full_name(const Entry& entry) { return entry.kind + ":" + entry.name; }
+
+/// One line of the table of parameters, its sentence after the columns.
+std::string line_of(const ParamInfo& info) {
+  const std::string unit = info.unit.empty() ? "" : " " + info.unit;
+  return fmt::format("  {:<22} {:<18} {:<22} {}\n", info.type, info.name, info.default_value + unit, info.sentence);
+}
+
+}  // namespace
+
+std::string list_plugins() {
+  std::string text, kind;
+  for (const Entry& entry : all_plugins()) {
+    if (entry.kind != kind) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", entry.kind);
+    kind = entry.kind;
+    text += fmt::format("  {:<18} {}\n", entry.name, entry.sentence);
+  }
+  return text;
+}
+
+std::string describe_plugin(std::string_view kind_and_name) {
+  const std::vector<Entry> entries = all_plugins();
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) {
+    names.push_back(full_name(entry));
+    if (names.back() != kind_and_name) continue;
+    std::string text = fmt::format("{}: {}\n", names.back(), entry.sentence);
+    const std::vector<ParamInfo> params = entry.params();
+    if (!params.empty()) text += line_of({"type", "name", "default", "", "meaning"});
+    for (const ParamInfo& info : params) text += line_of(info);
+    return text;
+  }
+  const std::string guess = did_you_mean(kind_and_name, names);
+  throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", kind_and_name,
+                               guess.empty() ? "dspm --list names them all as kind and name" : guess));
+}
+
+}  // namespace dspm

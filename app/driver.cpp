@@ -1,0 +1,176 @@
+#include "app/driver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+
+#include "app/frame_intervals.h"
+#include "app/job.h"
+#include "app/load.h"
+#include "app/messages.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/run_report.h"
+#include "app/signals.h"
+#include "core/atomic_file.h"
+#include "core/parallel.h"
+#include "world/world.h"
+
+namespace dspm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages) {
+  Diagnostics diagnostics;
+  std::unique_ptr<Integrator> integrator = job.make_integrator(scene, diagnostics);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+  return integrator;
+}
+
+/// When the images are to be written between iterations.
+class WriteSchedule {
+ public:
+  explicit WriteSchedule(const Interval& every) : every_(every) {}
+  /// After that many iterations; the clock starts anew where it says yes.
+  bool due(int iterations) {
+    const bool yes = (every_.iterations > 0 && iterations % every_.iterations == 0) ||
+                     (every_.seconds > 0 && seconds_since(last_) >= every_.seconds);
+    if (yes) last_ = Clock::now();
+    return yes;
+  }
+
+ private:
+  Interval every_;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// A render: the world's frames through the integrator into files.
+class Run {
+ public:
+  Run(const Job& job, const World& world, const Options& options, Messages& messages)
+      : job_(job), world_(world), options_(options), messages_(messages), output_(job, options),
+        intervals_(cut_into_intervals(job.frames, frames_together(job.integrator))) {
+    report_.threads = thread_count();
+  }
+
+  /// All intervals, or until a signal came.
+  RunReport render();
+
+ private:
+  void render_interval(std::size_t index);
+  void announce(const Scene& scene, const Integrator& integrator, int iterations);
+  void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin);
+  /// Seconds for the interval: an equal share of what the intervals before it left.
+  double time_share(std::size_t index) const {
+    return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
+  }
+
+  const Job& job_;
+  const World& world_;
+  const Options& options_;
+  Messages& messages_;
+  Output output_;
+  std::vector<std::span<const Frame>> intervals_;
+  RunReport report_;
+  std::unique_ptr<Progress> progress_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+RunReport Run::render() {
+  const InterruptRequests interrupts;
+  for (std::size_t i = 0; i < intervals_.size() && InterruptRequests::signal() == 0; ++i) render_interval(i);
+  progress_.reset();
+  report_.seconds = seconds_since(begin_);
+  if (const int signal = InterruptRequests::signal()) report_.exit_code = 128 + signal;
+  return report_;
+}
+
+void Run::render_interval(std::size_t index) {
+  const std::span<const Frame> frames = intervals_[index];
+  const std::unique_ptr<Scene> scene = world_.scene(frames);
+  const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_);
+  const int iterations = job_.iterations(*integrator, options_);
+  if (index == 0) announce(*scene, *integrator, iterations);
+  report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
+
+  const double seconds = options_.time_limit > 0 ? time_share(index) : 0;
+  const Clock::time_point begin = Clock::now();
+  WriteSchedule schedule(options_.write_every);
+  int done = 0;
+  const auto finished = [&] {
+    return (iterations > 0 && done >= iterations) || InterruptRequests::signal() != 0 ||
+           (options_.time_limit > 0 && done > 0 && seconds_since(begin) >= seconds);
+  };
+  while (!finished()) {
+    integrator->iterate(done++);
+    progress_->step(static_cast<int>(index), done);
+    if (schedule.due(done) && !finished()) write(frames, *integrator, begin);
+  }
+  if (done > 0) write(frames, *integrator, begin);
+  report_.add(integrator->statistics());
+}
+
+void Run::announce(const Scene& scene, const Integrator& integrator, int iterations) {
+  const RenderSettings& s = job_.settings;
+  const std::string limit = options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
+  messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file, job_.frames.size(),
+                job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(), job_.integrator,
+                iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
+  const int photons = job_.photons();
+  const std::string emitted = photons > 0 ? fmt::format("{} photon paths an iteration; ", photons) : "";
+  messages_.say("{}memory: trees {}, integrator {}, all {}", emitted, readable_bytes(scene.accel->memory()),
+                readable_bytes(integrator.statistics().bytes), readable_bytes(peak_memory()));
+  progress_ = std::make_unique<Progress>(
+      Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
+}
+
+void Run::write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin) {
+  const Statistics statistics = integrator.statistics();
+  const auto first = static_cast<std::size_t>(interval.data() - job_.frames.data());
+  for (std::size_t j = 0; j < interval.size(); ++j)
+    output_.write(first + j, integrator.estimate(static_cast<Frame>(j)), statistics.iterations, statistics.photon.paths,
+                  seconds_since(begin));
+  output_.write_contact_sheet();
+}
+
+void explain(const World& world, const Job& job) {
+  for (const std::span<const Frame> interval : cut_into_intervals(job.frames, frames_together(job.integrator)))
+    for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
+}
+
+void write_report(const Job& job, const RunReport& report, const Options& options) {
+  if (options.stats == "table") fmt::print(stderr, "\n{}", table_of(job, report));
+  if (options.stats == "-") fmt::print("{}", json_of(job, report));
+  if (!options.stats.empty() && options.stats != "table" && options.stats != "-")
+    write_file(options.stats, json_of(job, report));
+}
+
+}  // namespace
+
+int render_scene(const Options& options) {
+  const ThreadLimit threads(options.threads);
+  Messages messages(options.quiet);
+  const LoadedScene loaded(options, messages);
+  if (options.explain) explain(*loaded.world, loaded.job);
+  Run run(loaded.job, *loaded.world, options, messages);
+  const RunReport report = run.render();
+  write_report(loaded.job, report, options);
+  return report.exit_code;
+}
+
+int check_scene(const Options& options) {
+  const ThreadLimit threads(options.threads);
+  Messages messages(options.quiet);
+  const LoadedScene loaded(options, messages);
+  if (options.explain) explain(*loaded.world, loaded.job);
+  const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
+  make_integrator(loaded.job, *scene, messages);
+  messages.say("scene ok: {}", summary_of(loaded));
+  return 0;
+}
+
+}  // namespace dspm

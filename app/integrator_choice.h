@@ -1,0 +1,36 @@
+// Which integrator renders a scene, and with which parameters: dspm's rules for pbrt's names.
+#pragma once
+
+#include "app/options.h"
+#include "integrators/integrator.h"
+#include "lang/description.h"
+
+namespace dspm {
+
+struct IntegratorChoice {
+  const Plugin<MakeIntegrator>* plugin = nullptr;  // null: after an error
+  ParamList params;
+  SourceLocation where;
+};
+
+/// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. Parameters that were meant
+/// for another integrator than the one used are left out where this one does not know them.
+IntegratorChoice choose_integrator(const SceneDescription& description, const Options& options,
+                                   Diagnostics& diagnostics);
+
+/// How the integrator describes its parameters.
+std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
+
+/// The plugin that the option names; UsageError where there is none.
+template <class Make>
+const Plugin<Make>* find_by_option(std::span<const Plugin<Make>> plugins, const char* option, const std::string& name) {
+  Diagnostics diagnostics;
+  const Plugin<Make>* plugin = find_plugin(plugins, option, name, {}, diagnostics);
+  if (plugin != nullptr) return plugin;
+  throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
+}
+
+/// The value of an integer parameter of the list, `fallback` where it is absent.
+int integer_of(const ParamList& list, std::string_view name, int fallback);
+
+}  // namespace dspm

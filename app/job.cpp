@@ -1,0 +1,180 @@
+#include "app/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/integrator_choice.h"
+
+namespace dspm {
+namespace {
+
+/// What the Sampler directive tells dspm, which has a sequence of its own.
+struct SamplerSettings {
+  std::optional<int> pixel_samples, seed;
+};
+
+SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics) {
+  static const std::vector<std::string> kNames = {"zsobol", "paddedsobol", "sobol",      "halton",
+                                                  "pmj02bn", "independent", "stratified"};
+  if (!use) return {};
+  if (std::find(kNames.begin(), kNames.end(), use->type) == kNames.end()) {
+    diagnostics.error(use->type_where, fmt::format("unknown sampler \"{}\"", use->type), did_you_mean(use->type, kNames));
+    return {};
+  }
+  diagnostics.note(use->where, fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
+  ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
+  SamplerSettings settings;
+  const int samples = reader.integer("pixelsamples", 0, "", "camera paths a pixel"),
+            seed = reader.integer("seed", 0, "", "of the random numbers");
+  const int across = reader.integer("xsamples", 4, "", "strata"), down = reader.integer("ysamples", 4, "", "strata");
+  reader.text("randomization", "", "without effect");
+  reader.flag("jitter", true, "without effect");
+  if (reader.has("pixelsamples")) settings.pixel_samples = samples;
+  if (use->type == "stratified" && (reader.has("xsamples") || reader.has("ysamples")))
+    settings.pixel_samples = across * down;
+  if (reader.has("seed")) settings.seed = seed;
+  if (settings.pixel_samples && *settings.pixel_samples < 1) reader.error("pixelsamples", "there must be at least one sample");
+  reader.finish();
+  return settings;
+}
+
+/// The object that a directive before WorldBegin asks for, or that of the usual type.
+template <class Make>
+auto make_one(std::span<const Plugin<Make>> plugins, const char* kind, const char* usual,
+              const std::optional<PluginUse>& use, std::span<const std::string_view> not_built,
+              Diagnostics& diagnostics) {
+  static const PluginUse kNone;
+  const PluginUse& used = use ? *use : kNone;
+  const std::string& name = use ? use->type : usual;
+  const Plugin<Make>* plugin = find_plugin(plugins, kind, name, used.type_where, diagnostics, not_built);
+  const bool replaced = plugin == nullptr;
+  if (replaced) plugin = &plugins.front();
+  const ParamList& params = replaced ? kNone.params : used.params;
+  ParamReader reader(params, fmt::format("{} \"{}\"", kind, plugin->name), used.where, diagnostics);
+  return plugin->make(reader);
+}
+
+FilmSettings make_film(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
+  const int errors = diagnostics.error_count();
+  FilmSettings film = *make_one(film_plugins(), "film", "rgb", description.film, unbuilt_films(), diagnostics);
+  if (options.quick) make_quick(film);
+  if (!options.outfile.empty()) film.filename = options.outfile;
+  if (options.half) film.save_half = *options.half;
+  if (options.crop_window) {
+    film.crop_window.emplace();
+    std::copy(options.crop_window->begin(), options.crop_window->end(), film.crop_window->begin());
+  } else if (options.pixel_bounds) {
+    film.crop_window.reset();
+    film.pixel_bounds = options.pixel_bounds;
+  }
+  if (diagnostics.error_count() == errors && crop_of(film).empty())
+    throw UsageError(fmt::format("nothing is left of the image of {} x {} pixels", film.width, film.height));
+  return film;
+}
+
+std::vector<Frame> frames_of(const SceneDescription& description, const Options& options) {
+  if (!options.frames.empty()) {
+    if (options.frames.back() >= description.frame_count)
+      throw UsageError(fmt::format("--frames: there is no frame {}, the last one is {}", options.frames.back() + 1,
+                                   description.frame_count));
+    return options.frames;
+  }
+  std::vector<Frame> all(static_cast<std::size_t>(description.frame_count));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+float number_of(const ParamList& list, std::string_view name, float fallback) {
+  const Param* param = list.find(name);
+  const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
+  return values != nullptr && values->size() == 1 ? values->front() : fallback;
+}
+
+/// The camera's shutter is open from shutteropen to shutterclose.
+float shutter_seconds(const SceneDescription& description) {
+  if (!description.camera) return 1;
+  const ParamList params = description.camera->params.at(0);
+  const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
+  return seconds > 0 ? seconds : 1;
+}
+
+/// The command line's, else the scene's where dspm has it; pbrt's trees change nothing in the image.
+std::string accel_of(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
+  if (!options.accel.empty()) return std::string(find_by_option(accel_plugins(), "accel", options.accel)->name);
+  const std::optional<PluginUse>& use = description.accelerator;
+  if (!use) return {};
+  if (use->type != "bvh" && use->type != "kdtree") {
+    const auto* plugin = find_plugin(accel_plugins(), "accelerator", use->type, use->type_where, diagnostics);
+    return plugin != nullptr ? use->type : std::string();
+  }
+  diagnostics.note(use->where, fmt::format("accelerator \"{}\" has no effect: dspm has its own", use->type));
+  return {};
+}
+
+/// Reports what is wrong with the integrator's parameters before there is a scene to make it for.
+void check_integrator(const Job& job, Diagnostics& diagnostics) {
+  ParamReader reader(job.params, fmt::format("integrator \"{}\"", job.integrator), job.where, diagnostics);
+  reader.only_check();
+  try {
+    job.plugin->make(reader, Scene{}, job.settings);
+  } catch (const DescribedEnough&) {
+  }
+}
+
+}  // namespace
+
+int Job::photons() const {
+  for (const ParamInfo& info : params_of(*plugin)) {
+    if (info.name != "photons") continue;
+    const int usual = std::stoi(info.default_value);
+    const int given = integer_of(params, "photons", integer_of(params, "photonsperiteration", usual));
+    return given == -1 ? settings.crop.count() : given;  // pbrt's word for one a pixel
+  }
+  return 0;
+}
+
+int Job::iterations(const Integrator& made, const Options& options) const {
+  if (options.iterations) return *options.iterations;
+  const int asked = made.iterations();
+  return options.quick && asked > 0 ? std::max(1, asked / 4) : asked;
+}
+
+std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics) const {
+  ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
+  return plugin->make(reader, scene, settings);
+}
+
+Job make_job(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
+  Job job;
+  job.scene_file = description.files.empty() ? "-" : description.files.front()->name;
+  job.frames = frames_of(description, options);
+  job.numbered = description.frames_where.file != nullptr;
+  job.fps = description.fps.value_or(0);
+  job.film = make_film(description, options, diagnostics);
+  job.exposure = imaging_ratio(job.film, shutter_seconds(description));
+
+  IntegratorChoice choice = choose_integrator(description, options, diagnostics);
+  job.plugin = choice.plugin;
+  job.integrator = choice.plugin != nullptr ? choice.plugin->name : "";
+  job.params = std::move(choice.params);
+  job.where = choice.where;
+
+  job.accel = accel_of(description, options, diagnostics);
+
+  const SamplerSettings sampler = read_sampler(description.sampler, diagnostics);
+  RenderSettings& settings = job.settings;
+  settings.width = job.film.width, settings.height = job.film.height;
+  settings.crop = crop_of(job.film);
+  settings.filter = make_one(pixel_filter_plugins(), "filter", "gaussian", description.filter, unbuilt_pixel_filters(),
+                             diagnostics);
+  settings.jitter = !description.options.disable_pixel_jitter;
+  settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
+  const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
+  settings.seed = options.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
+  if (job.plugin != nullptr) check_integrator(job, diagnostics);
+  return job;
+}
+
+}  // namespace dspm

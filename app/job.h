@@ -1,0 +1,41 @@
+// What is to be rendered, and how: the scene's Film, PixelFilter, Sampler and Integrator with the command line's options
+// on top. Everything that the world does not make.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "core/errors.h"
+#include "film/film.h"
+#include "integrators/integrator.h"
+#include "lang/description.h"
+
+namespace dspm {
+
+struct Job {
+  std::string scene_file;
+  std::vector<Frame> frames;   // of the file, ascending
+  bool numbered = false;       // the images' names have the frame's number
+  double fps = 0;              // 0: no animation
+  FilmSettings film;
+  float exposure = 1;          // image values over radiance
+  RenderSettings settings;
+  std::string integrator;
+  const Plugin<MakeIntegrator>* plugin = nullptr;
+  ParamList params;            // of the integrator
+  SourceLocation where;        // of the Integrator directive
+  std::string accel;           // a plugin's name; empty: the usual one
+
+  /// Photon paths an iteration; 0: the integrator emits none.
+  int photons() const;
+  /// Iterations to go; 0: until stopped.
+  int iterations(const Integrator& made, const Options& options) const;
+  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics) const;
+};
+
+/// What is wrong goes to `diagnostics`, what the command line got wrong about this scene is a UsageError.
+Job make_job(const SceneDescription& description, const Options& options, Diagnostics& diagnostics);
+
+}  // namespace dspm

@@ -1,0 +1,40 @@
+#include "app/load.h"
+
+#include <fmt/format.h>
+
+#include "lang/parse.h"
+
+namespace dspm {
+
+namespace {
+
+ParseOptions parse_options_of(const Options& options) {
+  ParseOptions parse;
+  for (const std::string& define : options.defines) {
+    const std::size_t sign = define.find('=');
+    parse.defines[define.substr(0, sign)] = define.substr(sign + 1);
+  }
+  return parse;
+}
+
+}  // namespace
+
+LoadedScene::LoadedScene(const Options& options, Messages& messages) {
+  Diagnostics diagnostics(options.lenient);
+  description = std::make_unique<SceneDescription>(parse_files(options.scenes, parse_options_of(options), diagnostics));
+  job = make_job(*description, options, diagnostics);
+  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
+  world = std::make_unique<World>(*description, world_options, diagnostics);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+std::string summary_of(const LoadedScene& loaded) {
+  const SceneDescription& d = *loaded.description;
+  const RenderSettings& settings = loaded.job.settings;
+  return fmt::format("{} frame{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", d.frame_count,
+                     d.frame_count == 1 ? "" : "s", settings.width, settings.height, d.shapes.size(),
+                     d.materials.size(), d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+}
+
+}  // namespace dspm

@@ -1,0 +1,67 @@
+#include "app/output.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "core/atomic_file.h"
+#include "film/image_name.h"
+#include "film/write_image.h"
+#include "image/png.h"
+
+namespace dspm {
+namespace {
+
+constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
+
+/// Makes and removes a file in the same directory.
+void expect_writable(const std::filesystem::path& path) { const AtomicFile trial(path); }
+
+}  // namespace
+
+Output::Output(const Job& job, const Options& options)
+    : job_(job), png_(options.png), sheet_path_(options.contact_sheet) {
+  std::set<std::filesystem::path> names;
+  for (const Frame frame : job.frames) {
+    if (!names.insert(name(frame)).second)
+      throw UsageError(fmt::format("several frames would be written to {}", name(frame).string()));
+  }
+  expect_writable(name(job.frames.front()));
+  if (!options.stats.empty() && options.stats != "table" && options.stats != "-") expect_writable(options.stats);
+  if (sheet_path_.empty()) return;
+  expect_writable(sheet_path_);
+  sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), job.settings.crop.width(), job.settings.crop.height()));
+}
+
+std::filesystem::path Output::name(Frame frame) const {
+  return image_name(job_.film.filename, job_.numbered ? std::optional(frame) : std::nullopt);
+}
+
+ExrHeader Output::header(Frame frame) const {
+  ExrHeader header;
+  header.texts = {{"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", "dspm " DSPM_VERSION}};
+  header.integers = {{"frame", frame + 1}};
+  header.numbers = {{"seed", static_cast<double>(job_.settings.seed)}};
+  header.frames_per_second = job_.fps;
+  return header;
+}
+
+void Output::write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds) {
+  const Frame frame = job_.frames[index];
+  for (Rgb& pixel : image.pixels) pixel = pixel * job_.exposure;
+  ExrHeader header = this->header(frame);
+  header.integers["iterations"] = iterations;
+  header.numbers["photons"] = static_cast<double>(photons);
+  header.numbers["seconds"] = seconds;
+  std::filesystem::path path = name(frame);
+  if (sheet_) sheet_->put(static_cast<int>(index), shown(image, kToneMap), fmt::format("{}", frame + 1));
+  write_image(path, image, job_.film, header, kToneMap);
+  if (png_ && path.extension() != ".png")
+    write_image(path.replace_extension(".png"), std::move(image), job_.film, header, kToneMap);
+}
+
+void Output::write_contact_sheet() const {
+  if (sheet_) write_png(sheet_path_, sheet_->image());
+}
+
+}  // namespace dspm

@@ -1,0 +1,35 @@
+// The files of a run: an image a frame, the contact sheet.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/job.h"
+#include "film/contact_sheet.h"
+#include "image/exr.h"
+
+namespace dspm {
+
+class Output {
+ public:
+  /// Throws where a file cannot be written later: before rendering is the time to learn it.
+  Output(const Job& job, const Options& options);
+
+  /// Where the image of a frame of the file goes.
+  std::filesystem::path name(Frame frame) const;
+  /// Writes the image of the job's frame number `index` (radiance over the crop), over an earlier one.
+  void write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds);
+  /// The sheet with all images so far, where one was asked for.
+  void write_contact_sheet() const;
+
+ private:
+  ExrHeader header(Frame frame) const;
+
+  const Job& job_;
+  bool png_;
+  std::filesystem::path sheet_path_;
+  std::optional<ContactSheet> sheet_;
+};
+
+}  // namespace dspm

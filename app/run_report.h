@@ -1,0 +1,34 @@
+// The account of a run: what was rendered, how long each step took, what the frames shared. For people a table, for
+// programs JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "integrators/statistics.h"
+
+namespace dspm {
+
+struct RunReport {
+  std::vector<int> iterations;  // done, by frame interval
+  double seconds = 0;           // from the first iteration's begin to the last image written
+  int threads = 0;
+  std::size_t tree_bytes = 0;   // of the largest interval's trees
+  int exit_code = 0;
+  Statistics statistics;        // all intervals together
+
+  /// Adds what an interval's integrator did.
+  void add(const Statistics& interval);
+};
+
+/// The largest memory of this process so far, in bytes.
+std::size_t peak_memory();
+/// "678.2 MB"
+std::string readable_bytes(std::size_t bytes);
+
+std::string table_of(const Job& job, const RunReport& report);
+std::string json_of(const Job& job, const RunReport& report);
+
+}  // namespace dspm

@@ -1,0 +1,73 @@
+#include "app/option_values.h"
+
+#include <gtest/gtest.h>
+
+namespace dspm {
+namespace {
+
+TEST(ParseFrames, CountsFromZeroInOrderWithoutRepetition) {
+  EXPECT_EQ(parse_frames("7"), (std::vector<Frame>{6}));
+  EXPECT_EQ(parse_frames("1-3,12"), (std::vector<Frame>{0, 1, 2, 11}));
+  EXPECT_EQ(parse_frames("5,2-3,3,1"), (std::vector<Frame>{0, 1, 2, 4}));
+}
+
+TEST(ParseFrames, RefusesWhatIsNoListOfFrames) {
+  for (const char* text : {"", "0", "-1", "3-1", "1-", "1,,2", "a", "1 2", "1-2-3", "99999999999", "1-999999999"})
+    EXPECT_THROW(parse_frames(text), UsageError) << text;
+}
+
+TEST(ParseDuration, AddsItsParts) {
+  EXPECT_DOUBLE_EQ(parse_duration("30s"), 30);
+  EXPECT_DOUBLE_EQ(parse_duration("10m"), 600);
+  EXPECT_DOUBLE_EQ(parse_duration("2h"), 7200);
+  EXPECT_DOUBLE_EQ(parse_duration("1h30m"), 5400);
+  EXPECT_DOUBLE_EQ(parse_duration("1h30m10s"), 5410);
+  EXPECT_DOUBLE_EQ(parse_duration("1.5h"), 5400);
+  EXPECT_DOUBLE_EQ(parse_duration("0.25s"), 0.25);
+  EXPECT_DOUBLE_EQ(parse_duration("90"), 90);
+}
+
+TEST(ParseDuration, RefusesWhatIsNone) {
+  for (const char* text : {"", "0s", "0", "-3s", "m", "10x", "1h30", "10m x", "1e400s", "nan", "inf", "s30"})
+    EXPECT_THROW(parse_duration(text), UsageError) << text;
+}
+
+TEST(ParseInterval, IsATimeOrACount) {
+  EXPECT_EQ(parse_interval("20").iterations, 20);
+  EXPECT_EQ(parse_interval("20").seconds, 0);
+  EXPECT_EQ(parse_interval("20s").iterations, 0);
+  EXPECT_DOUBLE_EQ(parse_interval("1m20s").seconds, 80);
+  EXPECT_THROW(parse_interval("0"), UsageError);
+  EXPECT_THROW(parse_interval("-4"), UsageError);
+}
+
+TEST(ParseCropWindow, TakesFourNumbersInOrder) {
+  EXPECT_EQ(parse_crop_window("0,.5,0.25,1"), (std::array<double, 4>{0, .5, .25, 1}));
+  for (const char* text : {"", "0,1,0", "0,1,0,1,1", "1,0,0,1", "0,1,.5,.5", "-.1,1,0,1", "0,1.1,0,1", "0,1,0,nan"})
+    EXPECT_THROW(parse_crop_window(text), UsageError) << text;
+}
+
+TEST(ParsePixelBounds, TakesFourIntegersInOrder) {
+  EXPECT_EQ(parse_pixel_bounds("0,100,20,30"), (std::array<int, 4>{0, 100, 20, 30}));
+  for (const char* text : {"0,1,0", "5,5,0,1", "0,1,3,2", "0,1.5,0,1", "a,b,c,d"})
+    EXPECT_THROW(parse_pixel_bounds(text), UsageError) << text;
+}
+
+TEST(CanonicalSpelling, IgnoresDashesUnderlinesAndCase) {
+  const std::vector<std::string> names = {"time-limit", "seed", "stats"};
+  const auto spelt = [&](const char* argument) { return canonical_spelling({argument}, names).front(); };
+  for (const char* word : {"--time-limit", "-time-limit", "--timelimit", "-TimeLimit", "--TIME_LIMIT", "--time_limit"})
+    EXPECT_EQ(spelt(word), "--time-limit") << word;
+  EXPECT_EQ(spelt("-Seed=7"), "--seed=7");
+  EXPECT_EQ(spelt("--Stats=Some-File_Name.json"), "--stats=Some-File_Name.json");
+  for (const char* word : {"-t", "-t4", "-Dseed=3", "-", "--", "scene.dsc", "seed", "-x", "--seeds", "-5"})
+    EXPECT_EQ(spelt(word), word);
+}
+
+TEST(CanonicalSpelling, LeavesWhatFollowsTwoDashes) {
+  const std::vector<std::string> arguments = {"-SEED", "3", "--", "-SEED"};
+  EXPECT_EQ(canonical_spelling(arguments, {"seed"}), (std::vector<std::string>{"--seed", "3", "--", "-SEED"}));
+}
+
+}  // namespace
+}  // namespace dspm

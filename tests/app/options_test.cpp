@@ -1,0 +1,104 @@
+#include "app/options.h"
+
+#include <gtest/gtest.h>
+
+namespace dspm {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(Options, ReadsTheUsualOnes) {
+  const Options o = parse_options({"a.dsc", "-o", "out/a.####.exr", "-t", "2", "--seed", "7", "--integrator", "sppm",
+                                   "--iterations", "50", "--photons=1000", "--frames", "1-2", "--time-limit", "1m",
+                                   "--quick", "--png", "--float", "b.dsc"});
+  EXPECT_EQ(o.task, Task::render);
+  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+  EXPECT_EQ(o.outfile, "out/a.####.exr");
+  EXPECT_EQ(o.threads, 2);
+  EXPECT_EQ(o.seed, 7u);
+  EXPECT_EQ(o.integrator, "sppm");
+  EXPECT_EQ(o.iterations, 50);
+  EXPECT_EQ(o.photons, 1000);
+  EXPECT_EQ(o.frames, (std::vector<Frame>{0, 1}));
+  EXPECT_EQ(o.time_limit, 60);
+  EXPECT_TRUE(o.quick);
+  EXPECT_TRUE(o.png);
+  EXPECT_EQ(o.half, false);
+}
+
+TEST(Options, SppIsAnotherNameOfIterations) { EXPECT_EQ(parse_options({"a", "--spp", "9"}).iterations, 9); }
+
+TEST(Options, StatsTakesItsFileOnlyBehindAnEqualSign) {
+  EXPECT_EQ(parse_options({"a"}).stats, "");
+  const Options table = parse_options({"--stats", "a.dsc"});
+  EXPECT_EQ(table.stats, "table");
+  EXPECT_EQ(table.scenes, Words{"a.dsc"});
+  EXPECT_EQ(parse_options({"--stats=s.json", "a"}).stats, "s.json");
+  EXPECT_EQ(parse_options({"--stats=-", "a"}).stats, "-");
+}
+
+TEST(Options, DefinesDoNotSwallowScenes) {
+  const Options o = parse_options({"-D", "x=1", "a.dsc", "-Dy=-2 3", "b.dsc"});
+  EXPECT_EQ(o.defines, (Words{"x=1", "y=-2 3"}));
+  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+}
+
+TEST(Options, StandardInputIsADash) { EXPECT_EQ(parse_options({"-"}).scenes, Words{"-"}); }
+
+TEST(Options, PbrtSpellingsWork) {
+  const Options o = parse_options({"-OutFile", "x.exr", "--nthreads=3", "-crop_window", "0,.5,0,.5", "a.pbrt"});
+  EXPECT_EQ(o.outfile, "x.exr");
+  EXPECT_EQ(o.threads, 3);
+  ASSERT_TRUE(o.crop_window);
+  EXPECT_EQ((*o.crop_window)[1], .5);
+}
+
+TEST(Options, TasksNeedNoSceneWhereTheyReadNone) {
+  EXPECT_EQ(parse_options({"--list"}).task, Task::list);
+  const Options o = parse_options({"--describe", "material:diffuse"});
+  EXPECT_EQ(o.task, Task::describe);
+  EXPECT_EQ(o.described, "material:diffuse");
+  EXPECT_EQ(parse_options({"--check", "a"}).task, Task::check);
+  EXPECT_EQ(parse_options({"--format", "a"}).task, Task::format);
+}
+
+TEST(Options, WhatMakesNoSenseIsRefused) {
+  for (const Words& words : std::vector<Words>{{},
+                                               {"--check"},
+                                               {"a", "--nonsense"},
+                                               {"a", "--seed", "x"},
+                                               {"a", "--seed", "-1"},
+                                               {"a", "--iterations", "-1"},
+                                               {"a", "--photons", "0"},
+                                               {"a", "--nthreads", "-2"},
+                                               {"a", "--outfile"},
+                                               {"a", "-D", "x"},
+                                               {"a", "-D", "=x"},
+                                               {"a", "-o", "x.jpg"},
+                                               {"a", "--contact-sheet", "x.exr"},
+                                               {"a", "--cropwindow", "0,1,0,1", "--pixelbounds", "0,1,0,1"}})
+    EXPECT_THROW(parse_options(words), UsageError) << (words.empty() ? "" : words.back());
+}
+
+TEST(Options, AMisspeltOneIsGuessed) {
+  try {
+    parse_options({"a", "--sed", "3"});
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"seed\""), std::string::npos) << error.what();
+  }
+}
+
+TEST(Options, HelpAndVersionAreInformation) {
+  try {
+    parse_options({"--help"});
+    FAIL();
+  } catch (const Information& information) {
+    EXPECT_NE(information.text.find("--time-limit TIME"), std::string::npos);
+    EXPECT_NE(information.text.find("--stats[=FILE]"), std::string::npos);
+  }
+  EXPECT_THROW(parse_options({"--version"}), Information);
+}
+
+}  // namespace
+}  // namespace dspm
