@@ -209,7 +209,7 @@ void ParamReader::finish() {
     if (first != param) {
       diagnostics_.error(param->where, fmt::format("{} is given twice", quoted(param->name)),
                          fmt::format("first on line {}", first->where.line));
-    } else if (!contains(known_, name) && !contains(tolerated_, param->name)) {
+    } else if (!param->is_default && !contains(known_, name) && !contains(tolerated_, param->name)) {
       const std::string guess = did_you_mean(param->name, known_), all = describe_hint();
       diagnostics_.error(param->where, "unknown " + quoted(param->name),
                          guess.empty() ? all : fmt::format("{} ({})", guess, all));

@@ -49,6 +49,7 @@ struct Param {
   Values values;
   SourceLocation where;         // of the quoted "type name"
   SourceLocation values_where;  // of the first value
+  bool is_default = false;      // by an Attribute directive: no error where nobody reads it
 };
 
 /// The numbers of a parameter that has numbers, integers as floats.

@@ -1,0 +1,26 @@
+// The entrance to the language: scene files in, SceneDescription and diagnostics out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "lang/description.h"
+#include "lang/source_text.h"
+
+namespace dspm {
+
+struct ParseOptions {
+  Defines defines;  // of -D name=value
+};
+
+/// Reads the files one after the other as if they were one; "-" is standard input. What is wrong goes to `diagnostics`,
+/// up to kErrorsShown errors; after an error the description is what could be read. It owns the files' texts, to which
+/// the diagnostics refer: keep it while they are printed.
+SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options, Diagnostics& diagnostics);
+
+/// The same for a text in memory. Included files are looked for beside `name`, which need not exist.
+SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,
+                            Diagnostics& diagnostics);
+
+}  // namespace dspm
