@@ -96,10 +96,10 @@ class HitPointTracer {
                           [&](FrameSet frames, const Rgb& radiance) {
                             out_.seen.push_back({pixel_, frames, path.throughput * radiance});
                           });
-    const auto constant = bsdf.lambertian(lobes);
+    const auto constant = settings_.keep_bsdf ? std::nullopt : bsdf.lambertian(lobes);
     if (constant && is_black(*constant)) return;
     HitPoint& hit = out_.hit_points.emplace_back();
-    hit.p = point.p, hit.wo = wo;
+    hit.p = point.p, hit.p_error = point.p_error, hit.wo = wo;
     hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = constant ? path.throughput * *constant : path.throughput;
     hit.frames = path.frames, hit.pixel = pixel_;

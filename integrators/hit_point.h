@@ -8,15 +8,15 @@
 namespace dspm {
 
 struct HitPoint {
-  Vec3 p;
-  Vec3 ng;
+  Vec3 p, p_error;
+  Vec3 ng;           // on wo's side
   Vec3 wo;           // back along the camera path
   Rgb throughput;    // of the path, over the chance that it ended here
   FrameSet frames;
   float radius;      // to start with: the scene's, or from the pixel's footprint
   int pixel;         // within the crop, row by row
   LobeSet lobes;     // that gather here
-  bool lambertian;   // f is constant: throughput holds it, and bsdf is not to be asked
+  bool lambertian;   // f is constant: throughput holds it, and bsdf is not to be asked (unless it is to be kept)
   BsdfSlot bsdf;
 };
 
@@ -32,6 +32,7 @@ struct HitPointSettings {
   float least_alpha = 0;       // lobes at least this rough gather, smoother ones are followed
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
+  bool keep_bsdf = false;      // no hit point is `lambertian`
 };
 
 /// The hit points of one tile of pixels.

@@ -9,7 +9,6 @@
 #include "core/registry.h"
 #include "film/pixel_filter.h"
 #include "film/pixel_rect.h"
-#include "film/pixel_rect.h"
 #include "image/image.h"
 #include "integrators/statistics.h"
 #include "world/scene.h"

@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::int64_t kPathsPerChunk = 2048;
 
+struct PhotonPath : PathState {
+  unsigned kind = kDirectPhotons;
+};
+
 double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b); }
 
 class PhotonTracer {
@@ -16,12 +20,12 @@ class PhotonTracer {
       : scene_(scene), settings_(settings), frames_(frames), out_(out) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
-    const PathRandom random(settings_.seed, Stream::photon, path_index, iteration);
+    const PathRandom random(settings_.seed, settings_.stream, path_index, iteration);
     start(random);
     ++out_.paths.paths;
     bool met_dynamic = false;
     while (!stack_.empty()) {
-      const PathState path = stack_.pop();
+      const PhotonPath path = stack_.pop();
       met_dynamic |= path.dynamic;
       const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
       out_.paths.segments.add(path.frames.count());
@@ -42,19 +46,19 @@ class PhotonTracer {
       const Rgb flux = emission->flux / chosen.probability;
       if (!is_finite(flux)) return reject(frames);
       balance(frames, [&](EnergyBalance& e) { e.emitted += sum(flux); });
-      stack_.push({emission->ray, flux, frames, 0, 0, frames != frames_});
+      stack_.push({{emission->ray, flux, frames, 0, 0, frames != frames_}, kDirectPhotons});
     });
   }
 
   /// What one part of the partition meets; true where that is not there in all frames.
-  bool follow(const PathState& path, const FrameHit& part, const PathRandom& random) {
+  bool follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) {
       balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
       return false;
     }
     const bool dynamic = !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(frames_);
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
-      PathState branch = path;
+      PhotonPath branch = path;
       branch.frames = frames;
       branch.dynamic |= dynamic || frames != part.frames;
       const Vec3 wo = -path.ray.direction;
@@ -64,8 +68,8 @@ class PhotonTracer {
     return dynamic;
   }
 
-  void store(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wi) {
-    if (path.bounces == 0 && !settings_.store_direct) return;
+  void store(const PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wi) {
+    if ((path.kind & settings_.kinds) == 0) return;
     if (bsdf.lobes(settings_.least_alpha) == 0) return;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
@@ -77,28 +81,33 @@ class PhotonTracer {
     out_.stored.add(path.frames.count());
   }
 
-  void scatter(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
+  void scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
     const double before = sum(path.throughput);
-    const auto absorb = [&](double absorbed, double terminated) {
+    const auto account = [&](double absorbed, double terminated) {
       balance(path.frames, [&](EnergyBalance& e) { e.absorbed += absorbed, e.terminated += terminated; });
     };
-    if (path.bounces + 1 >= settings_.max_depth) return absorb(0, before);
-    const LobeSet lobes =
-        settings_.caustics_only ? static_cast<LobeSet>(bsdf.all_lobes() & ~bsdf.lobes(settings_.least_alpha)) : bsdf.all_lobes();
-    const float chance = lobes == bsdf.all_lobes() ? 1 : bsdf.share(wo, lobes);
     const int bounce = path.bounces;
-    if (lobes == 0 || !(random.number(bounce, kSplit) < chance)) return absorb(before, 0);
+    if (bounce + 1 >= settings_.max_depth) return account(0, before);
+
+    // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
+    const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(settings_.least_alpha);
+    const float is_rough = rough == 0 ? 0 : rough == all ? 1 : bsdf.share(wo, rough);
+    const bool by_rough = random.number(bounce, kSplit) < is_rough;
+    path.kind = by_rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
+    if (path.kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons)) return account(0, before);
+
+    const LobeSet lobes = by_rough ? rough : static_cast<LobeSet>(all & ~rough);
     const Vec2 u = random.pair(bounce, kScatter);
     const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::flux, lobes);
-    if (!sample) return absorb(before, 0);
+    if (!sample) return account(before, 0);
     const float largest = max_component(path.throughput);
     extend(path, point, *sample);
-    path.throughput *= shading_correction(point, wo, sample->wi) / chance;
+    path.throughput *= shading_correction(point, wo, sample->wi) / (by_rough ? is_rough : 1 - is_rough);
     if (!is_finite(path.throughput)) return reject(path.frames);
     const double scattered = sum(path.throughput);
     const float p = std::min(1.f, max_component(path.throughput) / largest);
     const bool alive = p > 0 && survives(path, p, random.number(bounce, kRoulette));
-    absorb(before - scattered, alive ? scattered - sum(path.throughput) : scattered);
+    account(before - scattered, alive ? scattered - sum(path.throughput) : scattered);
     if (alive) stack_.push(path);
   }
 
@@ -115,7 +124,7 @@ class PhotonTracer {
   const PhotonSettings& settings_;
   FrameSet frames_;
   PhotonTrace& out_;
-  PathStack<> stack_;
+  PathStack<PhotonPath> stack_;
 };
 
 void clear(PhotonTrace& trace, int frames) {

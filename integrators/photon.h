@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/rng.h"
 #include "integrators/statistics.h"
 #include "world/scene.h"
 
@@ -17,12 +18,20 @@ struct Photon {
   FrameSet frames;
 };
 
+/// Photons by what happened to them before they are stored.
+enum PhotonKinds : unsigned {
+  kDirectPhotons = 1,   // nothing: they come straight from the light
+  kCausticPhotons = 2,  // scattered, by lobes smoother than least_alpha only
+  kDiffusePhotons = 4,  // scattered by a rougher lobe at least once
+  kAllPhotons = 7,
+};
+
 struct PhotonSettings {
   std::uint64_t seed = 0;
+  Stream stream = Stream::photon;
   int max_depth = 8;           // a photon is stored at its first max_depth hits
   float least_alpha = 0;       // lobes smoother than this do not gather: nothing is stored for them alone
-  bool store_direct = true;    // photons straight from the light, before any scattering
-  bool caustics_only = false;  // only photons whose every scattering so far was by lobes smoother than least_alpha
+  unsigned kinds = kAllPhotons;  // those that are stored
 };
 
 /// What a range of photon paths left behind.

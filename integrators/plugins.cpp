@@ -1,6 +1,7 @@
 // The integrators.
 #include "integrators/dsppm/dsppm.h"
 #include "integrators/path.h"
+#include "integrators/photonmap.h"
 #include "integrators/sppm.h"
 
 namespace dspm {
@@ -9,6 +10,7 @@ namespace {
 constexpr Plugin<MakeIntegrator> kIntegrators[] = {
     {"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm},
     {"path", "path tracing, the unbiased reference", make_path},
+    {"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap},
     {"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm},
 };
 

@@ -32,7 +32,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.seed = render.seed;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
-  s.photon.store_direct = !sampled;
+  s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.hit_point.sample_direct = sampled;
   return s;
 }

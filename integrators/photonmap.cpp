@@ -1,0 +1,224 @@
+// Integrator "photonmap" "integer photons" 1000000 "integer causticphotons" 1000000 "integer nearest" 100
+//
+// Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
+// lobe) and a global one are made once; every iteration then takes one more camera path a pixel, with direct light by
+// shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or through
+// final gather rays. Biased: the maps' blur stays. Parameters: see make_photonmap below.
+#include "integrators/photonmap.h"
+
+#include "core/parallel.h"
+#include "integrators/path_step.h"
+#include "integrators/radiance_estimate.h"
+#include "integrators/seen_light.h"
+#include "integrators/tiles.h"
+
+namespace dspm {
+namespace {
+
+enum Step { kPhotonMaps, kHitPoints, kGather };
+
+struct PhotonMapSettings {
+  int iterations = 256;
+  int photons = 300000, caustic_photons = 300000;  // paths
+  int nearest = 100;
+  float radius = 0, caustic_radius = 0;  // 0: a share of the scene
+  int final_gather = 0;                  // rays a hit point; 0: none
+  int max_depth = 8;
+  float least_alpha = 0.25f;
+};
+
+constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
+constexpr int kGatherBounces = 4;  // smooth lobes that a final gather ray follows
+
+class PhotonMapper final : public Integrator {
+ public:
+  PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
+      : settings_(settings), scene_(scene), render_(render), sums_(render.crop.count(), scene.frame_count()) {
+    statistics_.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
+    statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
+    global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
+    caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene), settings.caustic_photons};
+  }
+
+  int iterations() const override { return settings_.iterations; }
+
+  void iterate(int iteration) override {
+    if (statistics_.iterations == 0) make_maps();
+    {
+      const StepTimer timer(statistics_.steps[kHitPoints]);
+      HitPointSettings hit_points{settings_.max_depth, settings_.least_alpha, 0, true, settings_.final_gather > 0};
+      tiles_ = trace_hit_points(scene_, render_, hit_points, scene_.frames(), static_cast<std::uint64_t>(iteration),
+                                std::move(tiles_));
+    }
+    const StepTimer timer(statistics_.steps[kGather]);
+    gather_tiles(static_cast<std::uint64_t>(iteration));
+    ++statistics_.iterations;
+  }
+
+  Image estimate(Frame frame) const override {
+    Image image(render_.crop.width(), render_.crop.height());
+    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
+      image.pixels[static_cast<std::size_t>(pixel)] = sums_.mean(pixel, frame, statistics_.iterations);
+    return image;
+  }
+
+  Statistics statistics() const override { return statistics_; }
+
+ private:
+  struct TileCounts {
+    GatherCounts gather;
+    PathCounts paths;
+  };
+
+  void make_maps() {
+    const StepTimer timer(statistics_.steps[kPhotonMaps]);
+    // A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
+    PhotonSettings global{render_.seed, Stream::photon, settings_.max_depth, settings_.least_alpha,
+                          settings_.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
+    PhotonSettings caustic{render_.seed, Stream::light, settings_.max_depth, settings_.least_alpha, kCausticPhotons};
+    make_map(global_, global, settings_.photons, global_how_.radius);
+    make_map(caustic_, caustic, settings_.caustic_photons, caustic_how_.radius);
+    statistics_.bytes = global_.bytes() + caustic_.bytes() + sums_.bytes();
+  }
+
+  void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
+    const auto traces = trace_photons(scene_, settings, scene_.frames(), 0, 0, photons, {});
+    map.build(traces, radius / 4);
+    for (const PhotonTrace& trace : traces) {
+      statistics_.photon += trace.paths;
+      statistics_.photons_stored += trace.stored;
+      statistics_.invalid += trace.invalid;
+      for (std::size_t f = 0; f < statistics_.energy.size(); ++f) statistics_.energy[f] += trace.energy[f];
+    }
+  }
+
+  void gather_tiles(std::uint64_t iteration) {
+    std::vector<TileCounts> counts(tiles_.size());
+    parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
+      const auto tile = static_cast<std::size_t>(t);
+      for (const SeenLight& light : tiles_[tile].seen) sums_.add(light);
+      for (const HitPoint& hit : tiles_[tile].hit_points) {
+        const auto add = [&](FrameSet frames, const Rgb& radiance) { sums_.add({hit.pixel, frames, radiance}); };
+        estimate_radiance(hit, caustic_, caustic_how_, counts[tile].gather, add);
+        if (settings_.final_gather == 0)
+          estimate_radiance(hit, global_, global_how_, counts[tile].gather, add);
+        else
+          final_gather(hit, iteration, counts[tile], add);
+      }
+    });
+    for (const HitPointTile& tile : tiles_) statistics_.camera += tile.paths;
+    for (const TileCounts& c : counts) {
+      statistics_.camera.segments += c.paths.segments;
+      statistics_.photon_tests += c.gather.tests, statistics_.photons_found += c.gather.found;
+      statistics_.invalid += c.gather.invalid;
+    }
+  }
+
+  /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
+  template <class Add>
+  void final_gather(const HitPoint& hit, std::uint64_t iteration, TileCounts& counts, Add&& add) const {
+    SurfacePoint point;
+    point.p = hit.p, point.p_error = hit.p_error, point.ng = point.ns = hit.ng;
+    const int x = render_.crop.x0 + hit.pixel % render_.crop.width(), y = render_.crop.y0 + hit.pixel / render_.crop.width();
+    for (int ray = 0; ray < settings_.final_gather; ++ray) {
+      const PathRandom random(render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
+                              iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
+      const Vec2 u = random.pair(0, kScatter);
+      const auto sample = hit.bsdf->sample(hit.wo, {u.x, u.y, random.number(0, kLobe)}, Transport::radiance, hit.lobes);
+      if (!sample) continue;
+      PathState path;
+      path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
+      path.frames = hit.frames;
+      extend(path, point, *sample);
+      follow_gather_ray(path, hit, random, counts, add);
+    }
+  }
+
+  template <class Add>
+  void follow_gather_ray(const PathState& start, const HitPoint& from, const PathRandom& random, TileCounts& counts,
+                         Add&& add) const {
+    PathStack<> stack;
+    stack.push(start);
+    while (!stack.empty()) {
+      const PathState path = stack.pop();
+      counts.paths.segments.add(path.frames.count());
+      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) {
+        if (part.hit.missed()) continue;
+        for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+          PathState branch = path;
+          branch.frames = frames;
+          end_or_follow(branch, point, bsdf, from, random, stack, counts, add);
+        });
+      }
+    }
+  }
+
+  template <class Add>
+  void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const HitPoint& from,
+                     const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
+    const Vec3 wo = -path.ray.direction;
+    const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(settings_.least_alpha);
+    const float ends = rough == 0 ? 0 : rough == all ? 1 : bsdf.share(wo, rough);
+    if (random.number(path.bounces, kSplit) < ends) {
+      HitPoint hit = from;
+      hit.p = point.p, hit.wo = wo, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
+      hit.throughput = path.throughput / ends;
+      hit.frames = path.frames, hit.lobes = rough, hit.lambertian = false;
+      hit.bsdf = BsdfSlot::copy_of(bsdf);
+      estimate_radiance(hit, global_, global_how_, counts.gather, add);
+      return;
+    }
+    if (rough == all || path.bounces >= kGatherBounces) return;
+    const Vec2 u = random.pair(path.bounces, kScatter);
+    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(path.bounces, kLobe)}, Transport::radiance,
+                                    static_cast<LobeSet>(all & ~rough));
+    if (!sample) return;
+    path.throughput *= 1 / (1 - ends);
+    extend(path, point, *sample);
+    if (!is_black(path.throughput) && is_finite(path.throughput)) stack.push(path);
+  }
+
+  PhotonMapSettings settings_;
+  const Scene& scene_;
+  RenderSettings render_;
+  SeenLightSums sums_;
+  PhotonMap global_, caustic_;
+  RadianceEstimate global_how_, caustic_how_;
+  std::vector<HitPointTile> tiles_;
+  Statistics statistics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  PhotonMapSettings s;
+  params.alias("photonsperiteration", "photons");
+  s.iterations = params.integer("iterations", render.default_iterations, "",
+                                "camera paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons = params.integer("photons", s.photons, "", "photon paths of the global map, traced once");
+  s.caustic_photons = params.integer("causticphotons", s.caustic_photons, "", "photon paths of the caustic map, traced once");
+  s.nearest = params.integer("nearest", s.nearest, "", "photons of an estimate; 0: all within the radius");
+  s.radius = params.number("radius", 0, "world units", "the largest search radius in the global map, or the fixed one; 0: 5% of the scene's radius");
+  s.caustic_radius = params.number("causticradius", 0, "world units", "the same for the caustic map; 0: 1.25% of the scene's radius");
+  s.final_gather = params.integer("finalgather", 0, "", "final gather rays for each camera path; 0: the global map is seen directly");
+  s.max_depth = params.integer("maxdepth", s.max_depth, "", "bounces, of camera paths and of photon paths each");
+  s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
+                                "lobes at least this rough gather photons; smoother ones are followed");
+  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+  const auto demand = [&](bool holds, std::string_view name, const char* what) {
+    if (!holds) params.error(name, what);
+  };
+  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
+  demand(s.photons > 0, "photons", "there must be at least one photon");
+  demand(s.caustic_photons > 0, "causticphotons", "there must be at least one photon");
+  demand(s.nearest == 0 || s.nearest >= 2, "nearest", "an estimate takes 0 (all within the radius) or at least 2 photons");
+  demand(s.radius >= 0, "radius", "the radius must not be negative");
+  demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
+  demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");
+  demand(s.max_depth > 0, "maxdepth", "maxdepth must be at least 1");
+  params.finish();
+  return std::make_unique<PhotonMapper>(s, scene, render);
+}
+
+}  // namespace dspm
