@@ -1,5 +1,7 @@
 #include "film/image_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -40,12 +42,11 @@ std::filesystem::path image_name(const std::filesystem::path& pattern, std::opti
   if (!place && frame) place = find_hashes(name.insert(stem, ".####"));
 
   if (!place) {
-    if (!label.empty()) name.insert(stem, "." + std::string(label));
+    if (!label.empty()) name.insert(stem, fmt::format(".{}", label));
     return pattern.parent_path() / name;
   }
-  std::string number = std::to_string(frame.value_or(0) + 1);
-  number.insert(0, place->digits - std::min(place->digits, number.size()), '0');
-  name.replace(place->begin, place->length, label.empty() ? number : std::string(label) + "." + number);
+  name = fmt::format("{}{}{}{:0{}}{}", name.substr(0, place->begin), label, label.empty() ? "" : ".",
+                     frame.value_or(0) + 1, place->digits, name.substr(place->begin + place->length));
   return pattern.parent_path() / name;
 }
 

@@ -1,9 +1,12 @@
-#include <jerror.h>
+// jpeglib.h needs size_t and FILE, jerror.h needs jpeglib.h.
+// clang-format off
+#include <cstddef>
+#include <cstdio>
 #include <jpeglib.h>
+#include <jerror.h>
+// clang-format on
 
 #include <csetjmp>
-#include <cstddef>
-#include <cstdio>  // jpeglib.h needs FILE
 #include <stdexcept>
 
 #include "image/decoders.h"

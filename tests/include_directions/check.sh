@@ -19,7 +19,7 @@ BEGIN {
   allowed["cameras"] = "core"
   allowed["accel"] = "core shapes"
   allowed["world"] = "core lang image shapes textures materials lights cameras accel"
-  allowed["integrators"] = "core image film/pixel_filter.h world/scene.h accel/accel.h shapes/shape.h" \
+  allowed["integrators"] = "core image film/pixel_filter.h film/pixel_rect.h world/scene.h accel/accel.h shapes/shape.h" \
       " shapes/placed_shape.h materials/bsdf.h materials/material.h lights/light.h cameras/camera.h"
   allowed["app"] = allowed["bench"] = "*"
   allowed["scenes"] = "core"

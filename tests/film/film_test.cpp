@@ -1,0 +1,158 @@
+#include "film/film.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dspm {
+namespace {
+
+Param param(ParamType type, std::string name, Param::Values values) {
+  Param result;
+  result.type = type, result.name = std::move(name), result.values = std::move(values);
+  return result;
+}
+Param numbers(std::string name, std::vector<float> v) {
+  return param(ParamType::number, std::move(name), std::move(v));
+}
+Param integers(std::string name, std::vector<int> v) {
+  return param(ParamType::integer, std::move(name), std::move(v));
+}
+Param text(std::string name, std::string v) {
+  return param(ParamType::text, std::move(name), std::vector<std::string>{std::move(v)});
+}
+
+struct Reading {
+  FilmSettings film;
+  Diagnostics diagnostics;
+};
+
+Reading read(const std::vector<Param>& params, bool lenient = false) {
+  Reading result{{}, Diagnostics(lenient)};
+  const ParamList list{params};
+  ParamReader reader(list, "film \"rgb\"", {}, result.diagnostics);
+  result.film = *film_plugins().front().make(reader);
+  return result;
+}
+
+TEST(Film, DefaultsArePbrts) {
+  const Reading r = read({});
+  EXPECT_EQ(r.diagnostics.error_count(), 0);
+  EXPECT_EQ(r.film.width, 1280);
+  EXPECT_EQ(r.film.height, 720);
+  EXPECT_EQ(r.film.filename, "pbrt.exr");
+  EXPECT_EQ(r.film.diagonal, 0.035f);
+  EXPECT_EQ(r.film.iso, 100);
+  EXPECT_EQ(r.film.max_component, kInfinity);
+  EXPECT_TRUE(r.film.save_half);
+  EXPECT_EQ(crop_of(r.film), (PixelRect{0, 0, 1280, 720}));
+  EXPECT_EQ(imaging_ratio(r.film, 1), 1.f);
+}
+
+TEST(Film, ReadsWhatIsGiven) {
+  const Reading r = read({integers("xresolution", {64}), integers("yresolution", {32}), text("filename", "a.png"),
+                          numbers("iso", {200}), numbers("maxcomponentvalue", {10}), numbers("diagonal", {50}),
+                          param(ParamType::boolean, "savefp16", std::vector<bool>{false})});
+  EXPECT_EQ(r.diagnostics.error_count(), 0);
+  EXPECT_EQ(r.film.width, 64);
+  EXPECT_EQ(r.film.height, 32);
+  EXPECT_EQ(r.film.filename, "a.png");
+  EXPECT_EQ(r.film.max_component, 10);
+  EXPECT_EQ(r.film.diagonal, 0.05f);
+  EXPECT_FALSE(r.film.save_half);
+  EXPECT_EQ(imaging_ratio(r.film, 0.5f), 1.f);
+}
+
+TEST(Film, WrongValuesAreErrors) {
+  const std::vector<std::vector<Param>> wrong = {{integers("xresolution", {0})},
+                                                 {integers("yresolution", {-5})},
+                                                 {integers("xresolution", {1'000'000})},
+                                                 {text("filename", "a.jpg")},
+                                                 {text("filename", "a")},
+                                                 {numbers("cropwindow", {0, 1, 0})},
+                                                 {numbers("cropwindow", {0, 1, 1, 1})},
+                                                 {integers("pixelbounds", {10, 5, 0, 5})},
+                                                 {integers("pixelbounds", {0, 5})},
+                                                 {integers("pixelbounds", {2000, 3000, 0, 5})},
+                                                 {numbers("iso", {0})},
+                                                 {numbers("maxcomponentvalue", {-1})},
+                                                 {text("sensor", "canon_eos_5d")},
+                                                 {numbers("whitebalance", {5000})}};
+  for (const auto& params : wrong) EXPECT_GT(read(params).diagnostics.error_count(), 0) << params.front().name;
+}
+
+TEST(Film, WhatIsNotBuiltIsAWarningWhereLenient) {
+  const Reading r = read({text("sensor", "canon_eos_5d"), numbers("whitebalance", {5000})}, true);
+  EXPECT_EQ(r.diagnostics.error_count(), 0);
+  EXPECT_EQ(r.diagnostics.all().size(), 2u);
+}
+
+/// pbrt-v4, film.cpp: edges at ceil(resolution * fraction) in single precision, fractions sorted and clamped.
+TEST(Film, CropWindowsRoundAsInPbrt) {
+  FilmSettings film;
+  film.width = 101, film.height = 77;
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 40; ++j) {
+      const float a = static_cast<float>(i) / 30 - 0.1f, b = static_cast<float>(j) / 30 - 0.1f;
+      film.crop_window = {a, b, b, a};
+      const float low = std::min(std::max(std::min(a, b), 0.f), 1.f),
+                  high = std::min(std::max(std::max(a, b), 0.f), 1.f);
+      const PixelRect crop = crop_of(film);
+      EXPECT_EQ(crop.x0, static_cast<int>(std::ceil(101.f * low)));
+      EXPECT_EQ(crop.x1, static_cast<int>(std::ceil(101.f * high)));
+      EXPECT_EQ(crop.y0, static_cast<int>(std::ceil(77.f * low)));
+      EXPECT_EQ(crop.y1, static_cast<int>(std::ceil(77.f * high)));
+    }
+  }
+}
+
+/// Windows that share an edge share no pixel and leave none out.
+TEST(Film, NeighbouringCropWindowsTile) {
+  FilmSettings film;
+  film.width = 101, film.height = 77;
+  int pixels = 0;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      const auto at = [](int k) { return static_cast<float>(k) / 9; };
+      film.crop_window = {at(i), at(i + 1), at(j), at(j + 1)};
+      pixels += crop_of(film).count();
+    }
+  }
+  EXPECT_EQ(pixels, 101 * 77);
+}
+
+TEST(Film, PixelBoundsAreClampedAndGiveWay) {
+  FilmSettings film;
+  film.width = 100, film.height = 50;
+  film.pixel_bounds = {-5, 20, 10, 500};
+  EXPECT_EQ(crop_of(film), (PixelRect{0, 10, 20, 50}));
+  film.crop_window = {0.5f, 1, 0, 0.5f};
+  EXPECT_EQ(crop_of(film), (PixelRect{50, 0, 100, 25}));
+  EXPECT_EQ(read({numbers("cropwindow", {0, 1, 0, 1}), integers("pixelbounds", {0, 9, 0, 9})}).diagnostics.all().size(),
+            1u);
+}
+
+TEST(Film, QuickIsAQuarter) {
+  FilmSettings film;
+  film.width = 103, film.height = 3;
+  make_quick(film);
+  EXPECT_EQ(film.width, 25);
+  EXPECT_EQ(film.height, 1);
+}
+
+TEST(Film, LimitedKeepsTheHue) {
+  EXPECT_EQ(limited(Rgb(4, 2, 1), 2), Rgb(2, 1, 0.5f));
+  EXPECT_EQ(limited(Rgb(4, 2, 1), kInfinity), Rgb(4, 2, 1));
+}
+
+TEST(Film, DescribesItsParameters) {
+  const auto described = describe(film_plugins().front());
+  EXPECT_EQ(described.size(), 10u);
+}
+
+}  // namespace
+}  // namespace dspm
