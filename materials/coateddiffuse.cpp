@@ -123,7 +123,7 @@ class CoatedDiffuseMaterial final : public Material {
  private:
   float eta_, reflected_inside_;
   Roughness roughness_;
-  std::shared_ptr<const Texture<Rgb>> reflectance_;
+  TexturePtr<Rgb> reflectance_;
 };
 
 /// What belongs to pbrt's random walk through the coat and its medium.

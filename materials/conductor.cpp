@@ -127,7 +127,7 @@ class ConductorMaterial final : public Material {
 
   Roughness roughness_;
   bool by_reflectance_;
-  std::shared_ptr<const Texture<Rgb>> eta_or_reflectance_, k_;
+  TexturePtr<Rgb> eta_or_reflectance_, k_;
 };
 
 }  // namespace

@@ -46,13 +46,13 @@ class Diffuse final : public Bsdf {
 
 class DiffuseMaterial final : public Material {
  public:
-  explicit DiffuseMaterial(std::shared_ptr<const Texture<Rgb>> reflectance) : reflectance_(std::move(reflectance)) {}
+  explicit DiffuseMaterial(TexturePtr<Rgb> reflectance) : reflectance_(std::move(reflectance)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     return slot.emplace<Diffuse>(point, clamped_albedo(reflectance_->evaluate(texture_point(point))) / kPi);
   }
 
  private:
-  std::shared_ptr<const Texture<Rgb>> reflectance_;
+  TexturePtr<Rgb> reflectance_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "core/params.h"
 #include "materials/material.h"
 #include "materials/microfacet.h"
-#include "textures/texture.h"
+#include "textures/texture_set.h"
 
 namespace dspm {
 
@@ -25,7 +25,7 @@ class Roughness {
   Vec2 alpha(const SurfacePoint& point) const;
 
  private:
-  std::shared_ptr<const Texture<float>> u_, v_;
+  TexturePtr<float> u_, v_;
   bool remap_;
 };
 

@@ -19,11 +19,11 @@ TEST(Chi2, TailsOfTheTable) {
 }
 
 /// The p-values of cosine-distributed directions, 1% of them absorbed, against a density wrong by `error` at the pole.
-double p_value(float error, double crowding) {
+double p_value(float error, const Vec3& axis) {
   const PathRandom random(7, Stream::setup, 1, 0);
   int n = 0;
   Chi2Settings settings;
-  settings.crowding = crowding;
+  settings.axis = axis;
   const auto sample = [&]() -> std::optional<Vec3> {
     const Vec3 u = three_numbers(random, n++);
     if (u.z < 0.01f) return std::nullopt;
@@ -37,9 +37,9 @@ double p_value(float error, double crowding) {
 }
 
 TEST(Chi2, TellsRightFromWrong) {
-  for (const double crowding : {1., 3.}) {
-    EXPECT_GT(p_value(0, crowding), 0.05);
-    EXPECT_LT(p_value(0.2f, crowding), 1e-4);
+  for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{0.6f, 0, 0.8f}}) {
+    EXPECT_GT(p_value(0, axis), 0.05);
+    EXPECT_LT(p_value(0.4f, axis), 1e-4);
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include "core/rng.h"
 #include "materials/material.h"
-#include "textures/texture.h"
+#include "textures/texture_set.h"
 
 namespace dspm::test {
 
@@ -69,6 +69,9 @@ inline Vec3 any_direction(const PathRandom& random, int n) {
   const Vec2 u = random.pair(n, 4);
   return direction(2 * u.x - 1, 2 * kPi * u.y);
 }
+
+/// Has no lobe that evaluate knows of.
+inline bool is_specular(const Bsdf& bsdf) { return bsdf.lobes(1e-6f) == 0; }
 
 struct Named {
   std::string name;

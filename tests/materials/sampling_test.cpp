@@ -24,7 +24,6 @@ void expect_agreement(const std::string& name, const Bsdf& bsdf, const SurfacePo
   int n = 0;
   Chi2Settings settings;
   settings.axis = peak(wo, point.ns, lobes, 1.5f);
-  settings.crowding = 2;
   settings.samples = 40'000;
   settings.tests = kTests;
   const auto sample = [&]() -> std::optional<Vec3> {
@@ -35,7 +34,7 @@ void expect_agreement(const std::string& name, const Bsdf& bsdf, const SurfacePo
   const auto pdf = [&](const Vec3& wi) { return bsdf.pdf_w(wo, wi, Transport::radiance, lobes); };
   const Chi2Result result = SphereChi2(settings).run(sample, pdf);
   EXPECT_LT(result.integral, 1 + 2e-3) << name;
-  EXPECT_TRUE(result.passed) << name << ", wo " << wo.x << " " << wo.y << " " << wo.z << ", lobes " << int(lobes)
+  EXPECT_TRUE(result.passed) << name << ", wo " << wo.x << " " << wo.y << " " << wo.z << ", lobes " << static_cast<int>(lobes)
                              << ": p = " << result.p_value << " at chi2 = " << result.statistic << ", "
                              << result.dof << " degrees of freedom\n" << result.worst;
 }
