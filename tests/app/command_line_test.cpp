@@ -1,0 +1,218 @@
+// What a user meets: exit codes, streams, files.
+#include <gtest/gtest.h>
+
+#include "image/exr.h"
+#include "tests/app/json_check.h"
+#include "tests/app/process.h"
+
+namespace dspm::test {
+namespace {
+
+TEST(CommandLine, RendersEveryFrameToItsFile) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("3 frames of 12 x 8 pixels, dsppm, 2 iterations"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("200 photon paths an iteration"), std::string::npos) << outcome.err;
+  for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"}) {
+    const Image image = read_image(directory / name);
+    EXPECT_EQ(image.width, 12);
+    EXPECT_EQ(image.height, 8);
+  }
+  const ExrHeader header = read_exr_header(directory / "tiny.0002.exr");
+  EXPECT_EQ(header.texts.at("scene"), "tiny.dsc");
+  EXPECT_EQ(header.texts.at("integrator"), "dsppm");
+  EXPECT_EQ(header.texts.at("version"), "dspm " DSPM_VERSION);
+  EXPECT_EQ(header.integers.at("iterations"), 2);
+  EXPECT_EQ(header.integers.at("frame"), 2);
+  EXPECT_EQ(header.numbers.at("seed"), 5);
+  EXPECT_EQ(header.numbers.at("photons"), 400);
+  EXPECT_GT(header.numbers.at("seconds"), 0);
+  EXPECT_EQ(header.frames_per_second, 25);
+}
+
+TEST(CommandLine, QuietSaysNothing) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--quiet"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST(CommandLine, FramesKeepTheirNumbersAndTheirPixels) {
+  const TinyDirectory directory;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--float"}).code, 0);
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--float", "--frames", "2-3", "-o", "some-%03d.exr"}).code, 0);
+  EXPECT_FALSE(directory.has("some-001.exr"));
+  for (const char* pair : {"2", "3"}) {
+    const Image all = read_image(directory / (std::string("tiny.000") + pair + ".exr"));
+    const Image some = read_image(directory / (std::string("some-00") + pair + ".exr"));
+    EXPECT_EQ(all, some);
+  }
+}
+
+TEST(CommandLine, ACropIsAPartOfTheImage) {
+  const TinyDirectory directory;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--float", "--frames", "1", "-o", "all.exr"}).code, 0);
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--float", "--frames", "1", "-o", "part.exr", "--pixelbounds", "3,9,2,7"}).code, 0);
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--frames", "1", "-o", "w.exr", "--cropwindow", "0.25,0.75,0.25,0.875"}).code, 0);
+  const Image all = read_image(directory / "all.0001.exr"), part = read_image(directory / "part.0001.exr");
+  ASSERT_EQ(part.width, 6);
+  ASSERT_EQ(part.height, 5);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 6; ++x) EXPECT_EQ(part.at(x, y), all.at(x + 3, y + 2)) << x << ", " << y;
+  const ExrHeader header = read_exr_header(directory / "w.0001.exr");
+  EXPECT_EQ(header.x, 3);
+  EXPECT_EQ(header.y, 2);
+  EXPECT_EQ(header.full_width, 12);
+}
+
+TEST(CommandLine, OptionsComeBeforeTheScene) {
+  const TinyDirectory directory;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--frames", "1", "--seed", "9", "--iterations", "3", "--photons", "10"}).code, 0);
+  const ExrHeader header = read_exr_header(directory / "tiny.0001.exr");
+  EXPECT_EQ(header.numbers.at("seed"), 9);
+  EXPECT_EQ(header.integers.at("iterations"), 3);
+  EXPECT_EQ(header.numbers.at("photons"), 30);
+}
+
+TEST(CommandLine, PngAndContactSheet) {
+  const TinyDirectory directory;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--png", "--contact-sheet", "sheet.png"}).code, 0);
+  for (const char* name : {"tiny.0001.exr", "tiny.0001.png", "tiny.0003.png", "sheet.png"}) EXPECT_TRUE(directory.has(name));
+  EXPECT_EQ(run(directory, {"tiny.dsc", "-o", "only.##.png"}).code, 0);
+  EXPECT_TRUE(directory.has("only.01.png"));
+  EXPECT_FALSE(directory.has("only.01.exr"));
+}
+
+TEST(CommandLine, QuickIsAQuarter) {
+  const TinyDirectory directory;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--quick"}).code, 0);
+  EXPECT_EQ(read_image(directory / "tiny.0001.exr").width, 3);
+  EXPECT_EQ(read_exr_header(directory / "tiny.0001.exr").integers.at("iterations"), 1);
+}
+
+TEST(CommandLine, StatisticsAreATableOrJson) {
+  const TinyDirectory directory;
+  const Outcome table = run(directory, {"tiny.dsc", "--stats"});
+  EXPECT_EQ(table.out, "");
+  EXPECT_NE(table.err.find("photons stored"), std::string::npos) << table.err;
+  const Outcome to_stdout = run(directory, {"tiny.dsc", "--stats=-"});
+  EXPECT_TRUE(JsonCheck::valid(to_stdout.out)) << to_stdout.out;
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--stats=stats.json"}).code, 0);
+  EXPECT_TRUE(JsonCheck::valid(contents(directory / "stats.json")));
+}
+
+TEST(CommandLine, ADirectoryThatIsMissingIsSaidBeforeRendering) {
+  const TinyDirectory directory;
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"tiny.dsc", "-o", "none/x.exr"},
+                                             {"tiny.dsc", "--contact-sheet", "none/x.png"},
+                                             {"tiny.dsc", "--stats=none/x.json"}}) {
+    const Outcome outcome = run(directory, words);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("none/x"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("iterations"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(directory.has("tiny.0001.exr"));
+  }
+}
+
+TEST(CommandLine, WrongUseIsTwo) {
+  const TinyDirectory directory;
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"tiny.dsc", "--nonsense"},
+                                             {"tiny.dsc", "--frames", "4"},
+                                             {"tiny.dsc", "--integrator", "dspm"},
+                                             {"tiny.dsc", "--accel", "kdtree"},
+                                             {"tiny.dsc", "--integrator", "path", "--photons", "10"},
+                                             {"tiny.dsc", "--pixelbounds", "20,30,0,4"},
+                                             {"--describe", "material:wood"}}) {
+    const Outcome outcome = run(directory, words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err, "");
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+TEST(CommandLine, AllErrorsOfASceneComeInOneGo) {
+  const TinyDirectory directory;
+  std::string scene = tiny_scene("\"float fov\"", "\"float fow\"");
+  scene.replace(scene.find("reflectance"), 11, "reflectence");
+  scene.replace(scene.find("\"integer photons\""), 17, "\"integer fotons\"");
+  put_file(directory / "wrong.dsc", scene);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"wrong.dsc"}, {"wrong.dsc", "--check"}}) {
+    const Outcome outcome = run(directory, words);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.out, "");
+    for (const char* text : {"wrong.dsc:3:", "wrong.dsc:5:", "wrong.dsc:13:", "\"photons\"", "\"fov\"", "\"reflectance\""})
+      EXPECT_NE(outcome.err.find(text), std::string::npos) << text << " in\n" << outcome.err;
+    EXPECT_FALSE(directory.has("tiny.0001.exr"));
+  }
+}
+
+TEST(CommandLine, CheckRendersNothing) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--check"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("scene ok: 3 frames, 12 x 8 pixels"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(directory.has("tiny.0001.exr"));
+  EXPECT_EQ(run(directory, {"none.dsc", "--check"}).code, 1);
+}
+
+TEST(CommandLine, StandardInputIsAScene) {
+  const TinyDirectory directory;
+  put_file(directory / "input", kTinyScene);
+  EXPECT_EQ(run(directory, {"-", "--frames", "1"}).code, 0);
+  EXPECT_TRUE(directory.has("tiny.0001.exr"));
+}
+
+TEST(CommandLine, DefinesReplaceText) {
+  const TinyDirectory directory;
+  put_file(directory / "wide.dsc", tiny_scene("\"integer xresolution\" 12", "\"integer xresolution\" $width"));
+  EXPECT_EQ(run(directory, {"wide.dsc", "--frames", "1", "-D", "width=20"}).code, 0);
+  EXPECT_EQ(read_image(directory / "tiny.0001.exr").width, 20);
+  EXPECT_EQ(run(directory, {"wide.dsc"}).code, 1);
+}
+
+TEST(CommandLine, FormattedTextIsASceneAgain) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--format"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  put_file(directory / "again.dsc", outcome.out);
+  EXPECT_EQ(run(directory, {"again.dsc", "--format"}).out, outcome.out);
+  EXPECT_EQ(run(directory, {"again.dsc", "--check"}).code, 0);
+}
+
+TEST(CommandLine, EveryPluginIsListedAndDescribed) {
+  const TinyDirectory directory;
+  const Outcome list = run(directory, {"--list"});
+  EXPECT_EQ(list.code, 0) << list.err;
+  for (const char* name : {"dsppm", "dielectric", "plymesh", "imagemap", "spot", "perspective", "gaussian", "two-level"})
+    EXPECT_NE(list.out.find(name), std::string::npos) << name;
+  const Outcome one = run(directory, {"--describe", "integrator:dsppm"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_NE(one.out.find("photons"), std::string::npos) << one.out;
+  const Outcome guess = run(directory, {"--describe", "material:dielectic"});
+  EXPECT_NE(guess.err.find("material:dielectric"), std::string::npos) << guess.err;
+}
+
+TEST(CommandLine, APbrtFileIsRenderedByPathAndKeepsItsName) {
+  const TinyDirectory directory;
+  std::string scene = tiny_scene("Frames 3 \"float fps\" 25\n", "");
+  scene.replace(scene.find("Integrator"), scene.find("LookAt") - scene.find("Integrator"),
+                "Sampler \"halton\" \"integer pixelsamples\" 3 \"integer seed\" 8\nAccelerator \"bvh\"\n");
+  scene.resize(scene.find("  DynamicBegin"));
+  put_file(directory / "tiny.pbrt", scene);
+  const Outcome outcome = run(directory, {"tiny.pbrt"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const ExrHeader header = read_exr_header(directory / "tiny.exr");
+  EXPECT_EQ(header.texts.at("integrator"), "path");
+  EXPECT_EQ(header.integers.at("iterations"), 3);
+  EXPECT_EQ(header.numbers.at("seed"), 8);
+  EXPECT_NE(outcome.err.find("\"halton\" has no effect"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("\"bvh\" has no effect"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace dspm::test

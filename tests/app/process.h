@@ -1,0 +1,113 @@
+// Runs dspm itself, as a user does, in a directory of its own.
+#pragma once
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/temporary_directory.h"
+
+namespace dspm::test {
+
+struct Outcome {
+  int code;  // exit code; -signal where a signal ended it
+  std::string out, err;
+};
+
+/// A run of the program in `directory`; standard input is the file "input" there, or empty.
+class Process {
+ public:
+  Process(const TemporaryDirectory& directory, const std::vector<std::string>& arguments) : directory_(directory) {
+    child_ = fork();
+    if (child_ == 0) become(arguments);
+  }
+
+  void send(int signal) const { kill(child_, signal); }
+
+  Outcome wait() const {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    return {code, contents(directory_ / "out.txt"), contents(directory_ / "err.txt")};
+  }
+
+ private:
+  [[noreturn]] void become(const std::vector<std::string>& arguments) const {
+    if (chdir((directory_ / "").c_str()) != 0) _exit(126);
+    redirect(std::filesystem::exists("input") ? "input" : "/dev/null", O_RDONLY, 0);
+    redirect("out.txt", O_WRONLY | O_CREAT | O_TRUNC, 1);
+    redirect("err.txt", O_WRONLY | O_CREAT | O_TRUNC, 2);
+    std::vector<char*> words{const_cast<char*>(DSPM_BINARY)};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    execv(DSPM_BINARY, words.data());
+    _exit(127);
+  }
+  static void redirect(const char* path, int flags, int descriptor) {
+    const int file = open(path, flags, 0644);
+    if (file < 0 || dup2(file, descriptor) < 0) _exit(125);
+    close(file);
+  }
+
+  const TemporaryDirectory& directory_;
+  pid_t child_;
+};
+
+inline Outcome run(const TemporaryDirectory& directory, const std::vector<std::string>& arguments) {
+  return Process(directory, arguments).wait();
+}
+
+/// Within half a minute.
+inline bool appears(const std::filesystem::path& path) {
+  for (int i = 0; i < 3000 && !std::filesystem::exists(path); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return std::filesystem::exists(path);
+}
+
+/// Three frames of 12 x 8 pixels: a ball that moves under a spherical lamp.
+inline const std::string kTinyScene = R"(
+Frames 3 "float fps" 25
+Integrator "dsppm" "integer iterations" 2 "integer photons" 200 "integer seed" 5
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective" "float fov" 45
+Film "rgb" "integer xresolution" 12 "integer yresolution" 8 "string filename" "tiny.exr"
+WorldBegin
+  AttributeBegin
+    AreaLightSource "diffuse" "rgb L" [5 5 5]
+    Translate 0 2 -1
+    Shape "sphere" "float radius" 0.3
+  AttributeEnd
+  Material "diffuse" "rgb reflectance" [.7 .6 .5]
+  AttributeBegin
+    Translate 0 0 30
+    Shape "sphere" "float radius" 29
+  AttributeEnd
+  DynamicBegin "ball"
+    Keyframe 1  Translate -1 0 0
+    Keyframe 3  Translate 1 0 0
+    KeyframeEnd
+    Shape "sphere" "float radius" 0.4
+  DynamicEnd
+)";
+
+/// The tiny scene with other text in place of `from`.
+inline std::string tiny_scene(const std::string& from, const std::string& to) {
+  std::string scene = kTinyScene;
+  return scene.replace(scene.find(from), from.size(), to);
+}
+
+/// Holds the tiny scene as tiny.dsc.
+class TinyDirectory : public TemporaryDirectory {
+ public:
+  TinyDirectory() { put_file(*this / "tiny.dsc", kTinyScene); }
+  bool has(const std::string& name) const { return std::filesystem::exists(*this / name); }
+};
+
+}  // namespace dspm::test
