@@ -1,0 +1,164 @@
+// illuminate(), pdf_w() and emitted() of area lights say the same of every point of every shape.
+#include <gtest/gtest.h>
+
+#include "tests/lights/lamps.h"
+#include "tests/lights/random.h"
+#include "tests/support/chi2.h"
+
+namespace dspm {
+namespace {
+
+using namespace dspm::test;
+
+struct LampHit {
+  SurfacePoint point;
+  int primitive;
+};
+
+/// Everything of the lamp that a ray goes through.
+std::vector<LampHit> hits(const AreaLamp& lamp, const Vec3& from, const Vec3& w) {
+  std::vector<LampHit> found;
+  for (int k = 0; k < lamp.shape->primitive_count(); ++k)
+    for (Ray ray{from, w}; const auto hit = lamp.placed->intersect(k, ray);) {
+      found.push_back({lamp.placed->surface_point(k, hit->uv), k});
+      ray = found.back().point.spawn(w);
+    }
+  return found;
+}
+
+float pdf_w(const AreaLamp& lamp, const Vec3& from, const Vec3& w) {
+  float pdf = 0;
+  for (const LampHit& hit : hits(lamp, from, w)) pdf += lamp.light->pdf_w(from, hit.point, hit.primitive);
+  return pdf;
+}
+
+const Vec3 kPoints[] = {{0.3f, -0.2f, -3}, {1.9f, 1.2f, -0.8f}};
+
+TEST(AreaLight, SampledDirectionsFollowPdfW) {
+  const std::vector<AreaLamp> lamps = area_lamps();
+  for (const AreaLamp& lamp : lamps)
+    for (const Vec3& from : kPoints) {
+      Chi2Settings settings;
+      settings.axis = normalize(-from);
+      settings.crowding = 2;
+      settings.tests = static_cast<int>(2 * lamps.size());
+      Sequence random(7);
+      int valid = 0;
+      const auto sample = [&]() -> std::optional<Vec3> {
+        const auto l = lamp.light->illuminate(from, random.pair());
+        if (!l) return std::nullopt;
+        ++valid;
+        return l->wi;
+      };
+      SphereChi2 test(settings);
+      const Chi2Result result = test.run(sample, [&](const Vec3& w) { return pdf_w(lamp, from, w); });
+      EXPECT_TRUE(result.passed) << lamp.name << ", p = " << result.p_value << "\n" << result.worst;
+      EXPECT_NEAR(result.integral, valid / double{1e5}, 0.01) << lamp.name;
+    }
+}
+
+TEST(AreaLight, WhatIsSampledIsWhatARayMeets) {
+  for (const AreaLamp& lamp : area_lamps())
+    for (const Vec3& from : kPoints) {
+      Sequence random(8);
+      int missed = 0, n = 0;
+      for (int i = 0; i < 5000; ++i) {
+        const auto l = lamp.light->illuminate(from, random.pair());
+        if (!l) continue;
+        ++n;
+        float nearest = kInfinity, pdf = 0;
+        Rgb radiance;
+        for (const LampHit& hit : hits(lamp, from, l->wi)) {
+          const float off = std::abs(length(hit.point.p - from) - l->distance);
+          if (std::abs(dot(hit.point.ng, l->wi)) < 0.02f || off >= nearest) continue;
+          nearest = off;
+          pdf = lamp.light->pdf_w(from, hit.point, hit.primitive);
+          radiance = lamp.light->emitted(hit.point, -l->wi);
+        }
+        if (nearest > 1e-3f) {
+          ++missed;
+          continue;
+        }
+        EXPECT_NEAR(pdf / l->pdf_w, 1, 2e-2f) << lamp.name;
+        EXPECT_EQ(radiance, l->radiance) << lamp.name;
+      }
+      EXPECT_LT(missed, 0.03 * n + 5) << lamp.name;  // those seen edge on
+    }
+}
+
+/// Irradiance at `from` on a surface with normal n.
+float irradiance(const Light& light, const Vec3& from, const Vec3& n, int samples) {
+  Sequence random(9);
+  double sum = 0;
+  for (int i = 0; i < samples; ++i)
+    if (const auto l = light.illuminate(from, random.pair()))
+      sum += static_cast<double>(l->radiance.g * std::max(0.f, dot(l->wi, n)) / (l->pdf_w > 0 ? l->pdf_w : 1));
+  return static_cast<float>(sum / samples);
+}
+
+// A disk of radius r seen from its axis at distance d gives pi L r^2 / (r^2 + d^2); a sphere, pi L (r / d)^2.
+TEST(AreaLight, IlluminatesAsDisksAndSpheresMust) {
+  const Param white = rgb("L", Rgb(2));
+  const AreaLamp disk = make_lamp("disk", make_shape("disk", {number("radius", 1.5f)}), {}, {white});
+  EXPECT_NEAR(irradiance(*disk.light, {0, 0, 2}, {0, 0, -1}, 400'000), 2 * kPi * 2.25f / 6.25f, 5e-3f);
+  EXPECT_EQ(irradiance(*disk.light, {0, 0, -2}, {0, 0, 1}, 1000), 0);
+  const Matrix4 twice = Matrix4::scale(2, 2, 2);
+  const AreaLamp sphere = make_lamp("sphere", make_shape("sphere", {number("radius", .5f)}), twice, {white});
+  EXPECT_NEAR(irradiance(*sphere.light, {0, 3, 0}, {0, -1, 0}, 400'000), 2 * kPi / 9, 5e-3f);
+}
+
+TEST(AreaLight, ShinesToTheSideOfItsNormal) {
+  SurfacePoint up;
+  up.ng = up.ns = {0, 0, 1};
+  const auto emitted = [&](std::vector<Param> params, float z) {
+    params.push_back(rgb("L", {3, 2, 1}));
+    params.push_back(number("scale", 2));
+    const AreaLamp lamp = make_lamp("disk", make_shape("disk", {}), {}, std::move(params));
+    return lamp.light->emitted(up, normalize({1, 0, z}));
+  };
+  EXPECT_EQ(emitted({}, 1), Rgb(6, 4, 2));
+  EXPECT_EQ(emitted({}, -1), Rgb());
+  EXPECT_EQ(emitted({flag("twosided", true)}, -1), Rgb(6, 4, 2));
+}
+
+TEST(AreaLight, PowerIsThatOfTheWholeShape) {
+  const auto lumen = [](std::unique_ptr<Shape> shape, std::vector<Param> params) {
+    params.push_back(number("power", 100));
+    return luminance(make_lamp("", std::move(shape), Matrix4::scale(2, 1, 3), std::move(params)).light->power());
+  };
+  EXPECT_NEAR(lumen(make_shape("sphere", {}), {}), 100, 1e-3f);
+  EXPECT_NEAR(lumen(make_shape("disk", {}), {flag("twosided", true)}), 100, 1e-3f);
+  EXPECT_NEAR(lumen(unequal_mesh(), {number("scale", 0.5f)}), 50, 1e-3f);
+  EXPECT_NEAR(lumen(unequal_mesh(), {rgb("L", Rgb(0.25f))}), 25, 1e-3f);  // as pbrt: L's luminance still counts
+}
+
+// The area of a stretched sphere against the formula for spheroids: a prolate one of half axes 1, 1, 2.
+TEST(AreaLight, KnowsTheAreaOfWhatIsStretched) {
+  const AreaLamp lamp = make_lamp("spheroid", make_shape("sphere", {}), Matrix4::scale(1, 1, 2));
+  const float e = std::sqrt(0.75f), area = 2 * kPi * (1 + 2 / e * std::asin(e));
+  EXPECT_NEAR(lamp.light->power().g, kPi * area, 2e-3f * kPi * area);
+}
+
+TEST(AreaLight, DegenerateTrianglesDoNotShine) {
+  MeshData data;
+  data.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+  data.faces = {{0, 1, 2}, {0, 1, 1}};
+  MeshData mixed = data;
+  mixed.faces.push_back({0, 1, 3});
+  for (const Matrix4& to_world : {Matrix4(), Matrix4::scale(1, 2, 3)}) {
+    const AreaLamp none = make_lamp("none", std::make_unique<TriangleMesh>(data), to_world, {number("power", 5)});
+    EXPECT_TRUE(is_black(none.light->power()));
+    EXPECT_FALSE(none.light->emit({0.5f, 0.5f}, {0.5f, 0.5f}));
+    EXPECT_FALSE(none.light->illuminate({0, 0, 1}, {0.5f, 0.5f}));
+    const AreaLamp one = make_lamp("one", std::make_unique<TriangleMesh>(mixed), to_world);
+    Sequence random(10);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec2 u = random.pair();
+      EXPECT_GT(one.light->emit(u, random.pair()).value().ray.origin.y, 0);
+      EXPECT_TRUE(is_finite(one.light->emit(u, random.pair()).value().flux));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dspm
