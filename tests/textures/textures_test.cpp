@@ -1,0 +1,157 @@
+#include <limits>
+
+#include "tests/textures/make.h"
+#include "textures/mapping.h"
+
+namespace dspm {
+namespace {
+
+TEST(Texture, ConstantsKnowThatTheyAre) {
+  Workshop w;
+  EXPECT_EQ(w.make<float>("constant", {number_param("value", .3f)})->evaluate({}), .3f);
+  const auto grey = w.make<Rgb>("constant", {triple_param(ParamType::rgb, "value", .1f, .2f, .3f)});
+  EXPECT_EQ(grey->evaluate(at_uv(7, 8)), Rgb(.1f, .2f, .3f));
+  EXPECT_EQ(grey->constant(), Rgb(.1f, .2f, .3f));
+  EXPECT_EQ(w.make<Rgb>("constant", {})->constant(), Rgb(1));
+}
+
+TEST(Texture, ParametersBecomeTextures) {
+  Workshop w;
+  const auto wood = w.make<Rgb>("checkerboard", {});
+  w.textures.add("wood", wood);
+  EXPECT_EQ(texture_of(ValueOrTexture<Rgb>{Rgb(.2f), "", {}}, w.textures, w.diagnostics)->constant(), Rgb(.2f));
+  EXPECT_EQ(texture_of(ValueOrTexture<Rgb>{Rgb(.2f), "wood", {}}, w.textures, w.diagnostics), wood);
+  EXPECT_EQ(w.message(), "");
+
+  EXPECT_EQ(texture_of(ValueOrTexture<Rgb>{Rgb(.2f), "wod", {}}, w.textures, w.diagnostics)->constant(), Rgb(.2f));
+  EXPECT_EQ(w.diagnostics.all().back().message, "there is no texture \"wod\" before this line");
+  EXPECT_EQ(w.diagnostics.all().back().hint, "did you mean \"wood\"?");
+  EXPECT_EQ(texture_of(ValueOrTexture<float>{1, "wood", {}}, w.textures, w.diagnostics)->constant(), 1);
+  EXPECT_EQ(w.diagnostics.all().back().hint, "\"wood\" is a spectrum texture, a float texture is needed");
+}
+
+TEST(Texture, ANewTextureOfTheSameNameReplaces) {
+  Workshop w;
+  w.textures.add("t", w.make<float>("constant", {number_param("value", 1)}));
+  w.textures.add("t", w.make<Rgb>("constant", {}));  // of another kind: no matter
+  const auto holder = w.make<float>("scale", {texture_param("tex", "t")});
+  w.textures.add("t", w.make<float>("constant", {number_param("value", 2)}));
+  EXPECT_EQ(w.textures.find<float>("t")->constant(), 2);
+  EXPECT_EQ(w.textures.find<Rgb>("t")->constant(), Rgb(1));
+  EXPECT_EQ(holder->constant(), 1);
+}
+
+TEST(Texture, ScaleAndMix) {
+  Workshop w;
+  w.textures.add("squares", w.make<float>("checkerboard", {}));  // 1 and 0
+  const auto scaled =
+      w.make<Rgb>("scale", {triple_param(ParamType::rgb, "tex", .2f, .4f, .8f), texture_param("scale", "squares")});
+  EXPECT_EQ(scaled->evaluate(at_uv(.5f, .5f)), Rgb(.2f, .4f, .8f));
+  EXPECT_EQ(scaled->evaluate(at_uv(1.5f, .5f)), Rgb(0));
+  EXPECT_FALSE(scaled->constant());
+  EXPECT_EQ(w.make<float>("scale", {number_param("tex", 3), number_param("scale", 2)})->constant(), 6);
+
+  const auto mixed =
+      w.make<float>("mix", {number_param("tex1", 2), number_param("tex2", 6), texture_param("amount", "squares")});
+  EXPECT_EQ(mixed->evaluate(at_uv(1.5f, .5f)), 2);
+  EXPECT_EQ(mixed->evaluate(at_uv(.5f, .5f)), 6);
+  EXPECT_EQ(w.make<float>("mix", {number_param("amount", .25f)})->constant(), .25f);
+  EXPECT_EQ(w.message(), "");
+}
+
+TEST(Checkerboard, SquaresAlternateOnBothSidesOfTheOrigin) {
+  Workshop w;
+  const auto board = w.make<float>("checkerboard", {number_param("uscale", 2), number_param("vdelta", 1)});
+  for (int x = -3; x < 3; ++x)
+    for (int y = -3; y < 3; ++y) {
+      const float u = (static_cast<float>(x) + .5f) / 2, v = static_cast<float>(y) + .5f;
+      EXPECT_EQ(board->evaluate(at_uv(u, v)), (x + y + 1) % 2 == 0 ? 1 : 0) << x << ' ' << y;
+    }
+}
+
+TEST(Checkerboard, CubesLieInTheTexturesSpace) {
+  Workshop w;
+  const Transform placement(Matrix4::translate(10, 0, 0) * Matrix4::scale(2, 2, 2));
+  const auto cubes = w.make<float>("checkerboard", {integer_param("dimension", 3)}, placement);
+  EXPECT_EQ(cubes->evaluate(at_point(11, 1, 1)), 1);
+  EXPECT_EQ(cubes->evaluate(at_point(13, 1, 1)), 0);
+  EXPECT_EQ(cubes->evaluate(at_point(13, 1, 3)), 1);
+  EXPECT_EQ(cubes->evaluate(at_point(9, 1, 1)), 0);
+  w.make<float>("checkerboard", {integer_param("dimension", 4)});
+  EXPECT_EQ(w.message(), "a checkerboard's dimension is 2 or 3");
+}
+
+TEST(Checkerboard, AnyCoordinateHasAnAnswer) {
+  Workshop w;
+  const auto board = w.make<float>("checkerboard", {});
+  for (const float huge : {1e30f, -1e30f, kInfinity, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_TRUE(board->evaluate(at_uv(huge, 0)) == 0 || board->evaluate(at_uv(huge, 0)) == 1);
+  EXPECT_EQ(w.make<float>("checkerboard", {number_param("tex1", .5f), number_param("tex2", .5f)})->constant(), .5f);
+}
+
+TextureMapping mapping_of(std::vector<Param> params, const Transform& placement = {}) {
+  Diagnostics diagnostics;
+  const ParamList list{std::move(params)};
+  ParamReader reader(list, "texture \"t\"", {}, diagnostics);
+  const TextureMapping mapping = TextureMapping::read(reader, placement);
+  reader.finish();
+  EXPECT_EQ(diagnostics.error_count(), 0);
+  return mapping;
+}
+
+TEST(Mapping, UvIsScaledAndShifted) {
+  const TextureMapping m = mapping_of({number_param("uscale", 3), number_param("udelta", .5f)});
+  EXPECT_EQ(m.at(at_uv(2, .25f)), (Vec2{6.5f, .25f}));
+}
+
+TEST(Mapping, SphericalGoesFromPoleToPoleAndAround) {
+  const TextureMapping m = mapping_of({text_param("mapping", "spherical")}, Transform(Matrix4::translate(5, 0, 0)));
+  EXPECT_NEAR(m.at(at_point(5, 0, 2)).x, 0, 1e-6f);
+  EXPECT_NEAR(m.at(at_point(5, 0, -2)).x, 1, 1e-6f);
+  EXPECT_NEAR(m.at(at_point(5, 3, 0)).x, .5f, 1e-6f);
+  EXPECT_NEAR(m.at(at_point(5, 3, 0)).y, .25f, 1e-6f);
+  EXPECT_NEAR(m.at(at_point(5, -3, 0)).y, .75f, 1e-6f);
+  EXPECT_EQ(m.at(at_point(5, 0, 0)), (Vec2{0, 0}));  // the centre has no direction
+}
+
+TEST(Mapping, CylindricalGoesAroundAndUp) {
+  const TextureMapping m = mapping_of({text_param("mapping", "cylindrical")});
+  EXPECT_NEAR(m.at(at_point(1, 0, 7)).x, .5f, 1e-6f);
+  EXPECT_NEAR(m.at(at_point(0, 1, 7)).x, .75f, 1e-6f);
+  EXPECT_EQ(m.at(at_point(0, 1, 7)).y, 7);
+}
+
+TEST(Mapping, PlanarProjectsOntoItsVectors) {
+  const TextureMapping m = mapping_of(
+      {text_param("mapping", "planar"), number_param("vdelta", 1), triple_param(ParamType::vector3, "v1", 0, 0, 2)});
+  EXPECT_EQ(m.at(at_point(1, 2, 3)), (Vec2{6, 3}));
+}
+
+TEST(TexturePlugins, WhatIsNotBuiltIsAnErrorOrGrey) {
+  for (const bool lenient : {false, true}) {
+    Workshop w(lenient);
+    const auto grey = w.make<Rgb>("marble", {integer_param("octaves", 4)});
+    EXPECT_EQ(grey->constant(), Rgb(.5f));
+    EXPECT_EQ(w.diagnostics.error_count(), lenient ? 0 : 1);
+    EXPECT_EQ(w.diagnostics.all().size(), 1u);
+    EXPECT_EQ(w.message().find("texture \"marble\" is not built in dspm"), 0u);
+  }
+  Workshop w;
+  EXPECT_NE(w.make<float>("imgemap", {}), nullptr);
+  EXPECT_EQ(w.message(), "unknown texture \"imgemap\"");
+}
+
+TEST(TexturePlugins, DescribeThemselves) {
+  const TextureSet none;
+  ImageCache images;
+  const TextureContext context{none, {}, images};
+  for (const auto& plugin : texture_plugins<Rgb>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
+  for (const auto& plugin : texture_plugins<float>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
+  const std::vector<ParamInfo> mix = describe(texture_plugins<Rgb>()[3], context);
+  EXPECT_EQ(mix[0].name, "tex1");
+  EXPECT_EQ(mix[0].type, "rgb, spectrum, blackbody or texture");
+  EXPECT_EQ(mix[2].type, "float or texture");
+}
+
+}  // namespace
+}  // namespace dspm

@@ -1,0 +1,24 @@
+// Pictures that several textures, or one texture in several frames, share: each file is read once an encoding.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "image/image.h"
+
+namespace dspm {
+
+class ImageCache {
+ public:
+  /// Throws std::runtime_error as read_image does.
+  std::shared_ptr<const Image> read(const std::filesystem::path& path, const ColorEncoding& encoding);
+
+ private:
+  using Key = std::tuple<std::string, ColorEncoding::Kind, float>;
+  std::map<Key, std::shared_ptr<const Image>> images_;
+};
+
+}  // namespace dspm
