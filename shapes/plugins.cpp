@@ -7,7 +7,10 @@ std::span<const Plugin<MakeShape>> shape_plugins() {
   static constexpr Plugin<MakeShape> table[] = {
       {"cylinder", "the mantle of a cylinder", make_cylinder},
       {"disk", "a disk, ring or sector", make_disk},
+      {"objmesh", "triangles from an OBJ file", make_objmesh},
+      {"plymesh", "triangles from a PLY file", make_plymesh},
       {"sphere", "a sphere or a part of it", make_sphere},
+      {"trianglemesh", "triangles in the scene's text", make_trianglemesh},
   };
   return table;
 }

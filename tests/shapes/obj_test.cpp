@@ -1,0 +1,145 @@
+// OBJ and MTL files: indices of all forms, groups, materials; and meshes in the scene's text.
+#include "shapes/obj.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/shapes/making.h"
+#include "tests/support/temporary_directory.h"
+
+namespace dspm {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+class Obj : public testing::Test {
+ protected:
+  ObjFile read(const std::string& text, const std::string& group = "", bool split = true) {
+    test::put_file(directory / "mesh.obj", text);
+    return read_obj(directory / "mesh.obj", group, split);
+  }
+  std::vector<ShapePart> make(std::vector<Param> params) {
+    params.push_back(test::param(ParamType::text, "filename", Texts{(directory / "mesh.obj").string()}));
+    return test::make_parts("objmesh", {params}, diagnostics);
+  }
+
+  test::TemporaryDirectory directory;
+  Diagnostics diagnostics;
+};
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(Obj, AllFormsOfIndices) {
+  const std::string more = kSquare + "vt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 0 0 -1\n";
+  const auto mesh = [&](const std::string& face) { return read(more + face).parts.at(0).mesh; };
+  EXPECT_EQ(mesh("f 1 2 3").vertices[2], (Vec3{1, 1, 0}));
+  EXPECT_EQ(mesh("f -4 -3 -1").vertices[2], (Vec3{0, 1, 0}));
+  EXPECT_TRUE(mesh("f 1 2 3").normals.empty());
+  EXPECT_TRUE(mesh("f 1 2 3").uvs.empty());
+  EXPECT_EQ(mesh("f 1/2 2/1 3/-1").uvs[0], (Vec2{1, 0.5f}));
+  EXPECT_EQ(mesh("f 1//2 2//1 3//2").normals[0], (Vec3{0, 0, -1}));
+  const MeshData full = mesh("f 1/1/1 2/2/1 3/1/1 4/2/1");
+  EXPECT_EQ(full.faces, (std::vector<Face>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(full.uvs[1], (Vec2{1, 0.5f}));
+  EXPECT_EQ(full.normals[3], (Vec3{0, 0, 1}));
+  // A vertex that has two texture coordinates is two vertices, one that has the same twice is one.
+  EXPECT_EQ(mesh("f 1/1 2/1 3/1\nf 1/2 3/1 4/1").vertices.size(), 5u);
+}
+
+TEST_F(Obj, VerticesMayFollowFaces) {
+  EXPECT_EQ(read("f 1 2 3\n" + kSquare).parts.at(0).mesh.vertices[1], (Vec3{1, 0, 0}));
+}
+
+TEST_F(Obj, BadIndicesAreErrors) {
+  EXPECT_THROW(read(kSquare + "f 1 2 5"), std::runtime_error);
+  EXPECT_THROW(read(kSquare + "f 1 2 0"), std::runtime_error);
+  EXPECT_THROW(read(kSquare + "f 1 2 -5"), std::runtime_error);
+  EXPECT_THROW(read(kSquare + "f 1/1 2/1 3/1"), std::runtime_error);
+  EXPECT_THROW(read(kSquare + "f 1//1 2//1 3//1"), std::runtime_error);
+  EXPECT_THROW(read(kSquare + "f 1 x 3"), std::runtime_error);
+}
+
+TEST_F(Obj, GroupsAndObjectsCanBeChosen) {
+  const std::string text = kSquare + "o chair\ng seat soft\nf 1 2 3 4\ng leg\nf 1 2 3\no table\nf 2 3 4\nf 1 3 4\n";
+  EXPECT_EQ(read(text).parts.at(0).mesh.faces.size(), 5u);
+  EXPECT_EQ(read(text, "seat").parts.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text, "soft").parts.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text, "chair").parts.at(0).mesh.faces.size(), 3u);
+  EXPECT_EQ(read(text, "table").parts.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text).groups, (Texts{"chair", "seat", "soft", "leg", "table"}));
+  EXPECT_TRUE(make({test::param(ParamType::text, "group", Texts{"legs"})}).empty());
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_NE(diagnostics.all()[0].hint.find("\"leg\""), std::string::npos);
+}
+
+TEST_F(Obj, MaterialsBecomeParts) {
+  test::put_file(directory / "lib.mtl", "newmtl red\nKd 0.8 0.1 0.2\nnewmtl wood \nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\n"
+                                        "newmtl lost\nKd 0.5 0.5 0.5\nmap_Kd lost.png\n");
+  test::put_file(directory / "wood.png", "");
+  read("mtllib lib.mtl\n" + kSquare +
+       "f 1 2 3\nusemtl red\nf 1 3 4\nusemtl wood\nf 1 2 4\nusemtl red\nf 2 3 4\nusemtl none\nf 1 2 3\nusemtl lost\nf 1 2 3\n");
+  const auto parts = make({});
+  ASSERT_EQ(parts.size(), 5u);
+  EXPECT_FALSE(parts[0].material);
+  ASSERT_TRUE(parts[1].material);
+  EXPECT_EQ(parts[1].material->name, "red");
+  EXPECT_EQ(parts[1].shape->primitive_count(), 2);
+  EXPECT_EQ(std::get<std::vector<float>>(parts[1].material->diffuse.find("reflectance")->values),
+            (std::vector<float>{0.8f, 0.1f, 0.2f}));
+  ASSERT_TRUE(parts[2].material);
+  EXPECT_EQ(parts[2].material->texture_file, directory / "wood.png");
+  EXPECT_EQ(std::get<Texts>(parts[2].material->diffuse.find("reflectance")->values), Texts{"wood"});
+  EXPECT_FALSE(parts[3].material);  // "none"
+  EXPECT_EQ(parts[4].material->texture_file, "");
+  EXPECT_NE(test::messages(diagnostics).find("\"none\" is not defined"), std::string::npos);
+  EXPECT_NE(test::messages(diagnostics).find("lost.png"), std::string::npos);
+  EXPECT_EQ(diagnostics.error_count(), 0);
+
+  const auto whole = make({test::param(ParamType::boolean, "materials", std::vector<bool>{false})});
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].shape->primitive_count(), 6);
+  EXPECT_FALSE(whole[0].material);
+}
+
+TEST_F(Obj, AMissingOrEmptyMaterialFileIsAWarning) {
+  test::put_file(directory / "empty.mtl", "");
+  for (const char* name : {"absent.mtl", "empty.mtl"}) {
+    read("mtllib " + std::string(name) + "\nusemtl a\n" + kSquare + "f 1 2 3\n");
+    EXPECT_EQ(make({}).size(), 1u);
+  }
+  EXPECT_EQ(diagnostics.error_count(), 0);
+  EXPECT_NE(test::messages(diagnostics).find("absent.mtl"), std::string::npos);
+}
+
+TEST_F(Obj, NoFacesIsAnError) {
+  read(kSquare);
+  EXPECT_TRUE(make({}).empty());
+  EXPECT_NE(test::messages(diagnostics).find("no faces"), std::string::npos);
+}
+
+TEST(TriangleMeshPlugin, ReadsItsParameters) {
+  Diagnostics diagnostics;
+  const Param points = test::param(ParamType::point3, "P", std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  const auto make = [&](std::vector<int> indices, std::vector<Param> more) {
+    more.push_back(points);
+    more.push_back(test::param(ParamType::integer, "indices", indices));
+    return test::make_parts("trianglemesh", {more}, diagnostics);
+  };
+  const Param uv = test::param(ParamType::point2, "uv", std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1});
+  const auto parts = make({0, 1, 2, 2, 1, 3}, {uv});
+  ASSERT_EQ(test::messages(diagnostics), "");
+  EXPECT_EQ(parts.at(0).shape->primitive_count(), 2);
+  EXPECT_EQ(parts.at(0).shape->surface_point(1, {0, 1}).uv, (Vec2{1, 1}));
+
+  EXPECT_TRUE(make({0, 1, 4}, {}).empty());
+  EXPECT_TRUE(make({0, 1}, {}).empty());
+  make({0, 1, 2}, {test::param(ParamType::vector3, "S", std::vector<float>(12))});
+  make({0, 1, 2}, {test::param(ParamType::texture, "alpha", Texts{"leaf"})});
+  const std::string text = test::messages(diagnostics);
+  EXPECT_NE(text.find("refers to vertex 4"), std::string::npos);
+  EXPECT_NE(text.find("2 indices"), std::string::npos);
+  EXPECT_NE(text.find("tangents"), std::string::npos);
+  EXPECT_NE(text.find("\"alpha\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dspm
