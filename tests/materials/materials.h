@@ -89,9 +89,8 @@ inline std::vector<Named> all_materials() {
     for (const char* type : {"conductor", "dielectric", "coateddiffuse"})
       all.push_back({type + suffix, make(type, roughness)});
   };
-  for (const float a : {0.05f, 0.1f, 0.3f, 0.6f, 1.f}) add_rough(" alpha " + std::to_string(a), {alpha(a)});
+  for (const float a : {0.05f, 0.1f, 0.3f, 1.f}) add_rough(" alpha " + std::to_string(a), {alpha(a)});
   add_rough(" anisotropic", {number("uroughness", 0.0225f), number("vroughness", 0.25f)});
-  add_rough(" not remapped", {number("roughness", 0.2f), flag("remaproughness", false)});
   all.push_back({"dense glass", make("dielectric", {number("eta", 2.4f), alpha(0.4f)})});
   all.push_back({"bubble in water", make("dielectric", {number("eta", 0.75f), alpha(0.4f)})});
   return all;

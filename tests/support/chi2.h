@@ -101,13 +101,13 @@ class SphereChi2 {
     const double dv = 1. / settings_.rows, dphi = 1. / settings_.columns;
     return refined(pdf, v, phi, dv, dphi, midpoints(pdf, v, phi, dv, dphi), 0);
   }
-  /// Halves a patch until doing so changes the expected count by less than a fiftieth.
+  /// Halves a patch until doing so changes the expected count by less than a twentieth.
   template <class Pdf>
   double refined(const Pdf& pdf, double v, double phi, double dv, double dphi, double coarse, int depth) const {
     double parts[4], sum = 0;
     for (int i = 0; i < 4; ++i)
       sum += parts[i] = midpoints(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2);
-    if (depth >= 6 || std::abs(sum - coarse) * settings_.samples < 0.02) return sum;
+    if (depth >= 6 || (std::abs(sum - coarse) * settings_.samples < 0.05 && depth >= 1)) return sum;
     sum = 0;
     for (int i = 0; i < 4; ++i)
       sum += refined(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2, parts[i], depth + 1);
@@ -116,13 +116,17 @@ class SphereChi2 {
   template <class Pdf>
   double midpoints(const Pdf& pdf, double v0, double phi0, double dv, double dphi) const {
     constexpr int kSteps = 4;
-    double sum = 0;
-    for (int i = 0; i < kSteps * kSteps; ++i) {
-      const double v = v0 + dv * (i % kSteps + 0.5) / kSteps, phi = phi0 + dphi * (i / kSteps + 0.5) / kSteps;
-      const double sin = std::sin(kPiD * v), cos = std::cos(kPiD * v), angle = 2 * kPiD * (phi - 0.5);
-      const Vec3 w{static_cast<float>(sin * std::cos(angle)), static_cast<float>(sin * std::sin(angle)),
-                   static_cast<float>(cos)};
-      sum += static_cast<double>(pdf(basis_.to_world(w))) * sin;
+    double x[kSteps], y[kSteps], sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double angle = 2 * kPiD * (phi0 + dphi * (i + 0.5) / kSteps - 0.5);
+      x[i] = std::cos(angle), y[i] = std::sin(angle);
+    }
+    for (int row = 0; row < kSteps; ++row) {
+      const double angle = kPiD * (v0 + dv * (row + 0.5) / kSteps), sin = std::sin(angle), cos = std::cos(angle);
+      for (int i = 0; i < kSteps; ++i) {
+        const Vec3 w{static_cast<float>(sin * x[i]), static_cast<float>(sin * y[i]), static_cast<float>(cos)};
+        sum += static_cast<double>(pdf(basis_.to_world(w))) * sin;
+      }
     }
     return sum * dv * dphi * 2 * kPiD * kPiD / (kSteps * kSteps);
   }

@@ -1,0 +1,157 @@
+// No material gives more light than it gets, and what is lost has a reason: albedos (the share of light from one
+// direction that leaves again) against 1, against tables of what single scattering off GGX facets loses, and against
+// integrals of evaluate, which know nothing of sampling.
+#include <gtest/gtest.h>
+
+#include "materials/fresnel.h"
+#include "tests/materials/materials.h"
+
+namespace dspm::test {
+namespace {
+
+/// The mean weight of samples of all lobes; u.z is stratified, so that specular choices hardly vary.
+double albedo(const Bsdf& bsdf, const Vec3& wo, int samples = 60'000) {
+  const PathRandom random(11, Stream::setup, 0, 0);
+  double sum = 0;
+  for (int n = 0; n < samples; ++n) {
+    Vec3 u = three_numbers(random, n);
+    u.z = (static_cast<float>(n) + 0.5f) / static_cast<float>(samples);
+    if (const auto drawn = bsdf.sample(wo, u, Transport::flux, bsdf.all_lobes()))
+      sum += static_cast<double>(max_component(drawn->weight));
+  }
+  return sum / samples;
+}
+double albedo(const Material& material, const Vec3& wo, int samples = 60'000) {
+  BsdfSlot slot;
+  return albedo(material.bsdf(surface(), slot), wo, samples);
+}
+
+/// The integral of f cos over the sphere by a midpoint rule, of the greatest colour.
+double integral(const Bsdf& bsdf, const Vec3& wo) {
+  constexpr int kRows = 800, kColumns = 800;
+  double sum = 0;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const float z = 2 * (static_cast<float>(row) + 0.5f) / kRows - 1;
+      const Vec3 wi = direction(z, 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns);
+      sum += static_cast<double>(max_component(bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes())) * std::abs(z));
+    }
+  return sum * 4 * std::acos(-1.) / (kRows * kColumns);
+}
+
+TEST(Energy, NothingGains) {
+  for (const Named& each : all_materials())
+    for (const Vec3& wo : directions()) EXPECT_LE(albedo(*each.material, wo, 20'000), 1 + 2e-3) << each.name << " " << wo.z;
+}
+
+TEST(Energy, SamplesAndIntegralsAgree) {
+  for (const Named& each : all_materials()) {
+    BsdfSlot slot;
+    const Bsdf& bsdf = each.material->bsdf(surface(), slot);
+    const bool narrow = each.name.find("0.0") != std::string::npos;
+    if (bsdf.lobes(1e-6f) != bsdf.all_lobes() || narrow) continue;
+    for (const Vec3& wo : {direction(0.9f, 1), direction(0.3f, 4), direction(-0.6f, 2)})
+      EXPECT_NEAR(albedo(bsdf, wo), integral(bsdf, wo), 0.01) << each.name << " " << wo.z;
+  }
+}
+
+TEST(Energy, DiffuseReflectsItsReflectance) {
+  const auto material = make("diffuse", {rgb("reflectance", {0.1f, 0.7f, 0.3f})});
+  for (const Vec3& wo : directions()) EXPECT_NEAR(albedo(*material, wo, 1000), 0.7, 1e-3);
+}
+
+TEST(Energy, SmoothBoundariesLoseNothing) {
+  for (const char* type : {"dielectric", "thindielectric"})
+    for (const float eta : {1.f, 1.33f, 2.4f}) {
+      const auto material = make(type, {number("eta", eta)});
+      for (const Vec3& wo : directions()) EXPECT_NEAR(albedo(*material, wo, 1000), 1, 1e-5) << type << eta << wo.z;
+    }
+}
+
+// Normal incidence: R = 4%, so R' = R + T^2 R / (1 - R^2) = 2 R / (1 + R) = 7.692%.
+TEST(Energy, PanesCountWhatIsReflectedInside) {
+  const auto material = make("thindielectric", {});
+  BsdfSlot slot;
+  const Bsdf& bsdf = material->bsdf(surface(), slot);
+  EXPECT_NEAR(bsdf.share({0, 0, 1}, 1), 2 * 0.04 / 1.04, 1e-6);
+  const auto through = bsdf.sample(direction(0.3f, 2), {0, 0, 0.9999f}, Transport::radiance, 3);
+  ASSERT_TRUE(through);
+  EXPECT_EQ(through->wi, -direction(0.3f, 2));
+}
+
+TEST(Energy, SmoothMetalReflectsFresnel) {
+  const auto material = make("conductor", {rgb("reflectance", Rgb(0.6f))});
+  EXPECT_NEAR(albedo(*material, {0, 0, 1}, 10), 0.6, 1e-5);
+  const auto copper = make("conductor", {});
+  BsdfSlot slot;
+  const auto drawn = copper->bsdf(surface(), slot).sample(direction(0.5f, 1), {}, Transport::flux, 1);
+  ASSERT_TRUE(drawn);
+  EXPECT_GT(drawn->weight.r, drawn->weight.g);
+  EXPECT_GT(drawn->weight.g, drawn->weight.b);
+}
+
+struct Loss {
+  float alpha;
+  double straight, slanted, grazing;  // albedo at cos = 1, 0.5, 0.1
+};
+
+// What is left of light that white metal (reflectance 1) scatters once; light that meets a second facet is lost. At
+// alpha = 1 and straight on, directions off facets are uniform over the sphere and G2 / G1 = 2 c / (1 + c), whose mean
+// over c in [-1, 1], nothing below 0, is 1 - ln 2.
+TEST(Energy, LossOfRoughMetal) {
+  const Loss table[] = {{0.05f, 0.997, 0.992, 0.910}, {0.1f, 0.988, 0.968, 0.882}, {0.2f, 0.949, 0.896, 0.891},
+                        {0.3f, 0.879, 0.822, 0.890},  {0.5f, 0.688, 0.698, 0.861}, {0.7f, 0.503, 0.589, 0.822},
+                        {1.f, 1 - std::log(2), 0.450, 0.761}};
+  for (const Loss& row : table) {
+    const auto metal = make("conductor", {rgb("reflectance", Rgb(1)), alpha(row.alpha)});
+    EXPECT_NEAR(albedo(*metal, direction(1, 0)), row.straight, 3e-3) << row.alpha;
+    EXPECT_NEAR(albedo(*metal, direction(0.5f, 0)), row.slanted, 3e-3) << row.alpha;
+    EXPECT_NEAR(albedo(*metal, direction(0.1f, 0)), row.grazing, 3e-3) << row.alpha;
+  }
+}
+
+// The same for glass of index 1.5, reflection and transmission together, from outside and from inside.
+TEST(Energy, LossOfRoughGlass) {
+  const Loss outside[] = {{0.1f, 0.999, 0.992, 0.922}, {0.3f, 0.988, 0.949, 0.906}, {0.5f, 0.968, 0.893, 0.853},
+                          {1.f, 0.894, 0.742, 0.742}};
+  const Loss inside[] = {{0.1f, 0.989, 0.963, 0.863}, {0.3f, 0.902, 0.785, 0.786}, {0.5f, 0.754, 0.659, 0.689},
+                         {1.f, 0.417, 0.512, 0.510}};
+  for (const float side : {1.f, -1.f})
+    for (const Loss& row : side > 0 ? outside : inside) {
+      const auto glass = make("dielectric", {alpha(row.alpha)});
+      EXPECT_NEAR(albedo(*glass, direction(side, 0)), row.straight, 3e-3) << row.alpha << " " << side;
+      EXPECT_NEAR(albedo(*glass, direction(0.5f * side, 0)), row.slanted, 3e-3) << row.alpha << " " << side;
+      EXPECT_NEAR(albedo(*glass, direction(0.1f * side, 0)), row.grazing, 3e-3) << row.alpha << " " << side;
+    }
+}
+
+// A white base under a smooth coat: F at once, and (1 - F(wo)) (1 - F_out) / (eta^2 (1 - F_in)) = 1 - F(wo) by the
+// base, as (1 - F_out) / eta^2 = 1 - F_in. Nothing is lost.
+TEST(Energy, SmoothCoatOverWhiteLosesNothing) {
+  for (const float eta : {1.f, 1.1f, 1.5f, 2.4f}) {
+    const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(1)), number("eta", eta)});
+    for (const Vec3& wo : directions()) EXPECT_NEAR(albedo(*material, wo), 1, 3e-3) << eta << " " << wo.z;
+  }
+}
+
+// A rough coat reflects a little more than F(wo) says here and there: at most 1e-3; and less at grazing angles.
+TEST(Energy, RoughCoatOverWhite) {
+  for (const float eta : {1.1f, 1.5f, 2.4f})
+    for (const float a : {0.05f, 0.1f, 0.2f, 0.5f, 1.f}) {
+      const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(1)), number("eta", eta), alpha(a)});
+      for (const float cos : {1.f, 0.8f, 0.6f, 0.5f, 0.4f, 0.2f, 0.05f})
+        EXPECT_LE(albedo(*material, direction(cos, 1)), 1 + 1e-3 + 3e-3) << eta << " " << a << " " << cos;
+    }
+}
+
+// Under a smooth coat of index 1.5, at normal incidence, a base of albedo a gives
+// 0.04 + 0.96 (1 - F_in) a / (1 - a F_in), with F_in = 0.5963: 0.2806 for a = 0.5.
+TEST(Energy, CoatDarkensTheBase) {
+  const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(0.5f))});
+  const double inside = static_cast<double>(mean_fresnel_inside(1.5f));
+  EXPECT_NEAR(inside, 0.5963, 1e-3);
+  EXPECT_NEAR(albedo(*material, {0, 0, 1}), 0.04 + 0.96 * (1 - inside) * 0.5 / (1 - 0.5 * inside), 2e-3);
+}
+
+}  // namespace
+}  // namespace dspm::test

@@ -1,0 +1,115 @@
+// What scenes may say about materials: defaults, alternatives, and what is refused.
+#include <gtest/gtest.h>
+
+#include "tests/materials/materials.h"
+
+namespace dspm::test {
+namespace {
+
+/// All that is said about a material with these parameters.
+std::string said(std::string_view type, std::vector<Param> params) {
+  Diagnostics diagnostics;
+  make(type, std::move(params), diagnostics);
+  std::string all;
+  for (const Diagnostic& each : diagnostics.all())
+    all += std::string(each.severity == Severity::error ? "error: " : each.severity == Severity::note ? "note: " : "warning: ") +
+           each.message + "\n";
+  return all;
+}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+int least_lobes(std::string_view type, std::vector<Param> params, float least_alpha) {
+  const auto material = make(type, std::move(params));
+  BsdfSlot slot;
+  return static_cast<int>(material->bsdf(surface(), slot).lobes(least_alpha));
+}
+
+TEST(Parameters, EveryPluginDescribesItself) {
+  const TextureSet textures;
+  const auto names = [&](const Plugin<MakeMaterial>& plugin) {
+    std::vector<std::string> all;
+    for (const ParamInfo& info : describe(plugin, MaterialContext{textures})) all.push_back(info.name);
+    return all;
+  };
+  std::vector<std::string> plugins;
+  for (const Plugin<MakeMaterial>& plugin : material_plugins()) {
+    plugins.emplace_back(plugin.name);
+    EXPECT_FALSE(names(plugin).empty()) << plugin.name;
+    EXPECT_TRUE(said(plugin.name, {}).empty()) << said(plugin.name, {});
+  }
+  EXPECT_EQ(plugins, (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
+  EXPECT_EQ(names(material_plugins()[1]), (std::vector<std::string>{"roughness", "uroughness", "vroughness",
+                                                                    "remaproughness", "eta", "k", "reflectance"}));
+}
+
+TEST(Parameters, DiffuseDefault) {
+  const auto material = make("diffuse", {});
+  BsdfSlot slot;
+  EXPECT_NEAR(material->bsdf(surface(), slot).lambertian(1)->r, 0.5f / kPi, 1e-7f);
+}
+
+TEST(Parameters, BodiesAreOfGlass) {
+  for (const Plugin<MakeMaterial>& plugin : material_plugins())
+    EXPECT_EQ(make(plugin.name, {})->bounds_a_body(), plugin.name == "dielectric") << plugin.name;
+}
+
+TEST(Parameters, RoughnessIsTheSquareOfAlphaUnlessToldOtherwise) {
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f)}, 0.299f), 1);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f)}, 0.301f), 0);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), flag("remaproughness", false)}, 0.089f), 1);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), flag("remaproughness", false)}, 0.091f), 0);
+  // One direction may be given alone; the other keeps "roughness".
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f)}, 0.399f), 3);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f)}, 0.401f), 0);
+  // Below alpha = 1e-3 a surface is smooth, however little.
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.9e-6f)}, 1e-6f), 0);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 1.1e-6f)}, 1e-6f), 3);
+}
+
+TEST(Parameters, TexturesAreLookedUp) {
+  TextureSet textures;
+  textures.add<Rgb>("red", std::make_shared<ConstantTexture<Rgb>>(Rgb(2, 0.5f, 0)));
+  Diagnostics diagnostics;
+  const ParamList list{{{ParamType::texture, "reflectance", 0, std::vector<std::string>{"red"}, {}, {}}}};
+  ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
+  const auto material = material_plugins()[3].make(reader, MaterialContext{textures});
+  BsdfSlot slot;
+  EXPECT_EQ(material->bsdf(surface(), slot).lambertian(1), Rgb(1, 0.5f, 0) / kPi);  // clamped to what is possible
+  EXPECT_TRUE(diagnostics.all().empty());
+}
+
+TEST(Parameters, EtaIsOneNumber) {
+  EXPECT_EQ(said("dielectric", {number("eta", 1.33f)}), "");
+  const Param bk7{ParamType::spectrum, "eta", 0, std::vector<std::string>{"glass-BK7"}, {}, {}};
+  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: there is no dispersion: eta is 1.51")) << said("dielectric", {bk7});
+  EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
+}
+
+TEST(Parameters, ConductorsTakeReflectanceOrEtaAndK) {
+  EXPECT_TRUE(contains(said("conductor", {rgb("reflectance", Rgb(0.5f)), rgb("k", Rgb(1))}), "error: "));
+  EXPECT_EQ(said("conductor", {rgb("eta", Rgb(1)), rgb("k", Rgb(1))}), "");
+}
+
+TEST(Parameters, WhatIsNotBuiltIsNamed) {
+  for (const Plugin<MakeMaterial>& plugin : material_plugins()) {
+    const Param normals{ParamType::text, "normalmap", 0, std::vector<std::string>{"n.png"}, {}, {}};
+    const Param bumps{ParamType::texture, "displacement", 0, std::vector<std::string>{"bumps"}, {}, {}};
+    EXPECT_TRUE(contains(said(plugin.name, {normals}), "error: parameter \"normalmap\"")) << plugin.name;
+    EXPECT_TRUE(contains(said(plugin.name, {bumps}), "error: parameter \"displacement\"")) << plugin.name;
+    EXPECT_TRUE(contains(said(plugin.name, {number("shine", 1)}), "error: unknown parameter \"shine\"")) << plugin.name;
+  }
+  for (const std::string_view name : unbuilt_materials())
+    for (const Plugin<MakeMaterial>& plugin : material_plugins()) EXPECT_NE(name, plugin.name);
+}
+
+TEST(Parameters, CoatsHaveNoRandomWalk) {
+  EXPECT_TRUE(contains(said("coateddiffuse", {number("g", 0.5f)}), "error: "));
+  EXPECT_TRUE(contains(said("coateddiffuse", {rgb("albedo", Rgb(0.1f))}), "error: "));
+  EXPECT_EQ(said("coateddiffuse", {number("g", 0), rgb("albedo", Rgb(0))}), "");
+  const Param samples{ParamType::integer, "nsamples", 0, std::vector<int>{4}, {}, {}};
+  const std::string warned = said("coateddiffuse", {number("thickness", 0.1f), samples});
+  EXPECT_EQ(warned, "warning: parameter \"thickness\" of material \"coateddiffuse\" has no effect in dspm\n");
+}
+
+}  // namespace
+}  // namespace dspm::test

@@ -1,0 +1,246 @@
+// What sample, pdf_w, evaluate and share of one Bsdf must have to do with each other, for every material.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "materials/fresnel.h"
+#include "tests/materials/materials.h"
+
+namespace dspm::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 5;
+constexpr Transport kTransports[] = {Transport::radiance, Transport::flux};
+
+std::string text(const Vec3& v) {
+  return fmt::format("({} {} {})", v.x, v.y, v.z);
+}
+
+void expect_near(const Rgb& a, const Rgb& b, float relative, const std::string& what) {
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(a[c], b[c], relative * std::max(std::abs(a[c]), std::abs(b[c])) + 5e-6f) << what;
+}
+
+/// Calls fn(name, bsdf, point) for every material on a plain and a bent surface.
+template <class Fn>
+void for_each_bsdf(const Fn& fn) {
+  for (const Named& each : all_materials())
+    for (const SurfacePoint& point : {surface(), bent_surface()}) {
+      BsdfSlot slot;
+      fn(each.name, each.material->bsdf(point, slot), point);
+    }
+}
+
+/// Calls fn(wo, lobes, transport) for every direction, subset of lobes, and both transports.
+template <class Fn>
+void for_each_question(const Bsdf& bsdf, const Fn& fn) {
+  for (const Vec3& wo : directions())
+    for (LobeSet lobes = 1; lobes <= bsdf.all_lobes(); ++lobes)
+      if ((lobes & bsdf.all_lobes()) == lobes)
+        for (const Transport transport : kTransports) fn(wo, lobes, transport);
+}
+
+TEST(Scattering, WeightIsFCosineOverDensity) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
+    const PathRandom random(kSeed, Stream::setup, 1, 0);
+    for_each_question(bsdf, [&](const Vec3& wo, LobeSet lobes, Transport transport) {
+      for (int n = 0; n < 200; ++n) {
+        const auto drawn = bsdf.sample(wo, three_numbers(random, n), transport, lobes);
+        if (!drawn) continue;
+        const std::string what = name + ", wo " + text(wo) + ", wi " + text(drawn->wi);
+        EXPECT_NEAR(length(drawn->wi), 1, 1e-5f) << what;
+        if (drawn->specular) {
+          EXPECT_EQ(drawn->pdf_w, 0) << what;
+          continue;
+        }
+        ASSERT_GT(drawn->pdf_w, 0) << what;
+        // Facet normals found again from both directions differ in the last digits, which sharp lobes magnify.
+        EXPECT_NEAR(bsdf.pdf_w(wo, drawn->wi, transport, lobes), drawn->pdf_w, 3e-3f * drawn->pdf_w) << what;
+        const Rgb f = bsdf.evaluate(wo, drawn->wi, transport, lobes);
+        expect_near(f * (std::abs(dot(drawn->wi, point.ns)) / drawn->pdf_w), drawn->weight, 3e-3f, what);
+      }
+    });
+  });
+}
+
+// Where the two normals disagree about the side of wi there is no light, and nothing is sampled.
+TEST(Scattering, KeepsToTheSidesOfBothNormals) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
+    const PathRandom random(kSeed, Stream::setup, 2, 0);
+    const bool passes = !is_black(bsdf.evaluate({0, 0, 1}, {0, 0, -1}, Transport::flux, bsdf.all_lobes()));
+    for (const Vec3& wo : directions())
+      for (int n = 0; n < 500; ++n) {
+        const Vec3 wi = any_direction(random, n);
+        const bool sides_agree = dot(wi, point.ng) * dot(wi, point.ns) > 0;
+        const bool through = dot(wi, point.ng) * dot(wo, point.ng) < 0;
+        const float pdf = bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes());
+        const Rgb f = bsdf.evaluate(wo, wi, Transport::radiance, bsdf.all_lobes());
+        EXPECT_TRUE(is_finite(f) && std::isfinite(pdf) && pdf >= 0 && f.r >= 0 && f.g >= 0 && f.b >= 0) << name;
+        if (!sides_agree || (through && !passes)) {
+          EXPECT_EQ(f, Rgb(0)) << name << " " << text(wi);
+          EXPECT_EQ(pdf, 0) << name << " " << text(wi);
+        } else if (!is_black(f)) {
+          EXPECT_GT(pdf, 0) << name << " " << text(wo) << text(wi);
+        }
+      }
+  });
+}
+
+// All lobes together are the sum of each alone; lobes that do not exist add nothing.
+TEST(Scattering, LobesAddUp) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint&) {
+    const PathRandom random(kSeed, Stream::setup, 3, 0);
+    for (int n = 0; n < 300; ++n) {
+      const Vec3 wo = any_direction(random, n), wi = any_direction(random, 1000 + n);
+      Rgb sum;
+      for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2, 4, 8, 128}) sum += bsdf.evaluate(wo, wi, Transport::flux, lobe);
+      expect_near(sum, bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes()), 1e-5f, name);
+      const LobeSet none = static_cast<LobeSet>(~bsdf.all_lobes());
+      EXPECT_FALSE(bsdf.sample(wo, three_numbers(random, n), Transport::flux, none)) << name;
+      EXPECT_EQ(bsdf.pdf_w(wo, wi, Transport::flux, none), 0) << name;
+      EXPECT_EQ(bsdf.share(wo, none), 0) << name;
+    }
+  });
+}
+
+// share() is how often sampling everything would choose a lobe: sampling all lobes with a stratified u.z takes the
+// reflecting (coat) lobe where u.z is below its share.
+TEST(Scattering, SharesAreTheChancesOfLobes) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
+    for (const Vec3& wo : directions()) {
+      if (dot(wo, point.ns) * dot(wo, point.ng) <= 0) continue;
+      const LobeSet all = bsdf.all_lobes();
+      EXPECT_NEAR(bsdf.share(wo, all), 1, 1e-6f) << name;
+      if (all != 3) continue;
+      EXPECT_NEAR(bsdf.share(wo, 1) + bsdf.share(wo, 2), 1, 1e-6f) << name;
+      if (is_specular(bsdf)) {
+        const float edge = bsdf.share(wo, 1);
+        const auto reflected = bsdf.sample(wo, {0.3f, 0.7f, edge - 1e-5f}, Transport::flux, all);
+        const auto passed = bsdf.sample(wo, {0.3f, 0.7f, edge + 1e-5f}, Transport::flux, all);
+        if (reflected && edge > 1e-5f) { EXPECT_GT(dot(reflected->wi, point.ng) * dot(wo, point.ng), 0) << name; }
+        if (passed && edge < 1 - 1e-5f) { EXPECT_LT(dot(passed->wi, point.ng) * dot(wo, point.ng), 0) << name; }
+      }
+    }
+  });
+}
+
+// A rough boundary chooses by the Fresnel reflectance of the facet that was sampled; share() is its mean.
+TEST(Scattering, SharesOfRoughGlass) {
+  for (const float a : {0.1f, 0.5f, 1.f}) {
+    const auto material = make("dielectric", {alpha(a)});
+    BsdfSlot slot;
+    const Bsdf& bsdf = material->bsdf(surface(), slot);
+    for (const Vec3& wo : directions()) {
+      const PathRandom random(kSeed, Stream::setup, 4, 0);
+      // The weight of a reflection is G2 / G1 for both lobes, and F G2 / G1 for reflection alone.
+      double sum = 0;
+      int count = 0;
+      for (int n = 0; n < 100'000; ++n) {
+        Vec3 u = three_numbers(random, n);
+        u.z = 0;
+        const auto alone = bsdf.sample(wo, u, Transport::flux, 1), both = bsdf.sample(wo, u, Transport::flux, 3);
+        if (!alone || !both) continue;
+        sum += static_cast<double>(alone->weight.r / both->weight.r);
+        ++count;
+      }
+      if (count == 100'000) { EXPECT_NEAR(sum / count, bsdf.share(wo, 1), 3e-3) << a << text(wo); }
+    }
+  }
+}
+
+// Choosing a subset with the chance of its share, and dividing by it, estimates the same as sampling everything.
+TEST(Scattering, SubsetsOverSharesEstimateTheWhole) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint&) {
+    const LobeSet all = bsdf.all_lobes();
+    if (all == 1) return;
+    const PathRandom random(kSeed, Stream::setup, 5, 0);
+    for (const Vec3& wo : directions()) {
+      double whole = 0, parts = 0;
+      constexpr int kSamples = 20'000;
+      for (int n = 0; n < kSamples; ++n) {
+        const Vec3 u = three_numbers(random, n);
+        if (const auto drawn = bsdf.sample(wo, u, Transport::flux, all)) whole += static_cast<double>(drawn->weight.g);
+        for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2})  // the share cancels: chosen with it, divided by it
+          if (const auto drawn = bsdf.sample(wo, u, Transport::flux, lobe)) parts += static_cast<double>(drawn->weight.g);
+      }
+      EXPECT_NEAR(whole / kSamples, parts / kSamples, 0.02) << name << text(wo);
+    }
+  });
+}
+
+// f(wo, wi) = f(wi, wo) for reflection; through a boundary f / eta^2 of wo's side is symmetric, and f for flux is f for
+// radiance with the directions exchanged. [Veach 1997, 5.2]
+TEST(Scattering, Reciprocity) {
+  const PathRandom random(kSeed, Stream::setup, 6, 0);
+  for (const Named& each : all_materials()) {
+    BsdfSlot slot;
+    const Bsdf& bsdf = each.material->bsdf(surface(), slot);
+    const float eta = each.name == "dense glass" ? 2.4f : each.name == "bubble in water" ? 0.75f : 1.5f;
+    for (int n = 0; n < 2000; ++n) {
+      const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
+      const auto f = [&](const Vec3& a, const Vec3& b, Transport transport) {
+        return bsdf.evaluate(a, b, transport, bsdf.all_lobes());
+      };
+      const float eta_o = wo.z > 0 ? 1 : eta, eta_i = wi.z > 0 ? 1 : eta;
+      const Rgb forth = f(wo, wi, Transport::radiance), back = f(wi, wo, Transport::radiance);
+      expect_near(forth / (eta_o * eta_o), back / (eta_i * eta_i), 2e-3f, each.name + text(wo) + text(wi));
+      expect_near(f(wo, wi, Transport::flux), back, 2e-3f, each.name + text(wo) + text(wi));
+    }
+  }
+}
+
+TEST(Scattering, SmoothGlassScalesRadianceAlone) {
+  const auto material = make("dielectric", {});
+  BsdfSlot slot;
+  const Bsdf& bsdf = material->bsdf(surface(), slot);
+  for (const Vec3& wo : directions()) {
+    const float eta = wo.z > 0 ? 1.5f : 1 / 1.5f;
+    const auto radiance = bsdf.sample(wo, {0.5f, 0.5f, 0.999999f}, Transport::radiance, 3);
+    const auto flux = bsdf.sample(wo, {0.5f, 0.5f, 0.999999f}, Transport::flux, 3);
+    ASSERT_TRUE(radiance && flux);
+    EXPECT_EQ(flux->weight, Rgb(1));
+    const bool through = flux->wi.z * wo.z < 0;
+    EXPECT_NEAR(radiance->weight.r, through ? 1 / (eta * eta) : 1, 1e-6f);
+    if (through) {
+      EXPECT_NEAR(length(Vec3{wo.x, wo.y, 0} + eta * Vec3{flux->wi.x, flux->wi.y, 0}), 0, 1e-6f);
+    } else {
+      EXPECT_NEAR(length(flux->wi - Vec3{-wo.x, -wo.y, wo.z}), 0, 1e-6f);
+    }
+  }
+}
+
+TEST(Scattering, LobesByRoughness) {
+  const auto lobes = [](const char* type, std::vector<Param> params, float least_alpha) {
+    BsdfSlot slot;
+    return static_cast<int>(make(type, std::move(params))->bsdf(surface(), slot).lobes(least_alpha));
+  };
+  EXPECT_EQ(lobes("diffuse", {}, 0.9f), 1);
+  for (const char* type : {"conductor", "dielectric", "thindielectric"}) EXPECT_EQ(lobes(type, {}, 1e-3f), 0) << type;
+  EXPECT_EQ(lobes("conductor", {}, 0), 1);
+  EXPECT_EQ(lobes("dielectric", {}, 0), 3);
+  EXPECT_EQ(lobes("thindielectric", {}, 0), 3);
+  EXPECT_EQ(lobes("dielectric", {alpha(0.3f)}, 0.29f), 3);
+  EXPECT_EQ(lobes("dielectric", {alpha(0.3f)}, 0.31f), 0);
+  EXPECT_EQ(lobes("conductor", {number("uroughness", 0.01f), number("vroughness", 0.25f)}, 0.2f), 0);
+  EXPECT_EQ(lobes("coateddiffuse", {}, 0), 3);
+  EXPECT_EQ(lobes("coateddiffuse", {}, 1e-3f), 2);
+  EXPECT_EQ(lobes("coateddiffuse", {alpha(0.3f)}, 0.2f), 3);
+  EXPECT_EQ(lobes("coateddiffuse", {alpha(0.3f)}, 0.4f), 2);
+}
+
+// Gathering relies on it: where lambertian() answers, it is what evaluate says wherever light arrives at all.
+TEST(Scattering, LambertianIsEvaluate) {
+  for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
+    const std::optional<Rgb> f = bsdf.lambertian(bsdf.all_lobes());
+    EXPECT_EQ(f.has_value(), name == "diffuse");
+    if (!f) return;
+    const PathRandom random(kSeed, Stream::setup, 7, 0);
+    for (int n = 0; n < 1000; ++n) {
+      const Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
+      const bool arrives = dot(wi, point.ng) * dot(wo, point.ng) > 0 && dot(wi, point.ng) * dot(wi, point.ns) > 0;
+      EXPECT_EQ(bsdf.evaluate(wo, wi, Transport::radiance, 1), arrives ? *f : Rgb(0));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace dspm::test
