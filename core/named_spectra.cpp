@@ -106,7 +106,7 @@ std::vector<std::string> spectrum_names() {
 Spectrum blackbody(float kelvin) {
   constexpr double kSecondConstant = 1.438776877e7;  // hc / k, in nm K
   const double t = static_cast<double>(kelvin);
-  // The exponent is subtracted inside: far from the peak both exponentials leave the range of a double.
+  // In logarithms, for of a cold or very hot body both factors of Planck's law leave the range of a double.
   const auto log_radiance = [&](double nm) {
     const double x = kSecondConstant / (nm * t);
     return -5 * std::log(nm) - (x > 50 ? x : std::log(std::expm1(x)));
