@@ -15,7 +15,7 @@
 #include "lights/light.h"
 #include "materials/material.h"
 #include "shapes/shape.h"
-#include "textures/texture.h"
+#include "textures/plugins.h"
 
 namespace dspm {
 namespace {
@@ -36,6 +36,8 @@ void add(std::vector<Entry>& entries, const char* kind, std::span<const Plugin<M
 /// The kinds are called as in messages about scenes.
 std::vector<Entry> all_plugins() {
   static const TextureSet textures;
+  static ImageCache images;
+  static const TextureContext texture{textures, {}, images};
   static const MaterialContext material{textures};
   static const LightContext light{};
   static const CameraContext camera{};
@@ -46,7 +48,7 @@ std::vector<Entry> all_plugins() {
   std::vector<Entry> entries;
   add(entries, "shape", shape_plugins());
   add(entries, "material", material_plugins(), material);
-  add(entries, "texture", texture_plugins());
+  add(entries, "texture", texture_plugins<Rgb>(), texture);  // float textures have the same names
   add(entries, "light", light_plugins(), light);
   add(entries, "area light", area_light_plugins(), light);
   add(entries, "camera", camera_plugins(), camera);

@@ -62,6 +62,7 @@ class Run {
 
  private:
   void render_interval(std::size_t index);
+  void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin);
   /// Seconds for the interval: an equal share of what the intervals before it left.
@@ -75,6 +76,7 @@ class Run {
   Messages& messages_;
   Output output_;
   std::vector<std::span<const Frame>> intervals_;
+  std::size_t written_ = 0;  // frames that have images
   RunReport report_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_ = Clock::now();
@@ -86,6 +88,7 @@ RunReport Run::render() {
   progress_.reset();
   report_.seconds = seconds_since(begin_);
   if (const int signal = InterruptRequests::signal()) report_.exit_code = 128 + signal;
+  say_end();
   return report_;
 }
 
@@ -94,6 +97,9 @@ void Run::render_interval(std::size_t index) {
   const std::unique_ptr<Scene> scene = world_.scene(frames);
   const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_);
   const int iterations = job_.iterations(*integrator, options_);
+  if (iterations == 0 && options_.time_limit == 0 && intervals_.size() > 1)
+    throw UsageError(fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
+                                 intervals_.size()));
   if (index == 0) announce(*scene, *integrator, iterations);
   report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
 
@@ -112,6 +118,16 @@ void Run::render_interval(std::size_t index) {
   }
   if (done > 0) write(frames, *integrator, begin);
   report_.add(integrator->statistics());
+}
+
+void Run::say_end() {
+  const std::size_t left = job_.frames.size() - written_;
+  const std::string what = report_.exit_code != 0 ? "interrupted" : "done";
+  const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
+  if (written_ == 0) return messages_.say("{} before the first iteration; nothing was written", what);
+  const std::string last = written_ > 1 ? " to " + output_.name(job_.frames[written_ - 1]).string() : "";
+  messages_.say("{} after {}: {}{}{}", what, readable_time(report_.seconds), output_.name(job_.frames.front()).string(),
+                last, missing);
 }
 
 void Run::announce(const Scene& scene, const Integrator& integrator, int iterations) {
@@ -135,6 +151,7 @@ void Run::write(std::span<const Frame> interval, const Integrator& integrator, C
     output_.write(first + j, integrator.estimate(static_cast<Frame>(j)), statistics.iterations, statistics.photon.paths,
                   seconds_since(begin));
   output_.write_contact_sheet();
+  written_ = first + interval.size();
 }
 
 void explain(const World& world, const Job& job) {

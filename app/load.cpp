@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "lang/formatter.h"
 #include "lang/parse.h"
+#include "lang/read_file.h"
 
 namespace dspm {
 
@@ -35,6 +37,23 @@ std::string summary_of(const LoadedScene& loaded) {
   return fmt::format("{} frame{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", d.frame_count,
                      d.frame_count == 1 ? "" : "s", settings.width, settings.height, d.shapes.size(),
                      d.materials.size(), d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+}
+
+std::string formatted(const std::vector<std::string>& scenes) {
+  std::string text;
+  for (const std::string& scene : scenes) {
+    SourceFile file{scene, {}};
+    Diagnostics diagnostics;
+    try {
+      file.text = read_file(scene);
+    } catch (const std::runtime_error& error) {
+      diagnostics.error({}, fmt::format("cannot read \"{}\": {}", scene, error.what()));
+    }
+    const std::optional<std::string> canonical = format_scene(file, diagnostics);
+    diagnostics.throw_if_errors();
+    text += canonical.value_or("");
+  }
+  return text;
 }
 
 }  // namespace dspm

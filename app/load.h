@@ -18,7 +18,10 @@ struct LoadedScene {
   std::unique_ptr<const World> world;
 };
 
-/// `scene ok: ...`, once all has been made that a render makes.
+/// Frames, pixels, shapes, ... in a line.
 std::string summary_of(const LoadedScene& loaded);
+
+/// The scene files' text in canonical form; throws SceneError where it cannot be read.
+std::string formatted(const std::vector<std::string>& scenes);
 
 }  // namespace dspm

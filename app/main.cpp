@@ -6,6 +6,7 @@
 
 #include "app/catalogue.h"
 #include "app/driver.h"
+#include "app/load.h"
 #include "app/options.h"
 #include "core/errors.h"
 
@@ -16,7 +17,7 @@ int run(const Options& options) {
   switch (options.task) {
     case Task::list: return fmt::print("{}", list_plugins()), 0;
     case Task::describe: return fmt::print("{}", describe_plugin(options.described)), 0;
-    case Task::format: return fmt::print("{}", format_scene(options)), 0;
+    case Task::format: return fmt::print("{}", formatted(options.scenes)), 0;
     case Task::check: return check_scene(options);
     case Task::render: return render_scene(options);
   }
