@@ -21,7 +21,7 @@ inline Rgb shown(const Rgb& radiance, const ToneMap& tone) {
   const Rgb color(above_zero(radiance.r), above_zero(radiance.g), above_zero(radiance.b));
   const float largest = max_component(color);
   if (tone.shoulder && largest > kKnee && std::isfinite(largest)) {
-    return color * ((1 - (1 - kKnee) * std::exp((kKnee - largest) / (1 - kKnee))) / largest);
+    return color / largest * (1 - (1 - kKnee) * std::exp((kKnee - largest) / (1 - kKnee)));
   }
   return {std::min(color.r, 1.f), std::min(color.g, 1.f), std::min(color.b, 1.f)};
 }

@@ -1,6 +1,7 @@
 // What the readers of the single formats share, and those that only read.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -8,8 +9,9 @@
 
 namespace dspm {
 
-/// A black image of that size. Throws std::runtime_error for sizes that no image has, before it allocates.
-Image sized_image(std::int64_t width, std::int64_t height);
+/// A black image of that size. Throws std::runtime_error before it allocates where the size is beyond kMaxPixels, or
+/// beyond what a file of `file_bytes` can hold: a damaged header must not take the machine's memory.
+Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_bytes);
 
 /// Through libjpeg: grey and colour, baseline and progressive; not CMYK. Throws std::runtime_error with the cause.
 bool is_jpeg(std::string_view bytes);

@@ -66,22 +66,46 @@ class MemoryOutput : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// The library allocates tables by the header's sizes before we see them: these bounds make it refuse absurd ones.
+/// The library allocates what a header's attributes say before it finds the file to be shorter; here they are walked
+/// first. An attribute is a name, a type, both ended by a zero byte, a size and as many bytes; no name ends a part's.
+void check_attributes(std::string_view bytes) {
+  const auto damaged = [] { return std::runtime_error("its header is damaged"); };
+  if (bytes.size() < 8) throw damaged();
+  const bool several_parts = (bytes[5] & 0x10) != 0;
+  bytes.remove_prefix(8);
+  while (true) {
+    const std::size_t name = bytes.find('\0'), type = bytes.find('\0', name == 0 ? 0 : name + 1);
+    if (name == std::string_view::npos || type == std::string_view::npos) throw damaged();
+    if (name == 0) {
+      bytes.remove_prefix(1);
+      if (!several_parts || bytes.starts_with('\0')) return;
+      continue;
+    }
+    std::uint32_t size = 0;
+    bytes.remove_prefix(type + 1);
+    if (bytes.size() < sizeof size) throw damaged();
+    std::memcpy(&size, bytes.data(), sizeof size);  // little endian, as we are
+    if (size > bytes.size() - sizeof size) throw damaged();
+    bytes.remove_prefix(sizeof size + size);
+  }
+}
+
+/// It also allocates tables by the image's size before we see that: these bounds make it refuse absurd ones.
 void bound_sizes() {
-  constexpr int kMaxSide = 1 << 20, kMaxTile = 1 << 12;
+  constexpr int kMaxSide = 1 << 17, kMaxTile = 1 << 12;
   Imf::Header::setMaxImageSize(kMaxSide, kMaxSide);
   Imf::Header::setMaxTileSize(kMaxTile, kMaxTile);
 }
 
 /// An image of the data window's size, once that is known to be sane; rows of tiles are held whole while they are read.
-Image image_for(const Imf::Header& header) {
+Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
   if (header.hasTileDescription() && width * header.tileDescription().ySize > static_cast<std::int64_t>(kMaxPixels)) {
     throw std::runtime_error("its rows of tiles are too large");
   }
-  return sized_image(width, height);
+  return sized_image(width, height, file_bytes);
 }
 
 /// R, G and B, or where they are not complete Y alone.
@@ -170,9 +194,10 @@ bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01
 Image decode_exr(std::string_view bytes) {
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
   bound_sizes();
+  check_attributes(bytes);
   MemoryInput input(bytes);
   Imf::InputFile file(input);
-  Image image = image_for(file.header());
+  Image image = image_for(file.header(), bytes.size());
   const Imath::Box2i& window = file.header().dataWindow();
 
   const std::vector<const char*> channels = channels_to_read(file.header().channels());

@@ -71,7 +71,7 @@ class HdrReader {
 };
 
 /// "-Y 512 +X 1024": rows from the top, each from the left. Other orders exist but are not written by anything current.
-Image image_of(std::string_view resolution) {
+Image image_of(std::string_view resolution, std::size_t file_bytes) {
   const std::size_t second = resolution.find(" +X ");
   if (!resolution.starts_with("-Y ") || second == std::string_view::npos) {
     HdrReader::fail("its rows are not ordered as -Y +X");
@@ -81,7 +81,7 @@ Image image_of(std::string_view resolution) {
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return error == std::errc() && stop == digits.data() + digits.size() ? value : 0;
   };
-  return sized_image(number(resolution.substr(second + 4)), number(resolution.substr(3, second - 3)));
+  return sized_image(number(resolution.substr(second + 4)), number(resolution.substr(3, second - 3)), file_bytes);
 }
 
 /// The exponent is biased by 128, the mantissa m stands for m / 256; exponent 0 is black.
@@ -102,7 +102,7 @@ Image decode_hdr(std::string_view bytes) {
       HdrReader::fail("its colours are not RGB: " + std::string(line));
     }
   }
-  Image image = image_of(reader.line());
+  Image image = image_of(reader.line(), bytes.size());
   const auto width = static_cast<std::size_t>(image.width);
   Row row(4 * width);
   for (int y = 0; y < image.height; ++y) {

@@ -76,7 +76,7 @@ bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff");
 Image decode_jpeg(std::string_view bytes, ColorEncoding encoding) {
   JpegReader reader;
   if (!reader.start(bytes)) throw std::runtime_error(reader.message);
-  Image image = sized_image(reader.jpeg.output_width, reader.jpeg.output_height);
+  Image image = sized_image(reader.jpeg.output_width, reader.jpeg.output_height, bytes.size());
   reader.row.resize(static_cast<std::size_t>(image.width) * 3);
   if (!reader.read(image, decoding_table(encoding, 256))) throw std::runtime_error(reader.message);
   return image;

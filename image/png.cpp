@@ -75,8 +75,8 @@ bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\
 Image decode_png(std::string_view bytes, ColorEncoding encoding) {
   PngReader reader(bytes);
   if (!reader.read_size()) throw std::runtime_error(reader.message);
-  Image image =
-      sized_image(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info));
+  Image image = sized_image(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
+                            bytes.size());
 
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
   reader.samples.resize(row_bytes * static_cast<std::size_t>(image.height));

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
 #include <new>
 #include <stdexcept>
@@ -37,11 +40,13 @@ Image decode_image(std::string_view bytes, ColorEncoding encoding) {
 
 }  // namespace
 
-Image sized_image(std::int64_t width, std::int64_t height) {
-  const auto most = static_cast<std::int64_t>(kMaxPixels);
+Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_bytes) {
+  // Deflate reaches 1032 : 1, so one byte yields at most 8256 pixels of one bit. Up to 16 million are taken on trust.
+  constexpr std::size_t kPixelsPerByte = 8256, kOnTrust = std::size_t{1} << 24;
+  const std::size_t most = std::min(kMaxPixels, std::max(kOnTrust, kPixelsPerByte * file_bytes));
   if (width < 1 || height < 1) throw std::runtime_error("it has no size");
-  if (width > most || height > most || width * height > most) {
-    throw std::runtime_error("it is too large: " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  if (static_cast<std::size_t>(width) > most / static_cast<std::size_t>(height)) {
+    throw std::runtime_error(fmt::format("{} x {} pixels are too many", width, height));
   }
   return Image(static_cast<int>(width), static_cast<int>(height));
 }
