@@ -1,8 +1,8 @@
 // Camera "orthographic" "float screenwindow" [-2 2 -1 1]
 //
-// Parallel rays along +z of camera space, from the plane z = 0. With a lens, each pixel has a lens of its own around its
-// ray's origin, so that a small lens blurs a little. (pbrt-v4 has one lens at the camera's origin, which turns the
-// picture into a perspective one.)
+// Parallel rays along +z of camera space, from the plane z = 0. With a lens, each pixel has a lens of its own around
+// its ray's origin, so that a small lens blurs a little. (pbrt-v4 has one lens at the camera's origin, which turns the
+// picture into a perspective one; see pbrt-v3's issue 315.)
 //
 // | parameter        | default       | meaning |
 // | ---------------- | ------------- | ------- |

@@ -12,11 +12,13 @@ void fit(Screen& screen, float aspect) {
 }
 
 void read_window(ParamReader& reader, Screen& screen) {
-  const std::vector<float> window =
-      reader.numbers("screenwindow", "left, right, bottom and top of the screen; by default the shorter axis is -1 to 1");
+  const std::vector<float> window = reader.numbers(
+      "screenwindow",
+      "left, right, bottom, top of the screen, mirrored where reversed; by default the shorter axis is -1 to 1");
   if (window.empty()) return;
-  if (window.size() != 4 || !(window[0] < window[1]) || !(window[2] < window[3])) {
-    reader.error("screenwindow", "parameter \"screenwindow\" takes four numbers: left < right, bottom < top");
+  if (window.size() != 4 || window[0] == window[1] || window[2] == window[3]) {
+    reader.error("screenwindow", "parameter \"screenwindow\" of " + reader.subject() +
+                                     " takes left, right, bottom and top: four numbers that span an area");
     return;
   }
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
@@ -54,7 +56,8 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
   fit(p.screen, read_positive(reader, "frameaspectratio", film_aspect, "", "width over height of the screen"));
   read_window(reader, p.screen);
   p.lens.radius = reader.number("lensradius", 0, "scene units", "radius of the lens; 0: all is sharp");
-  if (p.lens.radius < 0) reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be below 0");
+  if (p.lens.radius < 0)
+    reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be below 0");
   p.lens.focal_distance =
       read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane that is sharp");
   read_shutter(reader);

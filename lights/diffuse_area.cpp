@@ -8,7 +8,9 @@
 // | L         | 1       | radiance |
 // | twosided  | false   | shines on both sides |
 // | scale     | 1       | multiplies L |
-// | power     | -1      | where above 0: lumen that the whole shape is scaled to emit were L's luminance 1 (pbrt-v4: each triangle of a mesh) |
+// | power     | -1      | where above 0: lumen that the whole shape is scaled to emit were L's luminance 1 |
+//
+// (pbrt-v4 gives "power" to each triangle of a mesh.)
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.4]
 #include "core/sampling.h"

@@ -69,8 +69,7 @@ Vec3 EnvironmentMap::direction_in(int x, int y, Vec2 u) const {
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   const auto [y, row_probability, rest_y] = rows_.choose(u.y);
   const auto [x, column_probability, rest_x] = columns_[static_cast<std::size_t>(y)].choose(u.x);
-  return {direction_in(x, y, {rest_x, rest_y}), image_.at(x, y),
-          row_probability * column_probability / solid_angle(y)};
+  return {direction_in(x, y, {rest_x, rest_y}), image_.at(x, y), row_probability * column_probability / solid_angle(y)};
 }
 
 Rgb EnvironmentMap::fluence() const {
@@ -78,7 +77,8 @@ Rgb EnvironmentMap::fluence() const {
   for (int y = 0; y < image_.height; ++y)
     for (int x = 0; x < image_.width; ++x)
       for (int c = 0; c < 3; ++c)
-        sum[static_cast<std::size_t>(c)] += static_cast<double>(image_.at(x, y)[c]) * static_cast<double>(solid_angle(y));
+        sum[static_cast<std::size_t>(c)] +=
+            static_cast<double>(image_.at(x, y)[c]) * static_cast<double>(solid_angle(y));
   return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
 }
 

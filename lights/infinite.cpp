@@ -1,16 +1,16 @@
 // LightSource "infinite" "string filename" "sky.exr" "float scale" 2
 //
 // Light from all directions: of one colour, or an image around the scene. Radiance is constant within a pixel, and
-// directions are drawn in exact proportion to its luminance. Photons start on a disk, across their direction, that covers
-// the sphere around the scene.
+// directions are drawn in exact proportion to its luminance. Photons start on a disk, across their direction, that
+// covers the sphere around the scene.
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
 // | L           | 1       | radiance of one colour; instead of filename |
 // | filename    |         | PNG, JPEG, EXR or HDR image of the radiance |
-// | mapping     | auto    | equalarea: pbrt-v4's square images; equirectangular: latitude and longitude; auto: by the aspect |
+// | mapping     | auto    | equalarea: pbrt-v4's squares; equirectangular: latitude, longitude; auto: by the aspect |
 // | scale       | 1       | multiplies L or the image |
-// | illuminance | -1      | where above 0: lux that a surface facing +z of light space gets; with L, were its luminance 1 |
+// | illuminance | -1      | where above 0: lux on a surface facing +z of light space; with L, were its luminance 1 |
 //
 // +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
 // "illuminance" gives half of what pbrt-v4 gives, which counts each pixel at half its solid angle.
@@ -34,8 +34,8 @@ class Infinite final : public Light {
   Infinite(const LightContext& context, EnvironmentMap map, float scale)
       : scene_(context),
         to_world_(context.to_world),
-        volume_scale_(std::abs(dot(to_world_.vector({1, 0, 0}),
-                                   cross(to_world_.vector({0, 1, 0}), to_world_.vector({0, 0, 1}))))),
+        volume_scale_(std::abs(
+            dot(to_world_.vector({1, 0, 0}), cross(to_world_.vector({0, 1, 0}), to_world_.vector({0, 0, 1}))))),
         map_(std::move(map)),
         scale_(scale),
         power_(map_.fluence() * (scene_.disk_area() * scale)) {}
@@ -94,10 +94,11 @@ SphereMapping mapping_of(const Image& image, const std::string& word) {
   const bool twice_as_wide = image.width == 2 * image.height;
   if (word == "equirectangular" || (word == "auto" && twice_as_wide)) return SphereMapping::equirectangular;
   if (image.width == image.height) return SphereMapping::equal_area;
-  throw std::runtime_error(fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; images "
-                                       "of latitude and longitude are twice as wide as high, or are named as such by "
-                                       "\"string mapping\" \"equirectangular\"",
-                                       image.width, image.height));
+  throw std::runtime_error(
+      fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; images "
+                  "of latitude and longitude are twice as wide as high, or are named as such by "
+                  "\"string mapping\" \"equirectangular\"",
+                  image.width, image.height));
 }
 
 EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping) {

@@ -1,8 +1,8 @@
 // LightSource "spot" "rgb I" [100 100 100] "point3 from" [0 3 0] "point3 to" [0 0 0] "float coneangle" 20
 //
-// A point light that shines into a cone. Off the axis by less than coneangle - conedeltaangle it has its full intensity;
-// from there it falls to 0 at coneangle as 3 x^2 - 2 x^3, x linear in the cosine. Photons follow the falloff exactly, so
-// all carry the same flux.
+// A point light that shines into a cone. Off the axis by less than coneangle - conedeltaangle it has its full
+// intensity; from there it falls to 0 at coneangle as 3 x^2 - 2 x^3, x linear in the cosine. Photons follow the falloff
+// exactly, so all carry the same flux.
 //
 // | parameter      | default | meaning |
 // | -------------- | ------- | ------- |
@@ -48,8 +48,8 @@ class Spot final : public Light {
 
   std::optional<Emission> emit(Vec2, Vec2 u) const override {
     const float share = 2 * inner_ / (inner_ + outer_);  // of the inner cone in the power
-    const float versine = u.x < share ? inner_ * (u.x / share)
-                                      : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
+    const float versine =
+        u.x < share ? inner_ * (u.x / share) : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
     const float sine = std::sqrt(versine * (2 - versine)), phi = 2 * kPi * u.y;
     const Vec3 local{sine * std::cos(phi), sine * std::sin(phi), 1 - versine};
     return Emission{{p_, normalize(basis_.to_world(local))}, power()};

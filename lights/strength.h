@@ -9,7 +9,7 @@ struct Strength {
   float scale = 1;
   float target = -1;  // lm or lx; not above 0: not given
 
-  /// What I, L or the image is to be multiplied by, where by itself, with luminance 1, it would make `unscaled` lm or lx.
+  /// What I, L or the image is to be multiplied by, where of itself, at luminance 1, it would make `unscaled` lm or lx.
   float factor(float unscaled) const { return target > 0 && unscaled > 0 ? scale * target / unscaled : scale; }
 };
 

@@ -1,8 +1,7 @@
 // Rays of the cameras against what geometry says, and against pbrt's chain of matrices.
-#include "cameras/camera.h"
-
 #include <gtest/gtest.h>
 
+#include "cameras/camera.h"
 #include "core/rng.h"
 #include "tests/lights/params.h"
 
@@ -13,13 +12,14 @@ using namespace dspm::test;
 
 CameraContext film(int width, int height, const Matrix4& to_world = {}) { return {Transform(to_world), width, height}; }
 
-std::unique_ptr<Camera> camera(const std::string& name, const std::vector<Param>& params, const CameraContext& context) {
+std::unique_ptr<Camera> camera(const std::string& name, const std::vector<Param>& params,
+                               const CameraContext& context) {
   return make(camera_plugins(), name, params, context);
 }
 
 void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
-  EXPECT_LT(max_component(abs(a - b)), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y
-                                                   << ' ' << b.z;
+  EXPECT_LT(max_component(abs(a - b)), tolerance)
+      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 TEST(Perspective, FieldOfViewIsOverTheShorterAxis) {
@@ -40,6 +40,8 @@ TEST(Perspective, AspectAndScreenWindowAreAsGiven) {
   const auto shifted = camera("perspective", {numbers("screenwindow", {0, 1, -0.5f, 2})}, film(400, 200));
   expect_near(shifted->ray({0, 0}, {}).direction, normalize({0, 2, 1}));
   expect_near(shifted->ray({400, 200}, {}).direction, normalize({1, -0.5f, 1}));
+  const auto mirrored = camera("perspective", {numbers("screenwindow", {1, -1, -1, 1})}, film(400, 200));
+  expect_near(mirrored->ray({0, 0}, {}).direction, normalize({1, 1, 1}));
 }
 
 TEST(Perspective, LooksLeftHandedAlongLookAt) {
@@ -61,12 +63,12 @@ Row apply(const Matrix4& m, const Row& v) {
   return r;
 }
 
-// Raster to screen by translation and scales; screen to camera by the inverse of the projection with near plane 0.01 and
-// far plane 1000. [Pharr, Jakob, Humphreys, 5.2]
+// Raster to screen by translation and scales; screen to camera by the inverse of the projection with near plane 0.01
+// and far plane 1000. [Pharr, Jakob, Humphreys, 5.2]
 Vec3 direction_by_matrices(double fov, double aspect, int width, int height, Vec2 film_point) {
   const double x = std::max(aspect, 1.), y = std::max(1 / aspect, 1.), near = 0.01, far = 1000;
-  const Matrix4 screen_from_raster = Matrix4::translate(-x, y, 0) * Matrix4::scale(2 * x, -2 * y, 1) *
-                                     Matrix4::scale(1. / width, 1. / height, 1);
+  const Matrix4 screen_from_raster =
+      Matrix4::translate(-x, y, 0) * Matrix4::scale(2 * x, -2 * y, 1) * Matrix4::scale(1. / width, 1. / height, 1);
   Matrix4 projection;
   projection.m = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, far / (far - near), -far * near / (far - near)}, {0, 0, 1, 0}}};
   const double inverse_tan = 1 / std::tan(fov * std::acos(-1.) / 360);
@@ -80,12 +82,14 @@ Vec3 direction_by_matrices(double fov, double aspect, int width, int height, Vec
 TEST(Perspective, AgreesWithPbrtsMatrices) {
   for (int i = 0; i < 200; ++i) {
     const PathRandom random(1, Stream::setup, static_cast<std::uint64_t>(i), 0);
-    const int width = 1 + static_cast<int>(random.number(0, 0) * 2000), height = 1 + static_cast<int>(random.number(0, 1) * 2000);
+    const int width = 1 + static_cast<int>(random.number(0, 0) * 2000),
+              height = 1 + static_cast<int>(random.number(0, 1) * 2000);
     const float fov = 1 + 170 * random.number(0, 2);
     const Vec2 u = random.pair(0, 3), p{u.x * static_cast<float>(width), u.y * static_cast<float>(height)};
     const auto seen = camera("perspective", {number("fov", fov)}, film(width, height));
     expect_near(seen->ray(p, {}).direction,
-                direction_by_matrices(static_cast<double>(fov), static_cast<double>(width) / height, width, height, p), 2e-6f);
+                direction_by_matrices(static_cast<double>(fov), static_cast<double>(width) / height, width, height, p),
+                2e-6f);
   }
 }
 
@@ -138,7 +142,8 @@ TEST(PixelSpacing, IsTheDistanceOfNeighbouringRays) {
     const auto seen = camera(name, {number("frameaspectratio", 3)}, film(640, 480, to_world));  // pixels are not square
     for (const float t : {0.5f, 40.f}) {
       const Vec3 at = seen->ray({320, 240}, {}).at(t);
-      const float across = length(seen->ray({321, 240}, {}).at(t) - at), down = length(seen->ray({320, 241}, {}).at(t) - at);
+      const float across = length(seen->ray({321, 240}, {}).at(t) - at),
+                  down = length(seen->ray({320, 241}, {}).at(t) - at);
       EXPECT_NEAR(seen->pixel_spacing(t) / std::sqrt(across * down), 1, 1e-3f) << name << " at " << t;
     }
   }
@@ -149,10 +154,12 @@ TEST(Cameras, RejectWhatMakesNoSense) {
   const auto errors = [&](Param p) { return errors_of(camera_plugins(), "perspective", {std::move(p)}, context); };
   EXPECT_EQ(errors(number("fov", 180)), "parameter \"fov\" of plugin \"perspective\" must be below 180\n");
   EXPECT_EQ(errors(number("fov", 0)), "parameter \"fov\" of plugin \"perspective\" must be above 0\n");
-  EXPECT_EQ(errors(number("lensradius", -1)), "parameter \"lensradius\" of plugin \"perspective\" must not be below 0\n");
-  EXPECT_EQ(errors(number("focaldistance", 0)), "parameter \"focaldistance\" of plugin \"perspective\" must be above 0\n");
+  EXPECT_EQ(errors(number("lensradius", -1)),
+            "parameter \"lensradius\" of plugin \"perspective\" must not be below 0\n");
+  EXPECT_EQ(errors(number("focaldistance", 0)),
+            "parameter \"focaldistance\" of plugin \"perspective\" must be above 0\n");
   EXPECT_NE(errors(numbers("screenwindow", {-1, 1, -1})), "");
-  EXPECT_NE(errors(numbers("screenwindow", {1, -1, -1, 1})), "");
+  EXPECT_NE(errors(numbers("screenwindow", {1, 1, -1, 1})), "");
   EXPECT_EQ(errors(number("shutterclose", 0.5f)), "");
   EXPECT_NE(errors(number("fovv", 1)), "");
 }

@@ -1,9 +1,8 @@
 // illuminate(), pdf_w() and emitted() of area lights say the same of every point of every shape.
 #include <gtest/gtest.h>
 
+#include "tests/lights/density.h"
 #include "tests/lights/lamps.h"
-#include "tests/lights/random.h"
-#include "tests/support/chi2.h"
 
 namespace dspm {
 namespace {
@@ -26,34 +25,29 @@ std::vector<LampHit> hits(const AreaLamp& lamp, const Vec3& from, const Vec3& w)
   return found;
 }
 
-float pdf_w(const AreaLamp& lamp, const Vec3& from, const Vec3& w) {
-  float pdf = 0;
-  for (const LampHit& hit : hits(lamp, from, w)) pdf += lamp.light->pdf_w(from, hit.point, hit.primitive);
-  return pdf;
-}
-
 const Vec3 kPoints[] = {{0.3f, -0.2f, -3}, {1.9f, 1.2f, -0.8f}};
 
+// Densities above 40 / sr, at the silhouettes, are left out on both sides: their variance has no bound. 22 comparisons,
+// each of which fails for right code in one of 4500 cases.
 TEST(AreaLight, SampledDirectionsFollowPdfW) {
-  const std::vector<AreaLamp> lamps = area_lamps();
-  for (const AreaLamp& lamp : lamps)
+  constexpr float kMost = 40;
+  for (const AreaLamp& lamp : area_lamps())
     for (const Vec3& from : kPoints) {
-      Chi2Settings settings;
-      settings.axis = normalize(-from);
-      settings.crowding = 2;
-      settings.tests = static_cast<int>(2 * lamps.size());
-      Sequence random(7);
-      int valid = 0;
-      const auto sample = [&]() -> std::optional<Vec3> {
+      DensityComparison comparison;
+      comparison.add_samples(100'000, [&](Sequence& random) {
         const auto l = lamp.light->illuminate(from, random.pair());
-        if (!l) return std::nullopt;
-        ++valid;
-        return l->wi;
-      };
-      SphereChi2 test(settings);
-      const Chi2Result result = test.run(sample, [&](const Vec3& w) { return pdf_w(lamp, from, w); });
-      EXPECT_TRUE(result.passed) << lamp.name << ", p = " << result.p_value << "\n" << result.worst;
-      EXPECT_NEAR(result.integral, valid / double{1e5}, 0.01) << lamp.name;
+        if (l && l->pdf_w < kMost) comparison.sample(l->wi);
+      });
+      comparison.add_claims(500'000, [&](const Vec3& w) {
+        float sum = 0;
+        for (const LampHit& hit : hits(lamp, from, w)) {
+          const float pdf_w = lamp.light->pdf_w(from, hit.point, hit.primitive);
+          if (pdf_w < kMost) sum += pdf_w;
+        }
+        return sum;
+      });
+      EXPECT_GT(comparison.p_value(), 0.01 / 45) << lamp.name;
+      EXPECT_LT(comparison.deviation(), 4) << lamp.name;
     }
 }
 
@@ -82,7 +76,7 @@ TEST(AreaLight, WhatIsSampledIsWhatARayMeets) {
         EXPECT_NEAR(pdf / l->pdf_w, 1, 2e-2f) << lamp.name;
         EXPECT_EQ(radiance, l->radiance) << lamp.name;
       }
-      EXPECT_LT(missed, 0.03 * n + 5) << lamp.name;  // those seen edge on
+      EXPECT_LT(missed, 0.05 * n + 5) << lamp.name;  // those seen edge on
     }
 }
 

@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/sampling.h"
+#include "tests/lights/density.h"
 #include "tests/lights/environment.h"
-#include "tests/support/chi2.h"
 
 namespace dspm {
 namespace {
@@ -15,11 +14,12 @@ using namespace dspm::test;
 constexpr SphereMapping kMappings[] = {SphereMapping::equal_area, SphereMapping::equirectangular};
 
 void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
-  EXPECT_LT(max_component(abs(a - b)), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y
-                                                   << ' ' << b.z;
+  EXPECT_LT(max_component(abs(a - b)), tolerance)
+      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-// The square as the octahedron unfolded: the axes' directions at its middle, edges' middles and corners. [Clarberg 2008]
+// The square as the octahedron unfolded: the axes' directions at its middle, edges' middles and corners. [Clarberg
+// 2008]
 TEST(SphereMapping, EqualAreaHasTheAxesWherePbrtHasThem) {
   const auto at = [](float x, float y) { return direction_at(SphereMapping::equal_area, {x, y}); };
   expect_near(at(0.5f, 0.5f), {0, 0, 1});
@@ -59,8 +59,16 @@ TEST(SphereMapping, PlacesAndDirectionsAreInverse) {
 
 TEST(SphereMapping, ExtremeDirectionsHavePlaces) {
   for (const SphereMapping mapping : kMappings)
-    for (const Vec3 w : {Vec3{1, 0, 0}, {-1, 0, 0}, {-1, -0.f, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1},
-                         {1e-30f, -1e-30f, 1}, {-1e-20f, 1e-10f, -1}, {1, -1e-12f, -1e-12f}}) {
+    for (const Vec3 w : {Vec3{1, 0, 0},
+                         {-1, 0, 0},
+                         {-1, -0.f, 0},
+                         {0, 1, 0},
+                         {0, -1, 0},
+                         {0, 0, 1},
+                         {0, 0, -1},
+                         {1e-30f, -1e-30f, 1},
+                         {-1e-20f, 1e-10f, -1},
+                         {1, -1e-12f, -1e-12f}}) {
       const Vec2 place = place_of(mapping, w);
       EXPECT_TRUE(place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1);
       expect_near(direction_at(mapping, place), w);
@@ -86,14 +94,11 @@ TEST(SphereMapping, EqualAreaKeepsAreas) {
 TEST(EnvironmentMap, SamplesFollowTheirDensity) {
   for (const SphereMapping mapping : kMappings) {
     const EnvironmentMap map(random_environment(10, 5), mapping);
-    Sequence random(3);
-    Chi2Settings settings;
-    settings.tests = 2;
-    SphereChi2 test(settings);
-    const Chi2Result result = test.run([&] { return std::optional(map.sample(random.pair()).direction); },
-                                       [&](const Vec3& w) { return map.pdf_w(w); });
-    EXPECT_NEAR(result.integral, 1, 5e-3);  // by midpoints, with steps at the borders of pixels
-    EXPECT_TRUE(result.passed) << "p = " << result.p_value << "\n" << result.worst;
+    DensityComparison comparison;
+    comparison.add_samples(200'000, [&](Sequence& random) { comparison.sample(map.sample(random.pair()).direction); });
+    comparison.add_claims(200'000, [&](const Vec3& w) { return map.pdf_w(w); });
+    EXPECT_GT(comparison.p_value(), 0.001);
+    EXPECT_LT(comparison.deviation(), 4);
   }
 }
 

@@ -7,7 +7,8 @@
 
 namespace dspm::test {
 
-inline std::unique_ptr<Light> make_light(const std::string& name, std::vector<Param> params, const LightContext& context) {
+inline std::unique_ptr<Light> make_light(const std::string& name, std::vector<Param> params,
+                                         const LightContext& context) {
   return make(light_plugins(), name, std::move(params), context);
 }
 
@@ -62,7 +63,8 @@ inline std::vector<AreaLamp> area_lamps() {
   };
   add("sphere", make_shape("sphere", {}), {});
   add("stretched sphere", make_shape("sphere", {number("radius", .8f)}), skewed);
-  add("partial sphere", make_shape("sphere", {number("zmin", -.9f), number("zmax", .5f), number("phimax", 300)}), skewed);
+  add("partial sphere", make_shape("sphere", {number("zmin", -.9f), number("zmax", .5f), number("phimax", 300)}),
+      skewed);
   add("partial sphere, both sides", make_shape("sphere", {number("zmax", .3f), number("phimax", 250)}), turned,
       {flag("twosided", true)});
   add("disk", make_shape("disk", {}), Matrix4::rotate(180, 1, 0, 0));

@@ -114,8 +114,10 @@ TEST(Photons, AgreeWithIlluminationForPointLights) {
 
 TEST(Photons, AgreeWithIlluminationForSpots) {
   const auto spot = [](float angle, float delta) {
-    return make_light("spot", {rgb("I", {3, 2, 1}), point("from", {0, 0, 1}), point("to", {.3f, -.2f, -2}),
-                               number("coneangle", angle), number("conedeltaangle", delta)}, {});
+    return make_light("spot",
+                      {rgb("I", {3, 2, 1}), point("from", {0, 0, 1}), point("to", {.3f, -.2f, -2}),
+                       number("coneangle", angle), number("conedeltaangle", delta)},
+                      {});
   };
   for (const auto& [angle, delta] : {std::pair{40.f, 5.f}, {40.f, 40.f}, {100.f, 80.f}, {30.f, 0.f}, {180.f, 20.f}}) {
     const std::string name = "spot " + std::to_string(angle) + " " + std::to_string(delta);
