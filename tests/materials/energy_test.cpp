@@ -90,6 +90,19 @@ TEST(Energy, SmoothMetalReflectsFresnel) {
   EXPECT_GT(drawn->weight.g, drawn->weight.b);
 }
 
+// Facets that all but lie flat reflect what a smooth surface does.
+TEST(Energy, HardlyRoughIsAsGoodAsSmooth) {
+  for (const char* type : {"conductor", "dielectric", "coateddiffuse"}) {
+    const auto smooth = make(type, {}), rough = make(type, {alpha(0.0015f)});
+    for (const float cos : {1.f, -0.8f, 0.5f})
+      EXPECT_NEAR(albedo(*rough, direction(cos, 1)), albedo(*smooth, direction(cos, 1)), 2e-3) << type << " " << cos;
+  }
+  const auto rough = make("dielectric", {alpha(0.0015f)});
+  BsdfSlot slot;
+  for (const float cos : {1.f, 0.5f})
+    EXPECT_NEAR(rough->bsdf(surface(), slot).share(direction(cos, 1), 1), fresnel_dielectric(cos, 1.5f), 1e-4) << cos;
+}
+
 struct Loss {
   float alpha;
   double straight, slanted, grazing;  // albedo at cos = 1, 0.5, 0.1

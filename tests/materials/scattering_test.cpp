@@ -62,6 +62,23 @@ TEST(Scattering, WeightIsFCosineOverDensity) {
   });
 }
 
+// The sharpest lobes that are still evaluated: a facet's normal is known to 1e-7, alpha is 2e-3.
+TEST(Scattering, SharpLobesKeepTheirDigits) {
+  for (const char* type : {"conductor", "dielectric", "coateddiffuse"}) {
+    const auto material = make(type, {alpha(0.002f)});
+    BsdfSlot slot;
+    const Bsdf& bsdf = material->bsdf(bent_surface(), slot);
+    const PathRandom random(kSeed, Stream::setup, 8, 0);
+    for (const Vec3& wo : directions())
+      for (int n = 0; n < 1000; ++n) {
+        const auto drawn = bsdf.sample(wo, three_numbers(random, n), Transport::radiance, bsdf.all_lobes());
+        if (!drawn) continue;
+        const float pdf = bsdf.pdf_w(wo, drawn->wi, Transport::radiance, bsdf.all_lobes());
+        EXPECT_NEAR(pdf / drawn->pdf_w, 1, 0.02f) << type << text(wo) << text(drawn->wi);
+      }
+  }
+}
+
 // Where the two normals disagree about the side of wi there is no light, and nothing is sampled.
 TEST(Scattering, KeepsToTheSidesOfBothNormals) {
   for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
