@@ -26,6 +26,9 @@ std::string_view view(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
+/// Which std::from_chars does not take, while it would take the - of `+-1`.
+const char* skip_plus(const char* at, const char* end) { return end - at > 1 && at[0] == '+' && at[1] != '-' ? at + 1 : at; }
+
 /// The end of the string that begins at `quote`, behind its closing quote; null where its line ends first.
 const char* string_end(const char* quote, const char* end) {
   for (const char* p = quote + 1; p != end && *p != '\n'; ++p) {
@@ -141,7 +144,7 @@ void Lexer::fail_number(std::string_view word) const {
   const std::string_view kind = std::is_integral_v<Number> ? "an integer" : "a number";
   if (word.empty()) fail(view(at_, std::min(at_ + 1, end_)), fmt::format("expected {}", kind));
   double value = 0;
-  const char* const begin = word.data() + (word.front() == '+' ? 1 : 0);
+  const char* const begin = skip_plus(word.data(), word.data() + word.size());
   const auto [stop, error] = std::from_chars(begin, word.data() + word.size(), value);
   const bool complete = stop == word.data() + word.size();
   if (complete && (error == std::errc::result_out_of_range || std::isfinite(value))) {
@@ -156,8 +159,7 @@ void Lexer::fail_number(std::string_view word) const {
 
 template <class Number>
 Number Lexer::read_number() {
-  const bool has_plus = end_ - at_ > 1 && at_[0] == '+' && at_[1] != '-';
-  const char* const begin = has_plus ? at_ + 1 : at_;
+  const char* const begin = skip_plus(at_, end_);
   Number value{};
   const auto [stop, error] = std::from_chars(begin, end_, value);
   const bool complete = stop == end_ || ends_word(*stop);

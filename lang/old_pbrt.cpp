@@ -95,7 +95,7 @@ SyntaxError old_pbrt_error(const OldWord& sign) {
   const bool is_older = is_written_with(file, "SurfaceIntegrator") || is_written_with(file, "VolumeIntegrator") ||
                         is_written_with(file, "\nRenderer");
   return {sign.where,
-          fmt::format("this is a scene for {}, dspm reads the format of pbrt-v4 (which has no {} here)",
+          fmt::format("this is a scene for {}; dspm reads the format of pbrt-v4, which does not know \"{}\"",
                       is_older ? "pbrt-v1 or v2" : "pbrt-v3 or older", sign.word),
           is_older ? "pbrt-v3's documentation tells how to bring it to v3; pbrt-v4 --upgrade does the rest"
                    : fmt::format("convert it with pbrt-v4: pbrt --upgrade {} > new.pbrt", file.name)};

@@ -77,7 +77,8 @@ bool SceneBuilder::check_section(const Directive& directive) {
     return false;
   }
   if (directive.info->section == Section::world && !world_where_) {
-    diagnostics_.error(directive.where, fmt::format("{} must stand after WorldBegin", directive.info->name));
+    diagnostics_.error(directive.where, fmt::format("{} must stand after WorldBegin", directive.info->name),
+                       "WorldBegin is missing before it, unless this file is a part for another one to Include");
     world_begin(directive.where);  // one such error is enough
   }
   return true;
@@ -110,6 +111,7 @@ void SceneBuilder::world_begin(const SourceLocation& where) {
   state_.ctm = {};
   state_.active = GraphicsState::Active::both;
   scene_.coordinate_systems["world"] = {};
+  scene_.coordinate_systems.try_emplace("camera");  // a scene without Camera has one at the origin
   for (const auto& [key, place] : keys_before_world_) check_frame(key, place);
 }
 
