@@ -59,8 +59,12 @@ class NearestHits {
   FrameSet used_;    // slots in use; there are never more than frames
   alignas(16) float nearest_[kMaxFrames];  // by frame; minus infinity where not asked for
   std::uint8_t slot_[kMaxFrames];          // by frame
-  FrameSet slot_frames_[kMaxFrames];       // by slot
-  RayHit slot_hit_[kMaxFrames];
+  union {  // by slot; uninitialised until used, as this is made for every ray
+    FrameSet slot_frames_[kMaxFrames];
+  };
+  union {
+    RayHit slot_hit_[kMaxFrames];
+  };
 };
 
 /// The frames in which nothing has been found in the way so far.

@@ -26,23 +26,29 @@ struct alignas(64) TrianglePacket {
     primitive[lane] = number;
     lanes |= 1u << lane;
   }
-  /// Lanes in which the three edge functions of the triangle test have no two opposite signs. Zero is no sign: there the
-  /// triangle test itself looks closer.
-  unsigned candidates(const TriangleRay& ray) const {
-    const __m128 sx = _mm_set1_ps(ray.sx), sy = _mm_set1_ps(ray.sy);
-    __m128 x[3], y[3];
+  /// Lanes of the triangles that the ray may meet at a distance in (0, limit]: those whose edge functions (computed as
+  /// the triangle test does) have no two opposite signs, and of whose corners not all are behind the ray or too far. Zero
+  /// is no sign: there the triangle test looks closer. It keeps distances between those of the corners.
+  unsigned candidates(const TriangleRay& ray, float limit) const {
+    const __m128 sx = _mm_set1_ps(ray.sx), sy = _mm_set1_ps(ray.sy), sz = _mm_set1_ps(ray.sz);
+    __m128 x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
-      const __m128 z = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kz]), _mm_set1_ps(ray.origin[ray.kz]));
-      x[i] = _mm_sub_ps(_mm_sub_ps(_mm_load_ps(vertex[i][ray.kx]), _mm_set1_ps(ray.origin[ray.kx])), _mm_mul_ps(sx, z));
-      y[i] = _mm_sub_ps(_mm_sub_ps(_mm_load_ps(vertex[i][ray.ky]), _mm_set1_ps(ray.origin[ray.ky])), _mm_mul_ps(sy, z));
+      z[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kz]), _mm_set1_ps(ray.origin[ray.kz]));
+      x[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kx]), _mm_set1_ps(ray.origin[ray.kx]));
+      y[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.ky]), _mm_set1_ps(ray.origin[ray.ky]));
+      x[i] = _mm_sub_ps(x[i], _mm_mul_ps(sx, z[i]));
+      y[i] = _mm_sub_ps(y[i], _mm_mul_ps(sy, z[i]));
+      z[i] = _mm_mul_ps(sz, z[i]);
     }
     const __m128 u = _mm_sub_ps(_mm_mul_ps(x[2], y[1]), _mm_mul_ps(y[2], x[1]));
     const __m128 v = _mm_sub_ps(_mm_mul_ps(x[0], y[2]), _mm_mul_ps(y[0], x[2]));
     const __m128 w = _mm_sub_ps(_mm_mul_ps(x[1], y[0]), _mm_mul_ps(y[1], x[0]));
-    const __m128 zero = _mm_setzero_ps();
-    const __m128 some_negative = _mm_cmplt_ps(_mm_min_ps(_mm_min_ps(u, v), w), zero);
-    const __m128 some_positive = _mm_cmpgt_ps(_mm_max_ps(_mm_max_ps(u, v), w), zero);
-    return lanes & ~static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(some_negative, some_positive)));
+    const auto least = [](const __m128* a) { return _mm_min_ps(_mm_min_ps(a[0], a[1]), a[2]); };
+    const auto most = [](const __m128* a) { return _mm_max_ps(_mm_max_ps(a[0], a[1]), a[2]); };
+    const __m128 edges[3] = {u, v, w}, zero = _mm_setzero_ps();
+    const __m128 outside = _mm_and_ps(_mm_cmplt_ps(least(edges), zero), _mm_cmpgt_ps(most(edges), zero));
+    const __m128 apart = _mm_or_ps(_mm_cmple_ps(most(z), zero), _mm_cmpgt_ps(least(z), _mm_set1_ps(limit)));
+    return lanes & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
   }
 
   std::optional<PrimitiveHit> meet(std::size_t lane, const MeshRay& ray) const {

@@ -19,7 +19,7 @@ class TriangleTree {
   void find(const MeshRay& ray, Query& query) const {
     walk(bvh_, ray.box, query, [&](std::uint32_t leaf) {
       const TrianglePacket& packet = packets_[leaf];
-      for (unsigned lanes = packet.candidates(ray.triangle); lanes != 0; lanes &= lanes - 1) {
+      for (unsigned lanes = packet.candidates(ray.triangle, query.limit()); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         const FrameSet frames = frames_[static_cast<std::size_t>(packet.shape[lane])] & query.frames();
         if (frames.empty()) continue;

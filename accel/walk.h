@@ -56,34 +56,36 @@ class NodeTest {
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
 void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
-  struct Entry {
-    float at;
-    std::uint32_t child;
-    FrameSet frames;
-  };
+  // What is still to be visited: where the ray enters it, its number, its frames. Three arrays without default values,
+  // as they are to cost nothing, and as an entry that is written in parts and read as a whole would stall.
+  constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
+  float at[kMost];
+  std::uint32_t child[kMost];
+  std::uint64_t common[kMost];
   if (bvh.nodes.empty()) return;
   const detail::NodeTest test(ray);
-  Entry stack[(Bvh::kWidth - 1) * Bvh::kMaxDepth + 1];
-  int size = 0;
-  stack[size++] = {0, 0, query.frames()};
+  int size = 1;
+  at[0] = 0, child[0] = 0, common[0] = query.frames().bits();
   while (size > 0) {
-    const Entry top = stack[--size];
-    if (Query::kOneFrame ? top.at > query.limit() : !query.reaches(top.at, top.frames)) continue;
-    if (top.child >= Bvh::kLeaf) {
-      visit(top.child - Bvh::kLeaf);
+    --size;
+    if (Query::kOneFrame ? at[size] > query.limit() : !query.reaches(at[size], FrameSet(common[size]))) continue;
+    const std::uint32_t top = child[size];
+    if (top >= Bvh::kLeaf) {
+      visit(top - Bvh::kLeaf);
       continue;
     }
-    const Bvh::Node& node = bvh.nodes[top.child];
-    const Bvh::NodeFrames& frames = bvh.node_frames[top.child];
+    const Bvh::Node& node = bvh.nodes[top];
+    const Bvh::NodeFrames& frames = bvh.node_frames[top];
     alignas(16) float entry[Bvh::kWidth];
     const int base = size;
     for (unsigned hits = test(node, query.limit(), entry); hits != 0; hits &= hits - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(hits));
-      const FrameSet common = frames[i] & query.frames();
-      if (common.empty()) continue;
+      const FrameSet both = frames[i] & query.frames();
+      if (both.empty()) continue;
       int place = size++;
-      for (; place > base && stack[place - 1].at < entry[i]; --place) stack[place] = stack[place - 1];
-      stack[place] = {entry[i], node.child[i], common};
+      for (; place > base && at[place - 1] < entry[i]; --place)
+        at[place] = at[place - 1], child[place] = child[place - 1], common[place] = common[place - 1];
+      at[place] = entry[i], child[place] = node.child[i], common[place] = both.bits();
     }
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "core/errors.h"
@@ -45,11 +46,12 @@ class RandomScene {
   Ray some_ray() {
     Vec3 origin = point(2), direction = random_.direction();
     if (random_.below(8) == 0) origin = center_ + scale_ * random_.magnitude(1, 4) * random_.direction();
-    switch (random_.below(4)) {
+    switch (random_.below(5)) {
       case 0: break;
       case 1: direction = Vec3{}, direction[random_.below(3)] = random_.below(2) != 0 ? 1.f : -1.f; break;
-      case 2: origin = somewhere_on_a_shape(); break;
-      default: direction = normalize(somewhere_on_a_shape() - origin);
+      case 2: origin = somewhere_on(some_shape()); break;
+      case 3: direction = normalize(somewhere_on(some_shape()) - origin); break;
+      default: std::tie(origin, direction) = edge_on(some_shape());
     }
     if (!is_finite(direction)) direction = {0, 0, 1};
     if (random_.below(8) == 0) direction[random_.below(3)] = random_.below(2) != 0 ? 0.f : -0.f;
@@ -150,17 +152,36 @@ class RandomScene {
     if (random_.below(2) == 0) place(first, {}, all_);
   }
 
-  Vec3 somewhere_on_a_shape() {
-    if (placed_.empty()) return point(1);
+  /// One primitive of a placed shape; the shape is null where there is none.
+  struct Place {
+    const PlacedShape* placed = nullptr;
+    int primitive = 0;
+  };
+  Place some_shape() {
+    if (placed_.empty()) return {};
     const PlacedShape& placed = placed_[static_cast<std::size_t>(random_.below(static_cast<int>(placed_.size())))];
-    const int primitive = random_.below(placed.shape->primitive_count());
-    const TriangleMesh* mesh = placed.shape->triangles();
+    return {&placed, random_.below(placed.shape->primitive_count())};
+  }
+
+  /// On the primitive; often a vertex or the middle of an edge.
+  Vec3 somewhere_on(const Place& place) {
+    if (!place.placed) return point(1);
+    const TriangleMesh* mesh = place.placed->shape->triangles();
     if (mesh && random_.below(2) == 0) {
-      const Vec3 vertex = mesh->vertex(primitive, random_.below(3)), other = mesh->vertex(primitive, random_.below(3));
-      return placed.to_world.point(0.5f * (vertex + other));
+      const Vec3 vertex = mesh->vertex(place.primitive, random_.below(3));
+      return place.placed->to_world.point(0.5f * (vertex + mesh->vertex(place.primitive, random_.below(3))));
     }
-    const Vec3 p = placed.surface_point(primitive, placed.shape->sample_area(primitive, random_.square())).p;
+    const Vec2 uv = place.placed->shape->sample_area(place.primitive, random_.square());
+    const Vec3 p = place.placed->surface_point(place.primitive, uv).p;
     return is_finite(p) ? p : point(1);
+  }
+
+  /// Origin and direction of a ray that runs within the primitive's plane, nearly.
+  std::pair<Vec3, Vec3> edge_on(const Place& place) {
+    const Vec3 a = somewhere_on(place), b = somewhere_on(place);
+    const Vec3 away = scale_ * random_.magnitude(-8, -3) * random_.direction();
+    const Vec3 origin = a + (a - b) * random_.uniform(0, 3) + away;
+    return {origin, normalize(b - origin)};
   }
 
   Random random_;
