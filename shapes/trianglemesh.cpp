@@ -14,34 +14,19 @@
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.5]
 #include "shapes/mesh_params.h"
 #include "shapes/plugins.h"
-#include "shapes/triangle_mesh.h"
 
 namespace dspm {
 
 std::vector<ShapePart> make_trianglemesh(ParamReader& reader) {
-  MeshData mesh;
   reader.alias("st", "uv");
-  std::vector<int> indices = reader.integers("indices", "three indices of vertices a triangle");
-  mesh.vertices = reader.points3("P", "the vertices");
+  MeshData mesh = read_triangles(reader);
   mesh.normals = reader.points3("N", "normals, one a vertex");
   mesh.uvs = reader.points2("uv", "texture coordinates, one a vertex");
   const bool repair = read_repair(reader);
   refuse_mesh_params(reader);
   reader.unsupported("S", "tangents of a mesh");
   reader.finish();
-
-  std::vector<ShapePart> parts;
-  if (indices.empty() && mesh.vertices.size() == 3) indices = {0, 1, 2};
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-    mesh.faces.push_back({indices[i], indices[i + 1], indices[i + 2]});
-  const auto fault = fault_of(mesh);
-  if (indices.size() % 3 != 0)
-    reader.error("indices", fmt::format("{} indices do not make triangles", indices.size()));
-  else if (fault)
-    reader.error(mesh.vertices.empty() ? "P" : "indices", *fault);
-  else
-    parts.push_back({std::make_unique<TriangleMesh>(std::move(mesh)), std::nullopt, repair});
-  return parts;
+  return mesh_part(reader, std::move(mesh), repair);
 }
 
 }  // namespace dspm
