@@ -4,6 +4,7 @@ find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(GTest REQUIRED)
 find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
 
 add_library(dspm_settings INTERFACE)
 target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR})

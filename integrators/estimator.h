@@ -21,6 +21,8 @@ class PixelEstimator {
   virtual void end_iteration(std::int64_t photons) = 0;
   /// Radiance by photons after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
+  /// Null where nothing but sums is kept.
+  virtual const PixelStatistics* statistics(int /*pixel*/, Frame) const { return nullptr; }
   virtual std::size_t bytes() const = 0;
 };
 

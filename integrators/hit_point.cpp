@@ -96,7 +96,8 @@ class HitPointTracer {
                           [&](FrameSet frames, const Rgb& radiance) {
                             out_.seen.push_back({pixel_, frames, path.throughput * radiance});
                           });
-    const auto constant = settings_.keep_bsdf ? std::nullopt : bsdf.lambertian(lobes);
+    std::optional<Rgb> constant;
+    if (!settings_.keep_bsdf) constant = bsdf.lambertian(lobes);
     if (constant && is_black(*constant)) return;
     HitPoint& hit = out_.hit_points.emplace_back();
     hit.p = point.p, hit.p_error = point.p_error, hit.wo = wo;

@@ -10,6 +10,7 @@
 #include "film/pixel_filter.h"
 #include "film/pixel_rect.h"
 #include "image/image.h"
+#include "integrators/pixel_statistics.h"
 #include "integrators/statistics.h"
 #include "world/scene.h"
 
@@ -34,6 +35,8 @@ class Integrator {
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.
   virtual Image estimate(Frame frame) const = 0;
+  /// What a progressive integrator remembers of a pixel of the crop; null for others. For looking inside.
+  virtual const PixelStatistics* pixel_statistics(int /*pixel*/, Frame) const { return nullptr; }
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
 };

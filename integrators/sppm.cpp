@@ -57,6 +57,10 @@ class Sppm final : public Integrator {
     return image;
   }
 
+  const PixelStatistics* pixel_statistics(int pixel, Frame) const override {
+    return &pixels_[static_cast<std::size_t>(pixel)];
+  }
+
   Statistics statistics() const override { return statistics_; }
 
  private:

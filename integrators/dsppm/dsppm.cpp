@@ -46,6 +46,10 @@ class Dsppm final : public Integrator {
     return image;
   }
 
+  const PixelStatistics* pixel_statistics(int pixel, Frame frame) const override {
+    return estimator_->statistics(pixel, frame);
+  }
+
   Statistics statistics() const override { return statistics_; }
 
  private:

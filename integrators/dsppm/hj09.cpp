@@ -60,6 +60,8 @@ class Hj09 final : public PixelEstimator {
     return statistics_[index(pixel, frame)].radiance(static_cast<double>(emitted_));
   }
 
+  const PixelStatistics* statistics(int pixel, Frame frame) const override { return &statistics_[index(pixel, frame)]; }
+
   std::size_t bytes() const override { return statistics_.capacity() * sizeof(PixelStatistics); }
 
  private:

@@ -1,0 +1,92 @@
+// The main promise: frame j of a K-frame dsppm run is what sppm gives for frame j alone, after every iteration. Counts and
+// radii are equal, sums to 1e-5.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/integrators/random_scene.h"
+#include "tests/support/render.h"
+
+namespace dspm {
+namespace {
+
+using testing::RandomScene;
+using testing::TestScene;
+
+constexpr int kIterations = 3;
+constexpr float kTolerance = 1e-5f;
+
+bool near(float a, float b, float scale) { return std::abs(a - b) <= kTolerance * std::max(scale, std::max(std::abs(a), std::abs(b))); }
+
+bool same(const PixelStatistics& a, const PixelStatistics& b) {
+  const float scale = std::max(max_component(a.tau), max_component(b.tau));
+  return a.N == b.N && a.R2 == b.R2 && near(a.tau.r, b.tau.r, scale) && near(a.tau.g, b.tau.g, scale) &&
+         near(a.tau.b, b.tau.b, scale);
+}
+
+bool same(const Rgb& a, const Rgb& b) {
+  const float scale = std::max(max_component(a), max_component(b));
+  return near(a.r, b.r, scale) && near(a.g, b.g, scale) && near(a.b, b.b, scale);
+}
+
+struct Comparison {
+  int pixels = 0, differing = 0, lit = 0;
+};
+
+/// Every frame of a joint run against the frame's own run, after every iteration.
+Comparison compare(TestScene& test) {
+  Comparison result;
+  const auto together = test.scene(test.all_frames());
+  const auto dsppm = test.integrator(*together, "dsppm");
+  std::vector<std::unique_ptr<Scene>> scenes;
+  std::vector<std::unique_ptr<Integrator>> sppm;
+  for (const Frame f : test.all_frames()) {
+    scenes.push_back(test.scene({f}));
+    sppm.push_back(test.integrator(*scenes.back(), "sppm"));
+  }
+  for (int i = 0; i < kIterations; ++i) {
+    dsppm->iterate(i);
+    for (const Frame f : test.all_frames()) {
+      Integrator& alone = *sppm[static_cast<std::size_t>(f)];
+      alone.iterate(i);
+      const Image a = dsppm->estimate(f), b = alone.estimate(0);
+      for (int p = 0; p < static_cast<int>(a.pixels.size()); ++p) {
+        const auto at = static_cast<std::size_t>(p);
+        ++result.pixels;
+        result.lit += !is_black(b.pixels[at]);
+        const bool equal = same(a.pixels[at], b.pixels[at]) && same(*dsppm->pixel_statistics(p, f), *alone.pixel_statistics(p, 0));
+        result.differing += !equal;
+      }
+    }
+  }
+  return result;
+}
+
+class DsppmEqualsSppm : public ::testing::TestWithParam<int> {};
+
+TEST_P(DsppmEqualsSppm, OnRandomScenes) {
+  Comparison sum;
+  const int frames = GetParam();
+  const int scenes = frames > 16 ? 2 : 10;
+  for (int i = 0; i < scenes; ++i) {
+    const unsigned seed = static_cast<unsigned>(1000 * frames + i);
+    const std::string text =
+        RandomScene(seed, frames)
+            .text(fmt::format("Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
+                              "\"integer seed\" {}",
+                              i % 3 == 2 ? "sampled" : "photons", i));
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    const Comparison one = compare(test);
+    EXPECT_EQ(one.differing, 0);
+    EXPECT_GT(one.lit, one.pixels / 4);
+    sum.pixels += one.pixels, sum.differing += one.differing;
+  }
+  RecordProperty("pixels", sum.pixels);
+  RecordProperty("differing", sum.differing);
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, DsppmEqualsSppm, ::testing::Values(1, 2, 5, 8, 33));
+
+}  // namespace
+}  // namespace dspm
