@@ -177,6 +177,9 @@ SceneDescription parse(const std::string& main_name, const ParseOptions& options
     for (const Diagnostic& each : found.all()) pass_on(each, diagnostics);
   } catch (const OldScene& old) {
     diagnostics.error(old.error.where, old.error.what(), old.error.hint);
+    SceneDescription nothing;  // what had been read until then would only draw further messages
+    nothing.files = std::move(reader.take_scene().files);
+    return nothing;
   }
   return reader.take_scene();
 }
