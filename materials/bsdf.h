@@ -34,7 +34,7 @@ class Bsdf {
   virtual LobeSet lobes(float least_alpha) const = 0;
   LobeSet all_lobes() const { return lobes(0); }
   /// f(wo, wi) in 1/sr, without the cosine, summed over `lobes`; specular lobes add nothing. Reflection and transmission
-  /// are told apart by the geometric normal.
+  /// are told apart by the geometric normal; where it and ns disagree about the side of wi there is no light.
   virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
@@ -43,7 +43,8 @@ class Bsdf {
   /// The chance that sampling all lobes would choose one of `lobes`, in [0, 1].
   virtual float share(const Vec3& wo, LobeSet lobes) const = 0;
   /// f where it is the same for all pairs of directions on the outer (ng) or both sides, and black through the surface:
-  /// gathering then sums flux first and multiplies once. Nothing for all else.
+  /// gathering then sums flux first and multiplies once (of light on the wrong side of ns the gatherer takes care).
+  /// Nothing for all else.
   virtual std::optional<Rgb> lambertian(LobeSet) const { return std::nullopt; }
 
  protected:

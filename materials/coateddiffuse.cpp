@@ -7,7 +7,7 @@
 //   roughness         float texture       0           of the coat's surface, in both directions
 //   uroughness        float texture       roughness   along the first tangent
 //   vroughness        float texture       roughness   across it
-//   remaproughness    bool                true        alpha is the square root of roughness, else roughness
+//   remaproughness    bool                true        alpha is sqrt(roughness), else roughness itself
 //   g, albedo                             0           of a medium in the coat; only 0 is built
 //   thickness, maxdepth, nsamples                     of pbrt's random walk; read, and without effect
 //
@@ -56,12 +56,13 @@ class CoatedDiffuse final : public Bsdf {
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
     const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const bool nothing_mirrors = eta_ == 1 && !(lobes & kBase);
+    if (!(lobes & kBothLobes) || o.z <= 0 || nothing_mirrors) return std::nullopt;
     const float chance = chance_of_coat(o, lobes);
     const bool coat = u.z < chance;
-    const Vec3 i = !coat      ? cosine_hemisphere({u.x, u.y})
-                   : smooth_  ? Vec3{-o.x, -o.y, o.z}
-                              : reflect(o, facets_.sample_visible(o, u.x, u.y));
+    const Vec3 i = !coat     ? cosine_hemisphere({u.x, u.y})
+                   : smooth_ ? Vec3{-o.x, -o.y, o.z}
+                             : reflect(o, facets_.sample_visible(o, u.x, u.y));
     if (i.z <= 0) return std::nullopt;
     const std::optional<Vec3> wi = frame_.leave(i, side);
     if (!wi) return std::nullopt;
@@ -131,7 +132,8 @@ void read_random_walk(ParamReader& reader) {
   const float g = reader.number("g", 0, "", "asymmetry of a medium in the coat; only 0 is built");
   const auto albedo = reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is built");
   const auto refuse = [&](std::string_view name) {
-    reader.diagnostics().unsupported(reader.where(name), reader.subject() + ": a medium in the coat is not built in dspm");
+    reader.diagnostics().unsupported(reader.where(name),
+                                     reader.subject() + ": a medium in the coat is not built in dspm");
   };
   if (g != 0) refuse("g");
   if (!albedo.texture.empty() || !is_black(albedo.value)) refuse("albedo");

@@ -3,11 +3,11 @@
 //   Material "conductor" "spectrum eta" "metal-Au-eta" "spectrum k" "metal-Au-k" "float roughness" 0.1
 //
 //   eta, k           spectrum texture   metal-Cu-eta, metal-Cu-k   complex index of refraction eta + ik
-//   reflectance      spectrum texture   none                       instead of eta and k: reflectance at normal incidence
+//   reflectance      spectrum texture   none                       at normal incidence, instead of eta and k
 //   roughness        float texture      0                          of both directions
 //   uroughness       float texture      roughness                  along the first tangent
 //   vroughness       float texture      roughness                  across it
-//   remaproughness   bool               true                       alpha is the square root of roughness, else roughness
+//   remaproughness   bool               true                       alpha is sqrt(roughness), else roughness itself
 //
 // Both sides reflect. Rough metal is GGX with Smith's height-correlated shadowing; light that meets a second facet is
 // lost (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1, k = 2 sqrt(r / (1 - r)).

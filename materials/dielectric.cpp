@@ -6,7 +6,7 @@
 //   roughness        float texture       0           of both directions
 //   uroughness       float texture       roughness   along the first tangent
 //   vroughness       float texture       roughness   across it
-//   remaproughness   bool                true        alpha is the square root of roughness, else roughness
+//   remaproughness   bool                true        alpha is sqrt(roughness), else roughness itself
 //
 // Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
 // dispersion. Rough glass is GGX; light that meets a second facet is lost.
@@ -39,8 +39,7 @@ class SmoothDielectric final : public Bsdf {
     const float fresnel = fresnel_dielectric(o.z, eta), chance = chance_of_reflection(fresnel, lobes);
     const bool reflected = u.z < chance;
     const std::optional<Vec3> i = reflected ? Vec3{-o.x, -o.y, o.z} : refract(o, {0, 0, 1}, eta);
-    const float weight =
-        reflected ? fresnel / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
+    const float weight = reflected ? fresnel / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
     if (!i || weight == 0) return std::nullopt;
     const std::optional<Vec3> wi = frame_.leave(*i, side);
     if (!wi) return std::nullopt;
@@ -60,7 +59,8 @@ class SmoothDielectric final : public Bsdf {
 
 class RoughDielectric final : public Bsdf {
  public:
-  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta) : frame_(frame), facets_(facets), eta_(eta) {}
+  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta)
+      : frame_(frame), facets_(facets), eta_(eta) {}
 
   LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? kBothLobes : 0; }
 
@@ -135,7 +135,8 @@ class RoughDielectric final : public Bsdf {
 };
 
 /// The mean Fresnel reflectance of the facets seen from wo, by a midpoint rule (to about 1e-3). The lobes are equally
-/// rough, so that no integrator asks for one of them alone in an inner loop.
+/// rough, so that no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all facets,
+/// not from those that would have chosen it.)
 float RoughDielectric::share(const Vec3& wo, LobeSet lobes) const {
   if ((lobes & kBothLobes) == kBothLobes) return 1;
   const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
@@ -144,7 +145,8 @@ float RoughDielectric::share(const Vec3& wo, LobeSet lobes) const {
   constexpr int kSteps = 16;
   float sum = 0;
   for (int i = 0; i < kSteps * kSteps; ++i) {
-    const float u = (static_cast<float>(i % kSteps) + 0.5f) / kSteps, v = (static_cast<float>(i / kSteps) + 0.5f) / kSteps;
+    const float u = (static_cast<float>(i % kSteps) + 0.5f) / kSteps;
+    const float v = (static_cast<float>(i / kSteps) + 0.5f) / kSteps;
     sum += fresnel_dielectric(dot(o, facets_.sample_visible(o, u, v)), eta);
   }
   return share_of(sum / (kSteps * kSteps), lobes);

@@ -58,8 +58,8 @@ class DiffuseMaterial final : public Material {
 }  // namespace
 
 std::unique_ptr<Material> make_diffuse(ParamReader& reader, const MaterialContext& context) {
-  const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo,
-                                                 "share of the light that is reflected");
+  const auto reflectance =
+      reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "share of the light that is reflected");
   refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<DiffuseMaterial>(texture_of(reflectance, context.textures, reader.diagnostics()));

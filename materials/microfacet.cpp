@@ -1,5 +1,5 @@
-// Sampling of visible facet normals: stretched to alpha = 1 the facets form a hemisphere, whose mirrored directions fill
-// a spherical cap; its points are uniform.
+// Sampling of visible facet normals: stretched to alpha = 1 the facets form a hemisphere, whose mirrored directions
+// fill a spherical cap; its points are uniform.
 #include "materials/microfacet.h"
 
 namespace dspm {

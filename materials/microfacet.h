@@ -1,5 +1,6 @@
 // Rough surfaces as many small smooth facets: the anisotropic GGX distribution of facet normals with Smith's shadowing.
-// Directions are in the shading frame, on the side of z > 0. [Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014]
+// Directions are in the shading frame, on the side of z > 0.
+// [Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014]
 #pragma once
 
 #include <algorithm>

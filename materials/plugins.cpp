@@ -15,8 +15,8 @@ std::span<const Plugin<MakeMaterial>> material_plugins() {
 }
 
 std::span<const std::string_view> unbuilt_materials() {
-  static constexpr std::string_view names[] = {"coatedconductor", "diffusetransmission", "subsurface", "hair",
-                                               "measured",        "mix",                 "interface"};
+  static constexpr std::string_view names[] = {
+      "coatedconductor", "diffusetransmission", "subsurface", "hair", "measured", "mix", "interface"};
   return names;
 }
 

@@ -17,9 +17,7 @@ class ShadingFrame {
   /// +1 outside, -1 inside, by the geometric normal.
   float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
   /// In the shading frame, which is mirrored where `side` is -1.
-  Vec3 local(const Vec3& w, float side) const {
-    return {dot(w, basis_.x), dot(w, basis_.y), side * dot(w, basis_.z)};
-  }
+  Vec3 local(const Vec3& w, float side) const { return {dot(w, basis_.x), dot(w, basis_.y), side * dot(w, basis_.z)}; }
   Vec3 world(const Vec3& w, float side) const { return basis_.x * w.x + basis_.y * w.y + basis_.z * (side * w.z); }
 
   /// The world direction of a sampled local one; nothing where the geometric normal puts it on the other side.

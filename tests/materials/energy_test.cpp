@@ -41,7 +41,8 @@ double integral(const Bsdf& bsdf, const Vec3& wo) {
 
 TEST(Energy, NothingGains) {
   for (const Named& each : all_materials())
-    for (const Vec3& wo : directions()) EXPECT_LE(albedo(*each.material, wo, 20'000), 1 + 2e-3) << each.name << " " << wo.z;
+    for (const Vec3& wo : directions())
+      EXPECT_LE(albedo(*each.material, wo, 20'000), 1 + 2e-3) << each.name << " " << wo.z;
 }
 
 TEST(Energy, SamplesAndIntegralsAgree) {
@@ -112,8 +113,8 @@ struct Loss {
 // alpha = 1 and straight on, directions off facets are uniform over the sphere and G2 / G1 = 2 c / (1 + c), whose mean
 // over c in [-1, 1], nothing below 0, is 1 - ln 2.
 TEST(Energy, LossOfRoughMetal) {
-  const Loss table[] = {{0.05f, 0.997, 0.992, 0.910}, {0.1f, 0.988, 0.968, 0.882}, {0.2f, 0.949, 0.896, 0.891},
-                        {0.3f, 0.879, 0.822, 0.890},  {0.5f, 0.688, 0.698, 0.861}, {0.7f, 0.503, 0.589, 0.822},
+  const Loss table[] = {{0.05f, 0.997, 0.992, 0.910},        {0.1f, 0.988, 0.968, 0.882}, {0.2f, 0.949, 0.896, 0.891},
+                        {0.3f, 0.879, 0.822, 0.890},         {0.5f, 0.688, 0.698, 0.861}, {0.7f, 0.503, 0.589, 0.822},
                         {1.f, 1 - std::log(2), 0.450, 0.761}};
   for (const Loss& row : table) {
     const auto metal = make("conductor", {rgb("reflectance", Rgb(1)), alpha(row.alpha)});
@@ -125,9 +126,13 @@ TEST(Energy, LossOfRoughMetal) {
 
 // The same for glass of index 1.5, reflection and transmission together, from outside and from inside.
 TEST(Energy, LossOfRoughGlass) {
-  const Loss outside[] = {{0.1f, 0.999, 0.992, 0.922}, {0.3f, 0.988, 0.949, 0.906}, {0.5f, 0.968, 0.893, 0.853},
+  const Loss outside[] = {{0.1f, 0.999, 0.992, 0.922},
+                          {0.3f, 0.988, 0.949, 0.906},
+                          {0.5f, 0.968, 0.893, 0.853},
                           {1.f, 0.894, 0.742, 0.742}};
-  const Loss inside[] = {{0.1f, 0.989, 0.963, 0.863}, {0.3f, 0.902, 0.785, 0.786}, {0.5f, 0.754, 0.659, 0.689},
+  const Loss inside[] = {{0.1f, 0.989, 0.963, 0.863},
+                         {0.3f, 0.902, 0.785, 0.786},
+                         {0.5f, 0.754, 0.659, 0.689},
                          {1.f, 0.417, 0.512, 0.510}};
   for (const float side : {1.f, -1.f})
     for (const Loss& row : side > 0 ? outside : inside) {

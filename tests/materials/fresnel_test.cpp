@@ -45,9 +45,11 @@ TEST(Fresnel, AgreesWithComplexArithmetic) {
   for (int i = 0; i <= 100; ++i) {
     const float c = static_cast<float>(i) / 100;
     for (const float n : {0.7f, 1.3f, 1.5f, 2.4f})
-      EXPECT_NEAR(fresnel_dielectric(c, n), textbook(static_cast<double>(c), static_cast<double>(n)), 2e-6) << c << " " << n;
+      EXPECT_NEAR(fresnel_dielectric(c, n), textbook(static_cast<double>(c), static_cast<double>(n)), 2e-6)
+          << c << " " << n;
     for (const auto& [eta, k] : {std::pair{0.2f, 3.9f}, {1.5f, 0.f}, {2.9f, 3.1f}, {1.f, 200.f}, {0.05f, 5.f}})
-      EXPECT_NEAR(fresnel_conductor(c, eta, k), textbook(static_cast<double>(c), {static_cast<double>(eta), static_cast<double>(k)}), 1e-5)
+      EXPECT_NEAR(fresnel_conductor(c, eta, k),
+                  textbook(static_cast<double>(c), {static_cast<double>(eta), static_cast<double>(k)}), 1e-5)
           << c << " " << eta << " " << k;
   }
 }

@@ -12,7 +12,9 @@ std::string said(std::string_view type, std::vector<Param> params) {
   make(type, std::move(params), diagnostics);
   std::string all;
   for (const Diagnostic& each : diagnostics.all())
-    all += std::string(each.severity == Severity::error ? "error: " : each.severity == Severity::note ? "note: " : "warning: ") +
+    all += std::string(each.severity == Severity::error  ? "error: "
+                       : each.severity == Severity::note ? "note: "
+                                                         : "warning: ") +
            each.message + "\n";
   return all;
 }
@@ -37,7 +39,8 @@ TEST(Parameters, EveryPluginDescribesItself) {
     EXPECT_FALSE(names(plugin).empty()) << plugin.name;
     EXPECT_TRUE(said(plugin.name, {}).empty()) << said(plugin.name, {});
   }
-  EXPECT_EQ(plugins, (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
+  EXPECT_EQ(plugins,
+            (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
   EXPECT_EQ(names(material_plugins()[1]), (std::vector<std::string>{"roughness", "uroughness", "vroughness",
                                                                     "remaproughness", "eta", "k", "reflectance"}));
 }
@@ -81,7 +84,8 @@ TEST(Parameters, TexturesAreLookedUp) {
 TEST(Parameters, EtaIsOneNumber) {
   EXPECT_EQ(said("dielectric", {number("eta", 1.33f)}), "");
   const Param bk7{ParamType::spectrum, "eta", 0, std::vector<std::string>{"glass-BK7"}, {}, {}};
-  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: there is no dispersion: eta is 1.52")) << said("dielectric", {bk7});
+  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: there is no dispersion: eta is 1.52"))
+      << said("dielectric", {bk7});
   EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
 }
 

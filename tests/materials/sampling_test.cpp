@@ -34,9 +34,10 @@ void expect_agreement(const std::string& name, const Bsdf& bsdf, const SurfacePo
   const auto pdf = [&](const Vec3& wi) { return bsdf.pdf_w(wo, wi, Transport::radiance, lobes); };
   const Chi2Result result = SphereChi2(settings).run(sample, pdf);
   EXPECT_LT(result.integral, 1 + 2e-3) << name;
-  EXPECT_TRUE(result.passed) << name << ", wo " << wo.x << " " << wo.y << " " << wo.z << ", lobes " << static_cast<int>(lobes)
-                             << ": p = " << result.p_value << " at chi2 = " << result.statistic << ", "
-                             << result.dof << " degrees of freedom\n" << result.worst;
+  EXPECT_TRUE(result.passed) << name << ", wo " << wo.x << " " << wo.y << " " << wo.z << ", lobes "
+                             << static_cast<int>(lobes) << ": p = " << result.p_value
+                             << " at chi2 = " << result.statistic << ", " << result.dof << " degrees of freedom\n"
+                             << result.worst;
 }
 
 TEST(Sampling, FollowsTheDensity) {

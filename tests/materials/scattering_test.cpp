@@ -11,9 +11,7 @@ namespace {
 constexpr std::uint64_t kSeed = 5;
 constexpr Transport kTransports[] = {Transport::radiance, Transport::flux};
 
-std::string text(const Vec3& v) {
-  return fmt::format("({} {} {})", v.x, v.y, v.z);
-}
+std::string text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
 
 void expect_near(const Rgb& a, const Rgb& b, float relative, const std::string& what) {
   for (int c = 0; c < 3; ++c)
@@ -109,7 +107,8 @@ TEST(Scattering, LobesAddUp) {
     for (int n = 0; n < 300; ++n) {
       const Vec3 wo = any_direction(random, n), wi = any_direction(random, 1000 + n);
       Rgb sum;
-      for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2, 4, 8, 128}) sum += bsdf.evaluate(wo, wi, Transport::flux, lobe);
+      for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2, 4, 8, 128})
+        sum += bsdf.evaluate(wo, wi, Transport::flux, lobe);
       expect_near(sum, bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes()), 1e-5f, name);
       const LobeSet none = static_cast<LobeSet>(~bsdf.all_lobes());
       EXPECT_FALSE(bsdf.sample(wo, three_numbers(random, n), Transport::flux, none)) << name;
@@ -133,8 +132,12 @@ TEST(Scattering, SharesAreTheChancesOfLobes) {
         const float edge = bsdf.share(wo, 1);
         const auto reflected = bsdf.sample(wo, {0.3f, 0.7f, edge - 1e-5f}, Transport::flux, all);
         const auto passed = bsdf.sample(wo, {0.3f, 0.7f, edge + 1e-5f}, Transport::flux, all);
-        if (reflected && edge > 1e-5f) { EXPECT_GT(dot(reflected->wi, point.ng) * dot(wo, point.ng), 0) << name; }
-        if (passed && edge < 1 - 1e-5f) { EXPECT_LT(dot(passed->wi, point.ng) * dot(wo, point.ng), 0) << name; }
+        if (reflected && edge > 1e-5f) {
+          EXPECT_GT(dot(reflected->wi, point.ng) * dot(wo, point.ng), 0) << name;
+        }
+        if (passed && edge < 1 - 1e-5f) {
+          EXPECT_LT(dot(passed->wi, point.ng) * dot(wo, point.ng), 0) << name;
+        }
       }
     }
   });
@@ -159,7 +162,9 @@ TEST(Scattering, SharesOfRoughGlass) {
         sum += static_cast<double>(alone->weight.r / both->weight.r);
         ++count;
       }
-      if (count == 100'000) { EXPECT_NEAR(sum / count, bsdf.share(wo, 1), 3e-3) << a << text(wo); }
+      if (count == 100'000) {
+        EXPECT_NEAR(sum / count, bsdf.share(wo, 1), 3e-3) << a << text(wo);
+      }
     }
   }
 }
@@ -176,8 +181,10 @@ TEST(Scattering, SubsetsOverSharesEstimateTheWhole) {
       for (int n = 0; n < kSamples; ++n) {
         const Vec3 u = three_numbers(random, n);
         if (const auto drawn = bsdf.sample(wo, u, Transport::flux, all)) whole += static_cast<double>(drawn->weight.g);
-        for (const LobeSet lobe : std::initializer_list<LobeSet>{1, 2})  // the share cancels: chosen with it, divided by it
-          if (const auto drawn = bsdf.sample(wo, u, Transport::flux, lobe)) parts += static_cast<double>(drawn->weight.g);
+        for (const LobeSet lobe :
+             std::initializer_list<LobeSet>{1, 2})  // the share cancels: chosen with it, divided by it
+          if (const auto drawn = bsdf.sample(wo, u, Transport::flux, lobe))
+            parts += static_cast<double>(drawn->weight.g);
       }
       EXPECT_NEAR(whole / kSamples, parts / kSamples, 0.02) << name << text(wo);
     }

@@ -1,7 +1,7 @@
-// Pearson's chi-square test of directions: do samples follow the density that is claimed for them? The sphere is cut into
-// cells, finest at the ends of an axis of interest; expected counts are integrals of the density, observed ones are samples.
-// Samples that are no direction (absorbed) form one more cell, which the density leaves to 1. A seed is fixed by the
-// caller, so that a pass stays a pass.
+// Pearson's chi-square test of directions: do samples follow the density that is claimed for them? The sphere is cut
+// into cells, finest at the ends of an axis of interest; expected counts are integrals of the density, observed ones
+// are samples. Samples that are no direction (absorbed) form one more cell, which the density leaves to 1. A seed is
+// fixed by the caller, so that a pass stays a pass.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ inline double chi2_tail(double x, int dof) {
 }
 
 struct Chi2Settings {
-  Vec3 axis{0, 0, 1};          // a pole: cells are finest around it and opposite to it
+  Vec3 axis{0, 0, 1};           // a pole: cells are finest around it and opposite to it
   int rows = 16, columns = 32;  // of equal angle
   int samples = 100'000;
   double level = 0.01;  // chance that a right sampler fails any of the `tests` tests
@@ -50,13 +50,14 @@ struct Chi2Result {
   int dof = 0;
   double integral = 0;  // of the density
   bool passed = true;
-  std::string worst;    // the cells that contribute most, for a failure's message
+  std::string worst;  // the cells that contribute most, for a failure's message
 };
 
 class SphereChi2 {
  public:
   explicit SphereChi2(const Chi2Settings& settings)
-      : settings_(settings), basis_(Basis::around(settings.axis)),
+      : settings_(settings),
+        basis_(Basis::around(settings.axis)),
         observed_(static_cast<std::size_t>(settings.rows * settings.columns)) {}
 
   /// sample() -> std::optional<Vec3>, pdf(Vec3) -> density by solid angle.
@@ -69,8 +70,8 @@ class SphereChi2 {
       for (int column = 0; column < settings_.columns; ++column) {
         const double share = cell_integral(pdf, row, column);
         result.integral += share;
-        cells.push_back({settings_.samples * share, observed_[static_cast<std::size_t>(row * settings_.columns + column)],
-                         row, column});
+        cells.push_back({settings_.samples * share,
+                         observed_[static_cast<std::size_t>(row * settings_.columns + column)], row, column});
       }
     cells.push_back({settings_.samples * std::max(0., 1 - result.integral), absorbed_, -1, 0});
     judge(std::move(cells), result);
@@ -147,10 +148,12 @@ class SphereChi2 {
     result.p_value = result.dof > 0 ? chi2_tail(result.statistic, result.dof) : 1;
     // Sidak: all tests together fail a right sampler with a chance of `level`.
     result.passed = result.p_value >= 1 - std::pow(1 - settings_.level, 1. / settings_.tests);
-    std::stable_sort(pooled.begin(), pooled.end(), [](const Cell& a, const Cell& b) { return a.excess() > b.excess(); });
+    std::stable_sort(pooled.begin(), pooled.end(),
+                     [](const Cell& a, const Cell& b) { return a.excess() > b.excess(); });
     for (std::size_t i = 0; i < std::min<std::size_t>(pooled.size(), 8); ++i)
-      result.worst += "  cell " + std::to_string(pooled[i].row) + "," + std::to_string(pooled[i].column) + ": expected " +
-                      std::to_string(pooled[i].expected) + ", observed " + std::to_string(pooled[i].observed) + "\n";
+      result.worst += "  cell " + std::to_string(pooled[i].row) + "," + std::to_string(pooled[i].column) +
+                      ": expected " + std::to_string(pooled[i].expected) + ", observed " +
+                      std::to_string(pooled[i].observed) + "\n";
   }
 
   static constexpr double kPiD = 3.14159265358979323846;
