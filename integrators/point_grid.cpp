@@ -35,7 +35,7 @@ void PointGrid::build(std::span<const Vec3> points, float cell_size) {
   for (const Vec3& p : points) bounds_.add(p);
   const auto count = static_cast<std::int64_t>(points.size());
   order_.resize(points.size()), cell_.resize(points.size());
-  x_.resize(points.size()), y_.resize(points.size()), z_.resize(points.size());
+  for (auto* coordinates : {&x_, &y_, &z_}) coordinates->resize(points.size() + kLanes - 1);
   if (points.empty()) return;
 
   const Vec3 extent = bounds_.extent();

@@ -1,6 +1,9 @@
 // Points in a uniform grid, sorted by cell, for finding all points within a radius. Knows no rendering.
 #pragma once
 
+#include <immintrin.h>
+
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,12 +38,15 @@ class PointGrid {
                static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
   }
 
+  using Lanes = __m128;  // of points, tested together
+  static constexpr std::uint32_t kLanes = 4;
+
   Bounds3 bounds_;
   float inverse_cell_ = 1;
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::vector<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
   std::vector<std::uint32_t> order_, cell_;
-  std::vector<float> x_, y_, z_;      // of the sorted points
+  std::vector<float> x_, y_, z_;      // of the sorted points, and kLanes - 1 more so that the last can be loaded
 };
 
 template <class Fn>
@@ -51,26 +57,25 @@ std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius, Fn&& fn) c
         p.y - radius <= bounds_.high.y && p.z + radius >= bounds_.low.z && p.z - radius <= bounds_.high.z))
     return 0;
   const Cell low = cell_of(p - reach), high = cell_of(p + reach);
-  const float radius2 = radius * radius;
+  const Lanes px = _mm_set1_ps(p.x), py = _mm_set1_ps(p.y), pz = _mm_set1_ps(p.z), radius2 = _mm_set1_ps(radius * radius);
   std::uint64_t tested = 0;
-  constexpr std::uint32_t kBlock = 256;
-  std::uint32_t within[kBlock];
-  float distance2[kBlock];
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y) {
-      const std::uint32_t end = begin_[index_of(high.x, y, z) + 1];
-      for (std::uint32_t block = begin_[index_of(low.x, y, z)]; block < end; block += kBlock) {
-        const std::uint32_t block_end = std::min(end, block + kBlock);
-        std::uint32_t found = 0;
-        // Without a branch: about one point in three is near enough, in no order that a processor could predict.
-        for (std::uint32_t i = block; i < block_end; ++i) {
-          const float dx = x_[i] - p.x, dy = y_[i] - p.y, dz = z_[i] - p.z;
-          const float d2 = dx * dx + dy * dy + dz * dz;
-          within[found] = i, distance2[found] = d2;
-          found += d2 <= radius2;
+      const std::uint32_t begin = begin_[index_of(low.x, y, z)], end = begin_[index_of(high.x, y, z) + 1];
+      tested += end - begin;
+      for (std::uint32_t i = begin; i < end; i += kLanes) {
+        const Lanes dx = _mm_sub_ps(_mm_loadu_ps(&x_[i]), px), dy = _mm_sub_ps(_mm_loadu_ps(&y_[i]), py),
+                    dz = _mm_sub_ps(_mm_loadu_ps(&z_[i]), pz);
+        const Lanes d2 = _mm_add_ps(_mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy)), _mm_mul_ps(dz, dz));
+        auto within = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(d2, radius2)));
+        if (end - i < kLanes) within &= (1u << (end - i)) - 1;
+        if (within == 0) continue;
+        alignas(16) float distance2[kLanes];
+        _mm_store_ps(distance2, d2);
+        for (; within != 0; within &= within - 1) {
+          const auto lane = static_cast<std::uint32_t>(std::countr_zero(within));
+          fn(i + lane, distance2[lane]);
         }
-        for (std::uint32_t k = 0; k < found; ++k) fn(within[k], distance2[k]);
-        tested += block_end - block;
       }
     }
   return tested;

@@ -2,6 +2,7 @@
 // count from 0. Lists are in the order of the text.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -108,10 +109,14 @@ enum class Dialect { pbrt, dsc };  // by the main file's name; standard input co
 struct SceneDescription {
   std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
   Dialect dialect = Dialect::dsc;
+  /// Where files are looked for that are not beside the file which names them.
+  std::filesystem::path main_directory() const {
+    return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
+  }
 
   int frame_count = 1;
-  std::optional<double> fps;     // frames a second, if given
-  SourceLocation frames_where;   // of the Frames directive; no file: there is none
+  std::optional<double> fps;    // frames a second, if given
+  SourceLocation frames_where;  // of the Frames directive; no file: there is none
   SceneOptions options;
   std::optional<PluginUse> film, sampler, filter, integrator, accelerator;
   std::optional<CameraUse> camera;

@@ -75,7 +75,7 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   source.params = param_states(use.params, present_in(use.dynamic_block));
   const int errors = diagnostics_.error_count();
   for (const ParamList& params : source.params.states) {
-    ParamReader reader(params, subject_of(use), use.where, diagnostics_);
+    ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
     source.parts.push_back(plugin->make(reader));
     if (diagnostics_.error_count() > errors) return;
   }

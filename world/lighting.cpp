@@ -69,7 +69,7 @@ class LightMaker {
       context.to_world = Transform(state.placement);
       context.scene_center = center_, context.scene_radius = radius_;
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
-      ParamReader reader(state.params, light.name, use.where, diagnostics_);
+      ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
       light.states.states.emplace_back(plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
     }

@@ -22,7 +22,7 @@ Param param_of(ParamType type, std::string name, Param::Values values, const Sou
 }  // namespace
 
 Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
-    : frame_count_(description.frame_count), diagnostics_(diagnostics) {
+    : frame_count_(description.frame_count), main_directory_(description.main_directory()), diagnostics_(diagnostics) {
   const bool changing = std::any_of(description.textures.begin(), description.textures.end(), [](const TextureUse& use) {
     return use.params.is_keyed() || use.world_from_texture.is_keyed();
   });
@@ -66,7 +66,7 @@ void Looks::add_texture_of(const TextureUse& use) {
   const Timeline<State> states = states_of(use.params, &use.world_from_texture);
   std::vector<TexturePtr<T>> made;
   for (const State& state : states.states) {
-    ParamReader reader(state.params, fmt::format("texture \"{}\"", use.type), use.where, diagnostics_);
+    ParamReader reader(state.params, fmt::format("texture \"{}\"", use.type), use.where, diagnostics_, main_directory_);
     made.push_back(make_texture<T>(use.type, reader, {textures_at(state.frame), Transform(state.placement), images_}));
   }
   for (std::size_t f = 0; f < textures_.size(); ++f)
@@ -82,7 +82,7 @@ int Looks::add_material(const PluginUse& use, std::string name) {
   material.state_of = states.state_of;
   const int errors = diagnostics_.error_count();
   for (const State& state : states.states) {
-    ParamReader reader(state.params, fmt::format("material \"{}\"", use.type), use.where, diagnostics_);
+    ParamReader reader(state.params, fmt::format("material \"{}\"", use.type), use.where, diagnostics_, main_directory_);
     material.states.emplace_back(plugin->make(reader, MaterialContext{textures_at(state.frame)}));
     if (diagnostics_.error_count() > errors) return -1;
   }

@@ -51,6 +51,7 @@ class Looks {
   const TextureSet& textures_at(Frame frame) const { return const_cast<Looks*>(this)->textures_at(frame); }
 
   int frame_count_;
+  std::filesystem::path main_directory_;
   Diagnostics& diagnostics_;
   ImageCache images_;
   std::vector<TextureSet> textures_;  // by frame, or one where no texture changes
