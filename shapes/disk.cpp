@@ -9,7 +9,8 @@
 // | innerradius | 0       | radius of the hole |
 // | phimax      | 360     | how far it reaches around z (degrees) |
 //
-// u runs around z from the x axis on, v from the rim inwards. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.4]
+// u runs around z from the x axis on, v from the rim inwards. [Pharr, Jakob, Humphreys, Physically Based
+// Rendering, 6.4]
 #include "shapes/plugins.h"
 #include "shapes/quadric.h"
 #include "shapes/rounding.h"

@@ -1,7 +1,7 @@
 // Shape "loopsubdiv" "integer levels" 3 "integer indices" [...] "point3 P" [...]
 //
-// The smooth surface that a coarse mesh of triangles stands for, by Loop's subdivision: each level cuts every triangle in
-// four and moves the vertices. Shading normals are the limit surface's. Rims follow their own curve.
+// The smooth surface that a coarse mesh of triangles stands for, by Loop's subdivision: each level cuts every triangle
+// in four and moves the vertices. Shading normals are the limit surface's. Rims follow their own curve.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |

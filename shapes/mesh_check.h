@@ -15,14 +15,14 @@ struct Fault {
 };
 
 struct MeshReport {
-  Fault open_edges;          // edges of one face only
-  int holes = 0;             // rims that they form
-  Fault crowded_edges;       // edges of more than two faces
-  Fault twisted_edges;       // edges whose two faces do not agree about the outside
-  bool orientable = true;    // turning faces over can make all agree
-  bool outward = true;       // the outside is outside; judged where the mesh is closed and all faces agree
-  Fault self_intersections;  // pairs of faces that meet other than in a common edge or vertex
-  Fault flat_faces;          // without area
+  Fault open_edges;            // edges of one face only
+  int holes = 0;               // rims that they form
+  Fault crowded_edges;         // edges of more than two faces
+  Fault twisted_edges;         // edges whose two faces do not agree about the outside
+  bool orientable = true;      // turning faces over can make all agree
+  bool outward = true;         // the outside is outside; judged where the mesh is closed and all faces agree
+  Fault self_intersections;    // pairs of faces that meet other than in a common edge or vertex
+  Fault flat_faces;            // without area
   int duplicate_vertices = 0;  // at the place of an earlier vertex; harmless, texture seams are made of them
 
   bool closed() const { return open_edges.count == 0 && crowded_edges.count == 0; }

@@ -30,8 +30,7 @@ inline MeshData read_triangles(ParamReader& reader) {
   std::vector<int> indices = reader.integers("indices", "three indices of vertices a triangle");
   mesh.vertices = reader.points3("P", "the vertices");
   if (indices.empty() && mesh.vertices.size() == 3) indices = {0, 1, 2};
-  if (indices.size() % 3 != 0)
-    reader.error("indices", fmt::format("{} indices do not make triangles", indices.size()));
+  if (indices.size() % 3 != 0) reader.error("indices", fmt::format("{} indices do not make triangles", indices.size()));
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
     mesh.faces.push_back({indices[i], indices[i + 1], indices[i + 2]});
   return mesh;

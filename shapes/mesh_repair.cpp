@@ -23,8 +23,8 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 
 constexpr int kMostRimEdges = 100;
-constexpr float kLargestHole = 0.25f;   // of the mesh's diagonal
-constexpr float kWidestCrack = 1e-6f;   // of the mesh's diagonal
+constexpr float kLargestHole = 0.25f;  // of the mesh's diagonal
+constexpr float kWidestCrack = 1e-6f;  // of the mesh's diagonal
 
 const Vec3& at(const std::vector<Vec3>& vertices, int i) { return vertices[static_cast<std::size_t>(i)]; }
 
@@ -110,7 +110,8 @@ void orient(CgalMesh& mesh, const std::vector<Face>& before) {
   pmp::reverse_face_orientations(wrong, surface);
 }
 
-/// The plan's faces: the original's corners (which texture seams may tell apart), turned where need be, and the filling.
+/// The plan's faces: the original's corners (which texture seams may tell apart), turned where need be, and the
+/// filling.
 void take_faces(const CgalMesh& mesh, const std::vector<Face>& welded, RepairPlan& plan) {
   for (const auto f : mesh.surface.faces()) {
     const Face now = corners(mesh, f);
@@ -135,7 +136,8 @@ DoubleVec3 area_vector_of(const MeshData& mesh, const Face& f) {
 void turn_normals(MeshData& mesh) {
   std::vector<DoubleVec3> sides(mesh.vertices.size(), DoubleVec3{0, 0, 0});
   for (const Face& f : mesh.faces)
-    for (const int v : f) sides[static_cast<std::size_t>(v)] = sides[static_cast<std::size_t>(v)] + area_vector_of(mesh, f);
+    for (const int v : f)
+      sides[static_cast<std::size_t>(v)] = sides[static_cast<std::size_t>(v)] + area_vector_of(mesh, f);
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (dot(sides[i], widen(mesh.normals[i])) < 0) mesh.normals[i] = -mesh.normals[i];
   for (bool changed = true; changed;) {
@@ -193,7 +195,8 @@ std::vector<std::string> describe(const RepairPlan& plan) {
     if (count > 0) sentences.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
   };
   say(plan.moved_vertices, "vertex was moved to close a crack", "vertices were moved to close cracks");
-  say(plan.dropped_faces, "face without extent or there twice was dropped", "faces without extent or there twice were dropped");
+  say(plan.dropped_faces, "face without extent or there twice was dropped",
+      "faces without extent or there twice were dropped");
   say(plan.turned_faces, "face was turned over", "faces were turned over");
   say(plan.new_faces, "face was added to fill holes", "faces were added to fill holes");
   say(plan.open_edges, "open edge remains", "open edges remain");

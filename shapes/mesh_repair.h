@@ -17,8 +17,8 @@ struct RepairPlan {
   int moved_vertices = 0;    // closed cracks
   int dropped_faces = 0;     // without extent, or there twice
   int turned_faces = 0;
-  int new_faces = 0;         // fill holes
-  int open_edges = 0;        // remain
+  int new_faces = 0;   // fill holes
+  int open_edges = 0;  // remain
 
   bool changes() const { return moved_vertices + dropped_faces + turned_faces + new_faces > 0; }
 };

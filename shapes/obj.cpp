@@ -56,7 +56,8 @@ struct Faces {
       polygons.add_corner(it->second);
       if (!added) continue;
       mesh.vertices.push_back(attributes.vertices[static_cast<std::size_t>(c.vertex)]);
-      if (has_normals) mesh.normals.push_back(c.normal < 0 ? Vec3{} : attributes.normals[static_cast<std::size_t>(c.normal)]);
+      if (has_normals)
+        mesh.normals.push_back(c.normal < 0 ? Vec3{} : attributes.normals[static_cast<std::size_t>(c.normal)]);
       if (has_uvs) mesh.uvs.push_back(c.uv < 0 ? Vec2{} : attributes.uvs[static_cast<std::size_t>(c.uv)]);
     }
     mesh.faces = triangulate(polygons, mesh.vertices);
@@ -114,7 +115,9 @@ class Collector {
 
   static tinyobj::callback_t callbacks() {
     tinyobj::callback_t c;
-    c.vertex_cb = [](void* self, float x, float y, float z, float) { at(self).attributes_.vertices.push_back({x, y, z}); };
+    c.vertex_cb = [](void* self, float x, float y, float z, float) {
+      at(self).attributes_.vertices.push_back({x, y, z});
+    };
     c.normal_cb = [](void* self, float x, float y, float z) { at(self).attributes_.normals.push_back({x, y, z}); };
     c.texcoord_cb = [](void* self, float u, float v, float) { at(self).attributes_.uvs.push_back({u, v}); };
     c.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
@@ -143,7 +146,8 @@ class Collector {
     if (corners.size() < 3) return;
     if (!object_.empty()) note_name(object_);
     for (const std::string& name : groups_) note_name(name);
-    const bool wanted = group_.empty() || object_ == group_ || std::find(groups_.begin(), groups_.end(), group_) != groups_.end();
+    const bool wanted =
+        group_.empty() || object_ == group_ || std::find(groups_.begin(), groups_.end(), group_) != groups_.end();
     if (!wanted) return;
     Faces& faces = faces_of(split_ ? material_ : std::string());
     for (const tinyobj::index_t& c : corners)
@@ -162,7 +166,8 @@ class Collector {
   void check(const Corner& c) const {
     const auto within = [&](int i, std::size_t size) { return i < 0 || static_cast<std::size_t>(i) < size; };
     if (c.vertex < 0 || !within(c.vertex, attributes_.vertices.size()))
-      throw std::runtime_error(fmt::format("a face refers to vertex {} of {}", c.vertex + 1, attributes_.vertices.size()));
+      throw std::runtime_error(
+          fmt::format("a face refers to vertex {} of {}", c.vertex + 1, attributes_.vertices.size()));
     if (!within(c.uv, attributes_.uvs.size()) || !within(c.normal, attributes_.normals.size()))
       throw std::runtime_error("a face refers to a normal or texture coordinate that is not there");
   }
@@ -172,7 +177,8 @@ class Collector {
   }
 
   Faces& faces_of(const std::string& material) {
-    const auto found = std::find_if(faces_.begin(), faces_.end(), [&](const Faces& f) { return f.material == material; });
+    const auto found =
+        std::find_if(faces_.begin(), faces_.end(), [&](const Faces& f) { return f.material == material; });
     if (found != faces_.end()) return *found;
     return faces_.emplace_back(Faces{material, {}, {}});
   }

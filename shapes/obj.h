@@ -24,10 +24,10 @@ struct ObjPart {
 };
 
 struct ObjFile {
-  std::vector<ObjPart> parts;            // in the order in which their materials are first used
+  std::vector<ObjPart> parts;  // in the order in which their materials are first used
   std::vector<ObjMaterial> materials;
-  std::vector<std::string> groups;       // names of all groups and objects that have faces
-  std::vector<std::string> complaints;   // what is odd but no reason to stop: a missing MTL file, ...
+  std::vector<std::string> groups;      // names of all groups and objects that have faces
+  std::vector<std::string> complaints;  // what is odd but no reason to stop: a missing MTL file, ...
 };
 
 /// Only faces of the group or object `group`, or all where it is empty. Without `split` all faces are one part. Throws

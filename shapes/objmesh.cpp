@@ -40,7 +40,8 @@ std::optional<FileMaterial> material_of(const ObjPart& part, const ObjFile& file
   const auto found = std::find_if(file.materials.begin(), file.materials.end(),
                                   [&](const ObjMaterial& m) { return m.name == part.material; });
   if (found != file.materials.end()) return file_material(*found, reader.where("filename"));
-  reader.warning("filename", fmt::format("the file's material \"{}\" is not defined: the scene's is used", part.material));
+  reader.warning("filename",
+                 fmt::format("the file's material \"{}\" is not defined: the scene's is used", part.material));
   return std::nullopt;
 }
 

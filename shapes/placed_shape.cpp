@@ -41,8 +41,8 @@ SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
   SurfacePoint s = shape->surface_point(primitive, uv);
   if (in_object_space()) {
     const Vec3 p = to_world.point(s.p);
-    s.p_error = absolute([&](const Vec3& v) { return to_world.vector(v); }, s.p_error) +
-                round_trip_error(to_world, s.p, p);
+    s.p_error =
+        absolute([&](const Vec3& v) { return to_world.vector(v); }, s.p_error) + round_trip_error(to_world, s.p, p);
     s.p = p;
     s.ng = normalize(to_world.normal(s.ng));
     s.ns = normalize(to_world.normal(s.ns));

@@ -45,14 +45,22 @@ class BinaryNumbers {
 
   double next(PlyType type) {
     switch (type) {
-      case PlyType::int8: return take<std::int8_t>();
-      case PlyType::uint8: return take<std::uint8_t>();
-      case PlyType::int16: return take<std::int16_t>();
-      case PlyType::uint16: return take<std::uint16_t>();
-      case PlyType::int32: return take<std::int32_t>();
-      case PlyType::uint32: return take<std::uint32_t>();
-      case PlyType::float32: return double{take<float>()};
-      case PlyType::float64: break;
+      case PlyType::int8:
+        return take<std::int8_t>();
+      case PlyType::uint8:
+        return take<std::uint8_t>();
+      case PlyType::int16:
+        return take<std::int16_t>();
+      case PlyType::uint16:
+        return take<std::uint16_t>();
+      case PlyType::int32:
+        return take<std::int32_t>();
+      case PlyType::uint32:
+        return take<std::uint32_t>();
+      case PlyType::float32:
+        return double{take<float>()};
+      case PlyType::float64:
+        break;
     }
     return take<double>();
   }
@@ -76,8 +84,8 @@ enum Slot { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kSlots, kNone = kSlots };
 
 Slot slot_of(const PlyProperty& property) {
   static constexpr std::pair<std::string_view, Slot> table[] = {
-      {"x", kX}, {"y", kY}, {"z", kZ}, {"nx", kNx}, {"ny", kNy}, {"nz", kNz}, {"u", kU}, {"v", kV}, {"s", kU},
-      {"t", kV}, {"texture_u", kU}, {"texture_v", kV}, {"texture_s", kU}, {"texture_t", kV}};
+      {"x", kX}, {"y", kY}, {"z", kZ}, {"nx", kNx},       {"ny", kNy},       {"nz", kNz},       {"u", kU},
+      {"v", kV}, {"s", kU}, {"t", kV}, {"texture_u", kU}, {"texture_v", kV}, {"texture_s", kU}, {"texture_t", kV}};
   for (const auto& [name, slot] : table)
     if (name == property.name && !property.is_list) return slot;
   return kNone;
@@ -195,9 +203,12 @@ MeshData read_ply(std::string_view file) {
   const PlyHeader header = read_ply_header(file);
   const std::string_view body = file.substr(header.size);
   switch (header.format) {
-    case PlyFormat::ascii: return BodyReader<AsciiNumbers>(header, body).read();
-    case PlyFormat::little_endian: return BodyReader<BinaryNumbers<false>>(header, body).read();
-    case PlyFormat::big_endian: break;
+    case PlyFormat::ascii:
+      return BodyReader<AsciiNumbers>(header, body).read();
+    case PlyFormat::little_endian:
+      return BodyReader<BinaryNumbers<false>>(header, body).read();
+    case PlyFormat::big_endian:
+      break;
   }
   return BodyReader<BinaryNumbers<true>>(header, body).read();
 }

@@ -13,8 +13,8 @@
 
 #include "shapes/mesh_file.h"
 #include "shapes/mesh_params.h"
-#include "shapes/ply.h"
 #include "shapes/plugins.h"
+#include "shapes/ply.h"
 
 namespace dspm {
 

@@ -42,8 +42,8 @@ class Triangulation {
     return true;
   }
 
-  // Cuts off the first corner that turns the polygon's way and whose triangle holds no other corner. Where there is none
-  // (the polygon meets itself), any corner.
+  // Cuts off the first corner that turns the polygon's way and whose triangle holds no other corner. Where there is
+  // none (the polygon meets itself), any corner.
   void cut_ears(std::vector<int> ring) {
     while (ring.size() > 3) {
       std::size_t ear = 0;

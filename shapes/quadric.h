@@ -18,8 +18,9 @@ struct Roots {
   double t[2];
 };
 
-/// Solves |o + t d| = r. A cylinder passes vectors with z = 0. The discriminant is taken from the line's distance to the
-/// centre, as |o|^2 - r^2 has no digits left where the sphere is far away. [Haines et al. 2019, Ray Tracing Gems, ch. 7]
+/// Solves |o + t d| = r. A cylinder passes vectors with z = 0. The discriminant is taken from the line's distance to
+/// the centre, as |o|^2 - r^2 has no digits left where the sphere is far away. [Haines et al. 2019, Ray Tracing Gems,
+/// ch. 7]
 inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d, double r) {
   const double a = dot(d, d), b = dot(o, d);
   if (!(a > 0)) return std::nullopt;

@@ -1,6 +1,7 @@
 // Shape "sphere" "float radius" 0.5
 //
-// A sphere around the origin, or the part of it between two heights and through an angle around z. Its outside is outside.
+// A sphere around the origin, or the part of it between two heights and through an angle around z. Its outside is
+// outside.
 //
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |
@@ -63,7 +64,8 @@ class Sphere final : public Shape {
  private:
   std::optional<Vec2> parameters(const DoubleVec3& p) const {
     const double z = p.z * (r_ / length(p));
-    if ((z < z_min_ && z_min_ > -r_) || (z > z_max_ && z_max_ < r_)) return std::nullopt;  // rounding must not cut poles
+    if ((z < z_min_ && z_min_ > -r_) || (z > z_max_ && z_max_ < r_))
+      return std::nullopt;  // rounding must not cut poles
     const auto u = sweep_.u_of(p.x, p.y);
     if (!u) return std::nullopt;
     return Vec2{*u, v_of(std::hypot(p.x, p.y), p.z)};

@@ -57,14 +57,16 @@ inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3&
   const float determinant = (u + v) + w;
   if (determinant == 0) return std::nullopt;
 
+  const DoubleVec3 n = area_vector(p0, p1, p2);
+  if (!(dot(n, n) > 0)) return std::nullopt;
+
   // The edge functions would give the distance as well, but with an error that grows as the projected triangle gets
   // thin: a ray could meet the triangle that it leaves. The plane's side on which the origin lies is certain in double.
-  const DoubleVec3 n = area_vector(p0, p1, p2);
-  const double across = dot(n, widen(ray.direction));
-  const float plane_t = static_cast<float>(dot(n, difference(p0, ray.origin)) / across);
-  if (!(plane_t > 0)) return std::nullopt;  // NaN, too, where the triangle has no area
+  // Where the ray runs in the plane, rounding may put that distance anywhere; the vertices' distances are its limits.
+  const float plane_t = static_cast<float>(dot(n, difference(p0, ray.origin)) / dot(n, widen(ray.direction)));
   const float za = ray.sz * a[ray.kz], zb = ray.sz * b[ray.kz], zc = ray.sz * c[ray.kz];
-  const float t = std::clamp(plane_t, std::min(za, std::min(zb, zc)), std::max(za, std::max(zb, zc)));
+  const float nearest = std::min(za, std::min(zb, zc)), farthest = std::max(za, std::max(zb, zc));
+  const float t = std::max(nearest, std::min(plane_t, farthest));  // in this order, NaN becomes `nearest`
   if (!(t > 0 && t < t_max && t < kInfinity)) return std::nullopt;
   const float scale = 1 / determinant;
   return PrimitiveHit{t, {v * scale, w * scale}};

@@ -119,7 +119,8 @@ Vec3 TriangleMesh::tangent(int face, const Vec3& ng) const {
 
 Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {
   if (data_.normals.empty()) return ng;
-  const Vec3 n = at(data_.normals, index(face, 0)) * barycentrics.x + at(data_.normals, index(face, 1)) * barycentrics.y +
+  const Vec3 n = at(data_.normals, index(face, 0)) * barycentrics.x +
+                 at(data_.normals, index(face, 1)) * barycentrics.y +
                  at(data_.normals, index(face, 2)) * barycentrics.z;
   return dot(n, ng) > 0 ? normalize(n) : ng;
 }

@@ -1,7 +1,7 @@
 // Shape "trianglemesh" "integer indices" [0 1 2  0 2 3] "point3 P" [-1 0 -1  1 0 -1  1 0 1  -1 0 1]
 //
-// Triangles in the scene's text. A face is seen from outside where its vertices run counter-clockwise (in a right-handed
-// system), or where the normals point to.
+// Triangles in the scene's text. A face is seen from outside where its vertices run counter-clockwise (in a
+// right-handed system), or where the normals point to.
 //
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |

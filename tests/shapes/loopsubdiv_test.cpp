@@ -9,15 +9,17 @@
 namespace dspm {
 namespace {
 
-const TriangleMesh* subdivided(const MeshData& mesh, int levels, std::vector<ShapePart>& keep, Diagnostics& diagnostics) {
+const TriangleMesh* subdivided(const MeshData& mesh, int levels, std::vector<ShapePart>& keep,
+                               Diagnostics& diagnostics) {
   std::vector<float> points;
   for (const Vec3& p : mesh.vertices) points.insert(points.end(), {p.x, p.y, p.z});
   std::vector<int> indices;
   for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
-  keep = test::make_parts("loopsubdiv",
-                          {{test::param(ParamType::point3, "P", points), test::param(ParamType::integer, "indices", indices),
-                            test::param(ParamType::integer, "levels", std::vector<int>{levels})}},
-                          diagnostics);
+  keep = test::make_parts(
+      "loopsubdiv",
+      {{test::param(ParamType::point3, "P", points), test::param(ParamType::integer, "indices", indices),
+        test::param(ParamType::integer, "levels", std::vector<int>{levels})}},
+      diagnostics);
   return keep.empty() ? nullptr : keep[0].shape->triangles();
 }
 
@@ -40,7 +42,8 @@ TEST_F(LoopSubdivision, EveryLevelCutsTrianglesInFour) {
 }
 
 // The octahedron's vertices have valence 4: Loop's weight is beta = (5/8 - 9/64) / 4 = 31/256, so a vertex goes to
-// (1 - 4 gamma) of itself (its ring's sum is zero), with gamma = 1 / (4 + 96/31) = 31/220. Its normal stays by symmetry.
+// (1 - 4 gamma) of itself (its ring's sum is zero), with gamma = 1 / (4 + 96/31) = 31/220. Its normal stays by
+// symmetry.
 TEST_F(LoopSubdivision, OctahedronsLimitIsKnown) {
   for (const int levels : {0, 1, 4}) {
     const TriangleMesh& mesh = make(test::icosphere(0, 1, {}), levels);

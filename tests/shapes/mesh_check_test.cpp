@@ -91,7 +91,8 @@ TEST(MeshCheck, MoebiusStripsHaveOneSide) {
   const int n = 24;
   for (int i = 0; i < n; ++i) {
     const float a = 2 * kPi * static_cast<float>(i) / n, r = std::cos(a / 2) * 0.3f, z = std::sin(a / 2) * 0.3f;
-    for (const float s : {-1.f, 1.f}) strip.vertices.push_back({(1 + s * r) * std::cos(a), (1 + s * r) * std::sin(a), s * z});
+    for (const float s : {-1.f, 1.f})
+      strip.vertices.push_back({(1 + s * r) * std::cos(a), (1 + s * r) * std::sin(a), s * z});
   }
   for (int i = 0; i < n; ++i) {
     const bool last = i == n - 1;
@@ -216,7 +217,9 @@ TEST(MeshRepair, TheHorseIsMendedInAllFrames) {
     return TriangleMesh(read_obj(data / fmt::format("{:04}.obj", i), "", false).parts.at(0).mesh);
   };
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); };
+  const auto seconds = [](Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double>(b - a).count();
+  };
 
   const TriangleMesh first = frame(1);
   const auto t0 = Clock::now();
@@ -231,7 +234,8 @@ TEST(MeshRepair, TheHorseIsMendedInAllFrames) {
   for (int i = 1; i <= 24; ++i) {
     const TriangleMesh mended = apply(plan, frame(i));
     const std::vector<Edge> edges = edges_of(replace_vertices(mended.faces(), weld(mended.vertices())));
-    EXPECT_TRUE(std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.forward == 1 && e.backward == 1; }));
+    EXPECT_TRUE(
+        std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.forward == 1 && e.backward == 1; }));
     EXPECT_GT(volume(mended), 0) << i;
     EXPECT_EQ(mended.faces(), plan.faces);
     if (i % 8 != 0) continue;

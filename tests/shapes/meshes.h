@@ -18,6 +18,22 @@ inline MeshData box(float half, const Vec3& center) {
   return m;
 }
 
+/// A box of 2 x 2 x 1 from the origin on, without the quarter beyond (1, 1): its side x = 1 lies in a plane that runs
+/// through its inside.
+inline MeshData corner_piece() {
+  MeshData m;
+  const float outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (const float z : {0.f, 1.f})
+    for (const auto& [x, y] : outline) m.vertices.push_back({x, y, z});
+  for (int i = 0; i < 6; ++i) {
+    const int next = (i + 1) % 6;
+    m.faces.insert(m.faces.end(), {{i, next, next + 6}, {i, next + 6, i + 6}});
+  }
+  for (const auto& [a, b, c] : {Face{0, 1, 2}, Face{0, 2, 3}, Face{0, 3, 5}, Face{3, 4, 5}})
+    m.faces.insert(m.faces.end(), {{a, c, b}, {a + 6, b + 6, c + 6}});
+  return m;
+}
+
 /// An octahedron whose faces are cut in four `levels` times, on a sphere: 8 * 4^levels faces.
 inline MeshData icosphere(int levels, float radius, const Vec3& center) {
   MeshData m;

@@ -72,11 +72,13 @@ TEST_F(Obj, GroupsAndObjectsCanBeChosen) {
 }
 
 TEST_F(Obj, MaterialsBecomeParts) {
-  test::put_file(directory / "lib.mtl", "newmtl red\nKd 0.8 0.1 0.2\nnewmtl wood \nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\n"
-                                        "newmtl lost\nKd 0.5 0.5 0.5\nmap_Kd lost.png\n");
+  test::put_file(directory / "lib.mtl",
+                 "newmtl red\nKd 0.8 0.1 0.2\nnewmtl wood \nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\n"
+                 "newmtl lost\nKd 0.5 0.5 0.5\nmap_Kd lost.png\n");
   test::put_file(directory / "wood.png", "");
   read("mtllib lib.mtl\n" + kSquare +
-       "f 1 2 3\nusemtl red\nf 1 3 4\nusemtl wood\nf 1 2 4\nusemtl red\nf 2 3 4\nusemtl none\nf 1 2 3\nusemtl lost\nf 1 2 3\n");
+       "f 1 2 3\nusemtl red\nf 1 3 4\nusemtl wood\nf 1 2 4\nusemtl red\nf 2 3 4\nusemtl none\nf 1 2 3\nusemtl lost\nf "
+       "1 2 3\n");
   const auto parts = make({});
   ASSERT_EQ(parts.size(), 5u);
   EXPECT_FALSE(parts[0].material);

@@ -132,12 +132,16 @@ TEST(Ply, AnnouncedCountsAreNotBelieved) {
   const std::string huge = "18446744073709551615";
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
   EXPECT_NE(message("ply\nformat binary_little_endian 1.0\nelement vertex " + huge + "\n" + xyz + "end_header\nabc")
-                .find("ends early"), std::string::npos);
+                .find("ends early"),
+            std::string::npos);
   EXPECT_NE(message("ply\nformat ascii 1.0\nelement nothing " + huge + "\nelement vertex " + huge + "\n" + xyz +
                     "element face " + huge + "\nproperty list uint uint vertex_index\nend_header\n1 2 3")
-                .find("ends early"), std::string::npos);
+                .find("ends early"),
+            std::string::npos);
   EXPECT_NE(message("ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list uint uchar vertex_index\n"
-                    "end_header\n\xff\xff\xff\xff").find("no count"), std::string::npos);
+                    "end_header\n\xff\xff\xff\xff")
+                .find("no count"),
+            std::string::npos);
 }
 
 // Bytes that are changed, cut off or repeated never crash the reader, nor get a bad index through.
@@ -147,14 +151,14 @@ TEST(Ply, DamagedFilesAreErrorsOrMeshes) {
   for (int i = 0; i < 60'000; ++i) {
     std::string file = files[i % 3];
     for (int k = random.below(4); k >= 0; --k)
-      file[static_cast<std::size_t>(random.below(static_cast<int>(file.size())))] = static_cast<char>(random.below(256));
+      file[static_cast<std::size_t>(random.below(static_cast<int>(file.size())))] =
+          static_cast<char>(random.below(256));
     if (random.below(4) == 0) file.resize(static_cast<std::size_t>(random.below(static_cast<int>(file.size()))));
     try {
       const MeshData mesh = read_ply(file);
       for (const Face& f : mesh.faces)
         for (const int v : f) ASSERT_TRUE(v >= 0 && v < static_cast<int>(mesh.vertices.size()));
-    } catch (const std::runtime_error&) {
-    }
+    } catch (const std::runtime_error&) {}
   }
 }
 

@@ -21,8 +21,8 @@ struct Example {
 std::vector<Example> examples() {
   std::vector<Example> all;
   all.push_back({"sphere", make_shape("sphere", {{"radius", 2}}), 2});
-  all.push_back({"part of a sphere",
-                 make_shape("sphere", {{"radius", 2}, {"zmin", -1.5f}, {"zmax", 0.5f}, {"phimax", 250}}), 2});
+  all.push_back(
+      {"part of a sphere", make_shape("sphere", {{"radius", 2}, {"zmin", -1.5f}, {"zmax", 0.5f}, {"phimax", 250}}), 2});
   all.push_back({"disk", make_shape("disk", {{"radius", 3}, {"height", 0.7f}}), 3});
   all.push_back({"ring", make_shape("disk", {{"radius", 3}, {"innerradius", 1}, {"phimax", 100}}), 3});
   all.push_back({"cylinder", make_shape("cylinder", {{"radius", 0.5f}, {"zmin", -1}, {"zmax", 2}}), 2});
@@ -32,7 +32,7 @@ std::vector<Example> examples() {
 
 TEST(Quadrics, AreasAreAnalytic) {
   const auto pi = static_cast<double>(kPi);
-  const double expected[] = {16 * pi,           250.0 / 360 * 2 * pi * 2 * 2, 9 * pi, 100.0 / 360 * pi * 8,
+  const double expected[] = {16 * pi,          250.0 / 360 * 2 * pi * 2 * 2,  9 * pi, 100.0 / 360 * pi * 8,
                              2 * pi * 0.5 * 3, 200.0 / 360 * 2 * pi * 0.5 * 2};
   int i = 0;
   for (const Example& e : examples()) {
@@ -155,8 +155,8 @@ TEST(Quadrics, SamplesAreUniformByArea) {
   const auto rho2 = [](const Vec3& p) { return double{p.x} * p.x + double{p.y} * p.y; };
   std::vector<Case> cases;
   cases.push_back({"sphere", make_shape("sphere", {{"radius", 2}}), 360, -2, 2, z});
-  cases.push_back({"part of a sphere", make_shape("sphere", {{"zmin", -0.9f}, {"zmax", 0.2f}, {"phimax", 77}}), 77,
-                   -0.9, 0.2, z});
+  cases.push_back(
+      {"part of a sphere", make_shape("sphere", {{"zmin", -0.9f}, {"zmax", 0.2f}, {"phimax", 77}}), 77, -0.9, 0.2, z});
   cases.push_back({"disk", make_shape("disk", {{"radius", 2}}), 360, 0, 4, rho2});
   cases.push_back({"ring", make_shape("disk", {{"radius", 3}, {"innerradius", 2}, {"phimax", 200}}), 200, 4, 9, rho2});
   cases.push_back({"cylinder", make_shape("cylinder", {{"zmin", 1}, {"zmax", 3}, {"phimax", 300}}), 300, 1, 3, z});
@@ -181,8 +181,8 @@ TEST(Quadrics, SamplesAreUniformByArea) {
 // The mean of 1 / pdf over samples is the area: an ellipsoid of revolution with half axes 1, 1, 3.
 TEST(Quadrics, PlacedSamplesKnowTheirDensity) {
   const auto sphere = make_shape("sphere", {});
-  const PlacedShape placed =
-      test::placed(*sphere, Transform(Matrix4::translate(5, 6, 7) * Matrix4::rotate(40, 1, 1, 0) * Matrix4::scale(1, -1, 3)));
+  const PlacedShape placed = test::placed(
+      *sphere, Transform(Matrix4::translate(5, 6, 7) * Matrix4::rotate(40, 1, 1, 0) * Matrix4::scale(1, -1, 3)));
   Random random(15);
   double sum = 0;
   const int n = 200'000;

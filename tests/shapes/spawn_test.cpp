@@ -1,4 +1,5 @@
-// Rays that leave a surface do not meet it again where they leave: all shapes, at all scales, far from the origin, flat.
+// Rays that leave a surface do not meet it again where they leave: all shapes, at all scales, far from the origin,
+// flat.
 #include <gtest/gtest.h>
 
 #include "shapes/triangle_mesh.h"
@@ -65,7 +66,8 @@ TEST(Spawn, RaysLeavePlacedShapes) {
   for (const Leaves& leaves : shapes())
     for (int i = 0; i < 4000; ++i) {
       const Transform t = random_transform(random, i % 2 == 0);
-      const float scale = std::min(length(t.vector({1, 0, 0})), std::min(length(t.vector({0, 1, 0})), length(t.vector({0, 0, 1}))));
+      const float scale =
+          std::min(length(t.vector({1, 0, 0})), std::min(length(t.vector({0, 1, 0})), length(t.vector({0, 0, 1}))));
       if (length(t.point({})) > 500 * scale && leaves.hollow) continue;  // the far side is no farther than rounding
       for (int k = 0; k < 50; ++k) expect_leaves(leaves, test::placed(*leaves.shape, t), scale, random);
     }

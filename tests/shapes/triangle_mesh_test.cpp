@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sampling.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/placed.h"
 #include "tests/shapes/random.h"
@@ -77,6 +78,21 @@ TEST(TriangleMesh, SamplesAreUniform) {
   EXPECT_NEAR(xy / count, 1.0 / 12, 1e-4);
 }
 
+// A point of the triangle, of one of its edges, or a corner.
+Vec2 anywhere(Random& random) {
+  const float x = random.uniform();
+  switch (random.below(5)) {
+    case 0:
+      return {x, 0};
+    case 1:
+      return {x, 1 - x};
+    case 2:
+      return random.below(2) != 0 ? Vec2{1, 0} : Vec2{0, 0};
+    default:
+      return uniform_triangle({x, random.uniform()});
+  }
+}
+
 // A ray that leaves a triangle does not meet it again, however flat it leaves.
 TEST(TriangleMesh, SpawnedRaysLeave) {
   Random random(5);
@@ -89,7 +105,7 @@ TEST(TriangleMesh, SpawnedRaysLeave) {
     for (Vec3& v : p) v = v + center;
     if (flat) p[0].z = p[1].z = p[2].z = random.below(2) != 0 ? 0.f : center.z;
     const TriangleMesh mesh({p, {}, {}, {{0, 1, 2}}});
-    const SurfacePoint s = mesh.surface_point(0, mesh.sample_area(0, random.square()));
+    const SurfacePoint s = mesh.surface_point(0, anywhere(random));
     if (mesh.intersect(0, s.spawn(test::leaving(s.ng, random)))) ++again;
   }
   EXPECT_EQ(again, 0);

@@ -80,6 +80,33 @@ TEST(Triangle, OrderOfVerticesDoesNotMatter) {
   }
 }
 
+// A point of a common edge is hit on the one triangle or the other, at one distance.
+TEST(Triangle, SharedEdgesAreOnePlace) {
+  Random random(7);
+  int both = 0;
+  for (int i = 0; i < 500'000; ++i) {
+    const Vec3 a = random.in_cube(1), b = random.in_cube(1), c = random.in_cube(1);
+    const Vec3 d = a + b - c + 0.5f * random.in_cube(1);  // across the edge from c
+    const Vec3 target = a + (b - a) * random.uniform(), origin = target + random.direction() * random.magnitude(-2, 2);
+    const TriangleRay ray({origin, target - origin});
+    const auto one = intersect(ray, a, b, c, kInfinity), other = intersect(ray, b, a, d, kInfinity);
+    if (!one || !other) continue;
+    ++both;
+    const DoubleVec3 n = area_vector(a, b, c), m = area_vector(b, a, d);
+    const double flat = std::min(std::abs(dot(n, widen(ray.direction))) / length(n),
+                                 std::abs(dot(m, widen(ray.direction))) / length(m));
+    ASSERT_NEAR(one->t, other->t, 2e-6 * (1 + length(target - origin)) / flat);
+  }
+  EXPECT_GT(both, 1000);
+}
+
+bool meets(const TriangleMesh& mesh, const Ray& ray) {
+  const TriangleRay prepared(ray);
+  for (int k = 0; k < mesh.primitive_count(); ++k)
+    if (intersect(prepared, mesh.vertex(k, 0), mesh.vertex(k, 1), mesh.vertex(k, 2), kInfinity)) return true;
+  return false;
+}
+
 // Rays from inside a closed mesh, aimed exactly at its vertices and at points of its edges, hit something.
 void expect_no_leak(const TriangleMesh& mesh, const Vec3& inside, Random& random, int rays) {
   for (int i = 0; i < rays; ++i) {
@@ -88,11 +115,8 @@ void expect_no_leak(const TriangleMesh& mesh, const Vec3& inside, Random& random
     const float s = random.below(3) == 0 ? 0.f : random.uniform();
     const Vec3 origin = inside + random.in_cube(0.2f) * length(a - inside);
     const Vec3 direction = (a + (b - a) * s) - origin;
-    const TriangleRay ray({origin, random.below(2) != 0 ? normalize(direction) : direction});
-    bool hit = false;
-    for (int k = 0; k < mesh.primitive_count() && !hit; ++k)
-      hit = intersect(ray, mesh.vertex(k, 0), mesh.vertex(k, 1), mesh.vertex(k, 2), kInfinity).has_value();
-    ASSERT_TRUE(hit) << "leak after " << i << " rays";
+    const Vec3 d = random.below(2) != 0 ? normalize(direction) : direction;
+    ASSERT_TRUE(meets(mesh, {origin, d})) << "leak after " << i << " rays";
   }
 }
 
@@ -134,12 +158,33 @@ TEST(Triangle, ClosedMeshesDoNotLeakAlongTheAxes) {
           direction[axis] = sign;
           origin[(axis + 1) % 3] = static_cast<float>(i) / 8;
           origin[(axis + 2) % 3] = static_cast<float>(j) / 8;
-          const TriangleRay ray({origin, direction});
-          int hits = 0;
-          for (int k = 0; k < mesh.primitive_count(); ++k)
-            hits += intersect(ray, mesh.vertex(k, 0), mesh.vertex(k, 1), mesh.vertex(k, 2), kInfinity) ? 1 : 0;
-          EXPECT_GE(hits, 1) << i << ' ' << j;
+          EXPECT_TRUE(meets(mesh, {origin, direction})) << i << ' ' << j;
         }
+}
+
+// The hardest rays: they run in the plane of a face and are aimed at its rim. Along the axes none leaks. In general
+// position rounding decides whether such a face is before or behind the origin; measured: 1 ray in 13,000 leaks.
+TEST(Triangle, RaysInAFacesPlane) {
+  Random random(8);
+  const TriangleMesh piece(test::corner_piece());
+  for (const bool turned : {false, true}) {
+    int leaks = 0;
+    for (int round = 0; round < 100; ++round) {
+      const Vec3 axis = random.direction();
+      Matrix4 matrix;
+      if (turned)
+        matrix = Matrix4::translate(1, -2, 0.5) * Matrix4::rotate(random.uniform(0, 360), axis.x, axis.y, axis.z);
+      const Transform t(matrix);
+      const TriangleMesh mesh = piece.transformed(t);
+      for (int i = 0; i < 3000; ++i) {
+        const Vec3 origin = t.point({1, random.uniform(0.1f, 0.9f), random.uniform(0.1f, 0.9f)});
+        const bool along_y = random.below(2) != 0;
+        const Vec3 target{1, along_y ? random.uniform(1, 2) : 1.f, along_y ? 0.f : random.uniform()};
+        leaks += meets(mesh, {origin, normalize(t.point(target) - origin)}) ? 0 : 1;
+      }
+    }
+    EXPECT_LE(leaks, turned ? 60 : 0);
+  }
 }
 
 }  // namespace
