@@ -61,10 +61,21 @@ std::vector<Entry> all_plugins() {
 
 std::string full_name(const Entry& entry) { return entry.kind + ":" + entry.name; }
 
-/// One line of the table of parameters, its sentence after the columns.
-std::string line_of(const ParamInfo& info) {
-  const std::string unit = info.unit.empty() ? "" : " " + info.unit;
-  return fmt::format("  {:<22} {:<18} {:<22} {}\n", info.type, info.name, info.default_value + unit, info.sentence);
+/// A line a parameter under a line of headings, in columns as wide as their contents.
+std::string table_of(std::vector<ParamInfo> params) {
+  params.insert(params.begin(), {"type", "name", "default", "", "meaning"});
+  std::size_t types = 0, names = 0, defaults = 0;
+  for (ParamInfo& info : params) {
+    if (!info.unit.empty()) info.default_value += " " + info.unit;
+    types = std::max(types, info.type.size());
+    names = std::max(names, info.name.size());
+    defaults = std::max(defaults, info.default_value.size());
+  }
+  std::string text;
+  for (const ParamInfo& info : params)
+    text += fmt::format("  {:<{}}  {:<{}}  {:<{}}  {}\n", info.type, types, info.name, names, info.default_value,
+                        defaults, info.sentence);
+  return text;
 }
 
 }  // namespace
@@ -85,11 +96,8 @@ std::string describe_plugin(std::string_view kind_and_name) {
   for (const Entry& entry : entries) {
     names.push_back(full_name(entry));
     if (names.back() != kind_and_name) continue;
-    std::string text = fmt::format("{}: {}\n", names.back(), entry.sentence);
     const std::vector<ParamInfo> params = entry.params();
-    if (!params.empty()) text += line_of({"type", "name", "default", "", "meaning"});
-    for (const ParamInfo& info : params) text += line_of(info);
-    return text;
+    return fmt::format("{}: {}\n{}", names.back(), entry.sentence, params.empty() ? "" : table_of(params));
   }
   const std::string guess = did_you_mean(kind_and_name, names);
   throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", kind_and_name,

@@ -52,7 +52,11 @@ class WriteSchedule {
 class Run {
  public:
   Run(const Job& job, const World& world, const Options& options, Messages& messages)
-      : job_(job), world_(world), options_(options), messages_(messages), output_(job, options),
+      : job_(job),
+        world_(world),
+        options_(options),
+        messages_(messages),
+        output_(job, options),
         intervals_(cut_into_intervals(job.frames, frames_together(job.integrator))) {
     report_.threads = thread_count();
   }
@@ -98,8 +102,9 @@ void Run::render_interval(std::size_t index) {
   const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_);
   const int iterations = job_.iterations(*integrator, options_);
   if (iterations == 0 && options_.time_limit == 0 && intervals_.size() > 1)
-    throw UsageError(fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
-                                 intervals_.size()));
+    throw UsageError(
+        fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
+                    intervals_.size()));
   if (index == 0) announce(*scene, *integrator, iterations);
   report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
 
@@ -132,10 +137,11 @@ void Run::say_end() {
 
 void Run::announce(const Scene& scene, const Integrator& integrator, int iterations) {
   const RenderSettings& s = job_.settings;
-  const std::string limit = options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
-  messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file, job_.frames.size(),
-                job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(), job_.integrator,
-                iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
+  const std::string limit =
+      options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
+  messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file,
+                job_.frames.size(), job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(),
+                job_.integrator, iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
   const int photons = job_.photons();
   const std::string emitted = photons > 0 ? fmt::format("{} photon paths an iteration; ", photons) : "";
   messages_.say("{}memory: trees {}, integrator {}, all {}", emitted, readable_bytes(scene.accel->memory()),

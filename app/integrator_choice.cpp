@@ -60,9 +60,7 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Op
                                    Diagnostics& diagnostics) {
   IntegratorChoice choice;
   const std::optional<PluginUse>& use = description.integrator;
-  const auto by_name = [](const std::string& name) {
-    return find_by_option(integrator_plugins(), "integrator", name);
-  };
+  const auto by_name = [](const std::string& name) { return find_by_option(integrator_plugins(), "integrator", name); };
   const char* usual = description.dialect == Dialect::dsc ? "dsppm" : "path";
   if (use) choice.where = use->where;
   if (!options.integrator.empty()) {
@@ -81,7 +79,8 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Op
     if (use->type != choice.plugin->name) keep_known(choice.params, *use, *choice.plugin, described, diagnostics);
   }
   if (options.photons) {
-    if (!knows(described, "photons")) throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));
+    if (!knows(described, "photons"))
+      throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));
     std::erase_if(choice.params.params, [](const Param& param) { return param.name == kPhotonsAlias; });
     set_integer(choice.params, "photons", *options.photons);
   }

@@ -16,14 +16,16 @@ struct SamplerSettings {
 };
 
 SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics) {
-  static const std::vector<std::string> kNames = {"zsobol", "paddedsobol", "sobol",      "halton",
+  static const std::vector<std::string> kNames = {"zsobol",  "paddedsobol", "sobol",     "halton",
                                                   "pmj02bn", "independent", "stratified"};
   if (!use) return {};
   if (std::find(kNames.begin(), kNames.end(), use->type) == kNames.end()) {
-    diagnostics.error(use->type_where, fmt::format("unknown sampler \"{}\"", use->type), did_you_mean(use->type, kNames));
+    diagnostics.error(use->type_where, fmt::format("unknown sampler \"{}\"", use->type),
+                      did_you_mean(use->type, kNames));
     return {};
   }
-  diagnostics.note(use->where, fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
+  diagnostics.note(use->where,
+                   fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
   ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
   SamplerSettings settings;
   const int samples = reader.integer("pixelsamples", 0, "", "camera paths a pixel"),
@@ -35,7 +37,8 @@ SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& d
   if (use->type == "stratified" && (reader.has("xsamples") || reader.has("ysamples")))
     settings.pixel_samples = across * down;
   if (reader.has("seed")) settings.seed = seed;
-  if (settings.pixel_samples && *settings.pixel_samples < 1) reader.error("pixelsamples", "there must be at least one sample");
+  if (settings.pixel_samples && *settings.pixel_samples < 1)
+    reader.error("pixelsamples", "there must be at least one sample");
   reader.finish();
   return settings;
 }
@@ -119,8 +122,7 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
   reader.only_check();
   try {
     job.plugin->make(reader, Scene{}, job.settings);
-  } catch (const DescribedEnough&) {
-  }
+  } catch (const DescribedEnough&) {}
 }
 
 }  // namespace
@@ -167,8 +169,8 @@ Job make_job(const SceneDescription& description, const Options& options, Diagno
   RenderSettings& settings = job.settings;
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
-  settings.filter = make_one(pixel_filter_plugins(), "filter", "gaussian", description.filter, unbuilt_pixel_filters(),
-                             diagnostics);
+  settings.filter =
+      make_one(pixel_filter_plugins(), "filter", "gaussian", description.filter, unbuilt_pixel_filters(), diagnostics);
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));

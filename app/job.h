@@ -1,5 +1,5 @@
-// What is to be rendered, and how: the scene's Film, PixelFilter, Sampler and Integrator with the command line's options
-// on top. Everything that the world does not make.
+// What is to be rendered, and how: the scene's Film, PixelFilter, Sampler and Integrator with the command line's
+// options on top. Everything that the world does not make.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ namespace dspm {
 
 struct Job {
   std::string scene_file;
-  std::vector<Frame> frames;   // of the file, ascending
-  bool numbered = false;       // the images' names have the frame's number
-  double fps = 0;              // 0: no animation
+  std::vector<Frame> frames;  // of the file, ascending
+  bool numbered = false;      // the images' names have the frame's number
+  double fps = 0;             // 0: no animation
   FilmSettings film;
-  float exposure = 1;          // image values over radiance
+  float exposure = 1;  // image values over radiance
   RenderSettings settings;
   std::string integrator;
   const Plugin<MakeIntegrator>* plugin = nullptr;
-  ParamList params;            // of the integrator
-  SourceLocation where;        // of the Integrator directive
-  std::string accel;           // a plugin's name; empty: the usual one
+  ParamList params;      // of the integrator
+  SourceLocation where;  // of the Integrator directive
+  std::string accel;     // a plugin's name; empty: the usual one
 
   /// Photon paths an iteration; 0: the integrator emits none.
   int photons() const;

@@ -1,4 +1,5 @@
-// The values of command line options that are more than a number or a word. All throw UsageError, naming what was given.
+// The values of command line options that are more than a number or a word. All throw UsageError, naming what was
+// given.
 #pragma once
 
 #include <string>

@@ -18,8 +18,8 @@ constexpr const char* kDescription =
 
 using ReadText = std::function<void(const std::string&)>;
 
-void add_text(CLI::App& app, const char* names, const char* value, ReadText read, const char* sentence) {
-  app.add_option_function<std::string>(names, std::move(read), sentence)->type_name(value);
+void add_text(CLI::App& app, const char* names, const char* value, const char* sentence, const ReadText& read) {
+  app.add_option_function<std::string>(names, read, sentence)->type_name(value);
 }
 
 template <class Count>
@@ -30,7 +30,9 @@ void add_count(CLI::App& app, const char* names, Count& count, int lowest, int h
 void add_scene(CLI::App& app, Options& o) {
   app.add_option("scene", o.scenes, "scene files (.dsc or .pbrt, perhaps .gz), read in this order; -: standard input")
       ->type_name("");
-  app.add_option("-D", o.defines, "replace $name in the scene's text")->allow_extra_args(false)->type_name("NAME=VALUE");
+  app.add_option("-D", o.defines, "replace $name in the scene's text")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   app.add_flag("--lenient", o.lenient, "what dspm lacks of pbrt is a warning, not an error");
   app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
   app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")
@@ -40,14 +42,13 @@ void add_scene(CLI::App& app, Options& o) {
 
 void add_tasks(CLI::App& app, Options& o) {
   const auto task = [&](const char* name, Task what, const char* sentence) {
-    app.add_flag_callback(name, [&o, what] { o.task = what; }, sentence);
+    app.add_flag_callback(name, [&o, what] { o.task = what; })->description(sentence);
   };
   task("--check", Task::check, "do not render, only validate everything");
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--list", Task::list, "print the names of all plugins");
-  add_text(app, "--describe", "KIND:NAME",
-           [&](const std::string& name) { o.task = Task::describe, o.described = name; },
-           "print a plugin's parameters, as of material:dielectric");
+  add_text(app, "--describe", "KIND:NAME", "print a plugin's parameters, as of material:dielectric",
+           [&](const std::string& name) { o.task = Task::describe, o.described = name; });
 }
 
 void add_work(CLI::App& app, Options& o) {
@@ -58,25 +59,25 @@ void add_work(CLI::App& app, Options& o) {
       ->type_name("N");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths a pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
-  add_text(app, "--time-limit", "TIME", [&](const std::string& text) { o.time_limit = parse_duration(text); },
-           "stop after this time: 30s, 10m, 1h30m");
-  add_text(app, "--frames", "LIST", [&](const std::string& text) { o.frames = parse_frames(text); },
-           "render these frames only: 1-8,12");
-  add_text(app, "--cropwindow", "WINDOW", [&](const std::string& text) { o.crop_window = parse_crop_window(text); },
-           "render this part of the image only: x0,x1,y0,y1 in 0..1");
-  add_text(app, "--pixelbounds", "WINDOW", [&](const std::string& text) { o.pixel_bounds = parse_pixel_bounds(text); },
-           "likewise, in pixels");
+  add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
+           [&](const std::string& text) { o.time_limit = parse_duration(text); });
+  add_text(app, "--frames", "LIST", "render these frames only: 1-8,12",
+           [&](const std::string& text) { o.frames = parse_frames(text); });
+  add_text(app, "--cropwindow", "WINDOW", "render this part of the image only: x0,x1,y0,y1 in 0..1",
+           [&](const std::string& text) { o.crop_window = parse_crop_window(text); });
+  add_text(app, "--pixelbounds", "WINDOW", "likewise, in pixels",
+           [&](const std::string& text) { o.pixel_bounds = parse_pixel_bounds(text); });
   app.add_flag("--quick", o.quick, "a quarter of the width, of the height and of the iterations");
 }
 
 void add_output(CLI::App& app, Options& o) {
   app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")->type_name("FILE");
   app.add_flag("--png", o.png, "write tone mapped PNG as well");
-  app.add_flag_callback("--half", [&] { o.half = true; }, "16-bit EXR (the default)");
-  app.add_flag_callback("--float", [&] { o.half = false; }, "32-bit EXR");
+  app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
+  app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")->type_name("FILE");
-  add_text(app, "--write-every", "TIME", [&](const std::string& text) { o.write_every = parse_interval(text); },
-           "write the images now and then: every 30s, 10m, or so many iterations");
+  add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
+           [&](const std::string& text) { o.write_every = parse_interval(text); });
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
   app.add_flag("--stats{table}", o.stats, "a table of times and counts at the end; in FILE: for programs");
 }
@@ -112,7 +113,8 @@ void check(const Options& o) {
   if (!o.contact_sheet.empty() && std::filesystem::path(o.contact_sheet).extension() != ".png")
     throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
   for (const std::string& define : o.defines)
-    if (define.find('=') == define.npos || define.front() == '=') throw UsageError("-D " + define + ": expected name=value");
+    if (define.find('=') == define.npos || define.front() == '=')
+      throw UsageError("-D " + define + ": expected name=value");
 }
 
 }  // namespace

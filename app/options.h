@@ -22,7 +22,7 @@ struct Interval {
 
 struct Options {
   Task task = Task::render;
-  std::vector<std::string> scenes;  // "-": standard input
+  std::vector<std::string> scenes;   // "-": standard input
   std::vector<std::string> defines;  // name=value
   std::string described;             // kind:name
   bool lenient = false, explain = false, quiet = false, quick = false;
@@ -38,8 +38,8 @@ struct Options {
   std::optional<std::uint64_t> seed;
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons;
-  double time_limit = 0;      // seconds; 0: none
-  std::vector<Frame> frames;  // of the file, ascending; empty: all
+  double time_limit = 0;                             // seconds; 0: none
+  std::vector<Frame> frames;                         // of the file, ascending; empty: all
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 in parts of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
 };

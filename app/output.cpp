@@ -30,7 +30,8 @@ Output::Output(const Job& job, const Options& options)
   if (!options.stats.empty() && options.stats != "table" && options.stats != "-") expect_writable(options.stats);
   if (sheet_path_.empty()) return;
   expect_writable(sheet_path_);
-  sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), job.settings.crop.width(), job.settings.crop.height()));
+  sheet_.emplace(
+      SheetLayout(static_cast<int>(job.frames.size()), job.settings.crop.width(), job.settings.crop.height()));
 }
 
 std::filesystem::path Output::name(Frame frame) const {

@@ -21,6 +21,12 @@ std::vector<std::pair<const char*, SharedCount>> shared_counts(const Statistics&
           {"photons found", s.photons_found}};
 }
 
+/// "hit points" to "hit_points", as programs like it.
+std::string key_of(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 std::string grouped(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
@@ -71,7 +77,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
   write_paths(json, "photon", s.photon);
   json.key("sharing").begin_object();
   for (const auto& [name, count] : shared_counts(s)) {
-    json.key(name).begin_object();
+    json.key(key_of(name)).begin_object();
     json.member("done", count.done);
     json.member("separate", count.separate);
     json.member("factor", count.factor());
@@ -118,8 +124,8 @@ std::string readable_bytes(std::size_t bytes) { return fmt::format("{:.1f} MB", 
 
 std::string table_of(const Job& job, const RunReport& report) {
   const Statistics& s = report.statistics;
-  std::string text = fmt::format("{} {}, {} iterations, {} threads\n\n", job.scene_file, job.integrator, s.iterations,
-                                 report.threads);
+  std::string text =
+      fmt::format("{} {}, {} iterations, {} threads\n\n", job.scene_file, job.integrator, s.iterations, report.threads);
   text += fmt::format("  {:<24}{:>16}{:>10}\n", "step", "seconds", "share");
   for (const StepTime& step : s.steps)
     text += fmt::format("  {:<24}{:>16.2f}{:>9.1f}%\n", step.name, step.seconds, 100 * step.seconds / report.seconds);
@@ -155,7 +161,7 @@ std::string json_of(const Job& job, const RunReport& report) {
   json.end_array();
   json.member("seconds", report.seconds);
   json.key("steps").begin_object();
-  for (const StepTime& step : s.steps) json.member(step.name, step.seconds);
+  for (const StepTime& step : s.steps) json.member(key_of(step.name), step.seconds);
   json.end_object();
   write_work(json, s);
   json.key("memory").begin_object();

@@ -15,9 +15,9 @@ struct RunReport {
   std::vector<int> iterations;  // done, by frame interval
   double seconds = 0;           // from the first iteration's begin to the last image written
   int threads = 0;
-  std::size_t tree_bytes = 0;   // of the largest interval's trees
+  std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
-  Statistics statistics;        // all intervals together
+  Statistics statistics;  // all intervals together
 
   /// Adds what an interval's integrator did.
   void add(const Statistics& interval);

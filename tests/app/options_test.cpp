@@ -8,9 +8,10 @@ namespace {
 using Words = std::vector<std::string>;
 
 TEST(Options, ReadsTheUsualOnes) {
-  const Options o = parse_options({"a.dsc", "-o", "out/a.####.exr", "-t", "2", "--seed", "7", "--integrator", "sppm",
-                                   "--iterations", "50", "--photons=1000", "--frames", "1-2", "--time-limit", "1m",
-                                   "--quick", "--png", "--float", "b.dsc"});
+  const Options o = parse_options(
+      {"a.dsc",        "-o",   "out/a.####.exr", "-t",       "2",   "--seed",       "7",  "--integrator", "sppm",
+       "--iterations", "50",   "--photons=1000", "--frames", "1-2", "--time-limit", "1m", "--quick",      "--png",
+       "--float",      "b.dsc"});
   EXPECT_EQ(o.task, Task::render);
   EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
   EXPECT_EQ(o.outfile, "out/a.####.exr");

@@ -43,7 +43,8 @@ TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   job.scene_file = "a \"quoted\" name.dsc";
   job.frames = {0, 2};
   const std::string table = table_of(job, report), json = json_of(job, report);
-  EXPECT_NE(table.find("camera path segments                  10                40      4.00"), std::string::npos) << table;
+  EXPECT_NE(table.find("camera path segments                  10                40      4.00"), std::string::npos)
+      << table;
   EXPECT_NE(table.find("3,000"), std::string::npos) << table;
   EXPECT_TRUE(test::JsonCheck::valid(json)) << json;
   EXPECT_NE(json.find("\"factor\": 3"), std::string::npos) << json;
