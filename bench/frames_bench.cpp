@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "app/load.h"
+#include "core/parallel.h"
 
 namespace {
 

@@ -67,7 +67,7 @@ class DsppmEqualsSppm : public ::testing::TestWithParam<int> {};
 TEST_P(DsppmEqualsSppm, OnRandomScenes) {
   Comparison sum;
   const int frames = GetParam();
-  const int scenes = frames > 16 ? 2 : 10;
+  const int scenes = frames > 16 ? 6 : 40;
   for (int i = 0; i < scenes; ++i) {
     const unsigned seed = static_cast<unsigned>(1000 * frames + i);
     const std::string text =

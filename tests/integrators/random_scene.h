@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -29,7 +30,7 @@ class RandomScene {
 
   std::string camera() {
     const std::string lens = whole(0, 1) ? " \"float lensradius\" 0.05 \"float focaldistance\" 4" : "";
-    if (whole(0, 4) == 0) return fmt::format("Camera \"perspective\" \"float fov@1\" 38 \"float fov@{}\" 44{}\n", frames_, lens);
+    if (whole(0, 4) == 0) return fmt::format("Camera \"perspective\" \"float fov@1\" 38 \"float fov@{}\" 44{}\n", std::max(2, frames_), lens);
     return fmt::format("Camera \"perspective\" \"float fov\" 40{}\n", lens);
   }
 
@@ -44,7 +45,7 @@ class RandomScene {
   }
 
   std::string light() {
-    const std::string keyed = fmt::format("\"float scale@1\" 1 \"float scale@{}\" 3", frames_);
+    const std::string keyed = fmt::format("\"float scale@1\" 1 \"float scale@{}\" 3", std::max(2, frames_));
     switch (whole(0, 5)) {
       case 0: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [0.4 1.2 -1]\n";
       case 1: return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " + keyed + "\n";
@@ -73,7 +74,7 @@ class RandomScene {
       case 5: return "Material \"thindielectric\"\n";
       case 6: return fmt::format("Material \"coateddiffuse\" \"float roughness\" {}\n", whole(0, 1) ? 0.f : real(0.05f, 0.4f));
       default:
-        return fmt::format("Material \"diffuse\" \"rgb reflectance@1\" [.8 .1 .1] \"rgb reflectance@{}\" [.1 .2 .9]\n", frames_);
+        return fmt::format("Material \"diffuse\" \"rgb reflectance@1\" [.8 .1 .1] \"rgb reflectance@{}\" [.1 .2 .9]\n", std::max(2, frames_));
     }
   }
 

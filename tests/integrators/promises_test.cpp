@@ -1,0 +1,126 @@
+// What is promised of every integrator: the same bits with any number of threads, equal frames where nothing differs, a
+// crop that equals the same pixels of the whole, and memory that does not grow.
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "tests/integrators/random_scene.h"
+#include "tests/support/render.h"
+#include "tests/support/scenes.h"
+
+namespace dspm {
+namespace {
+
+using testing::RandomScene;
+using testing::TestScene;
+
+constexpr const char* kVariants[] = {
+    R"("dsppm" "integer photons" 4000)",
+    R"("dsppm" "integer photons" 4000 "string estimator" "kz11" "string direct" "sampled")",
+    R"("sppm" "integer photons" 4000)",
+    R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20)",
+    R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20 "integer finalgather" 4)",
+    R"("path" "integer maxdepth" 6)",
+};
+
+std::vector<Image> render(TestScene& test, int iterations, std::vector<std::size_t>* bytes = nullptr) {
+  std::vector<Image> images;
+  std::vector<std::vector<Frame>> groups{test.all_frames()};
+  if (frames_together(test.job().integrator) == 1) {
+    groups.clear();
+    for (const Frame f : test.all_frames()) groups.push_back({f});
+  }
+  for (const auto& frames : groups) {
+    const auto scene = test.scene(frames);
+    const auto integrator = test.integrator(*scene);
+    for (int i = 0; i < iterations; ++i) {
+      integrator->iterate(i);
+      if (bytes) bytes->push_back(integrator->statistics().bytes);
+    }
+    for (Frame f = 0; f < scene->frame_count(); ++f) images.push_back(integrator->estimate(f));
+  }
+  return images;
+}
+
+class Promises : public ::testing::TestWithParam<const char*> {
+ protected:
+  std::string integrator() const { return std::string("Integrator ") + GetParam(); }
+};
+
+TEST_P(Promises, SameBitsWithAnyNumberOfThreads) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const std::string text = RandomScene(seed, 5).text(integrator());
+    SCOPED_TRACE(text);
+    std::vector<std::vector<Image>> by_threads;
+    for (const int threads : {1, 2, 5}) {
+      const ThreadLimit limit(threads);
+      TestScene test(text);
+      by_threads.push_back(render(test, 2));
+    }
+    EXPECT_EQ(by_threads[0], by_threads[1]);
+    EXPECT_EQ(by_threads[0], by_threads[2]);
+  }
+}
+
+TEST_P(Promises, FramesOfAStaticSceneAreIdentical) {
+  TestScene test(testing::box("Frames 7\n" + integrator(), R"(
+DynamicBegin "still"
+  Translate 0.2 -0.6 0
+  Material "dielectric"
+  Shape "sphere" "float radius" 0.4
+DynamicEnd)"));
+  const std::vector<Image> images = render(test, 2);
+  ASSERT_EQ(images.size(), 7u);
+  for (const Image& image : images) EXPECT_EQ(image, images.front());
+}
+
+TEST_P(Promises, ACropEqualsTheSamePixelsOfTheWhole) {
+  const std::string text = RandomScene(17, 3).text(integrator());
+  SCOPED_TRACE(text);
+  TestScene whole(text);
+  Options options;
+  options.pixel_bounds = {5, 21, 3, 16};  // x0, x1, y0, y1
+  TestScene crop(text, options);
+  const std::vector<Image> all = render(whole, 2), part = render(crop, 2);
+  ASSERT_EQ(all.size(), part.size());
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    ASSERT_EQ(part[f].width, 16);
+    ASSERT_EQ(part[f].height, 13);
+    for (int y = 0; y < 13; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const Rgb a = all[f].at(x + 5, y + 3), b = part[f].at(x, y);
+        // The photons' order within a pixel's sum depends on the grid's cells, which a crop may choose otherwise.
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-5f * std::max(1.f, std::abs(a[c])));
+      }
+  }
+}
+
+TEST_P(Promises, MemoryIsFlatOverIterations) {
+  TestScene test(testing::box("Frames 3\n" + integrator(), R"(
+DynamicBegin "ball"
+  Keyframe 1 Translate -0.4 -0.6 0 Keyframe 3 Translate 0.4 -0.6 0 KeyframeEnd
+  Material "dielectric"
+  Shape "sphere" "float radius" 0.35
+DynamicEnd)"));
+  std::vector<std::size_t> bytes;
+  render(test, 60, &bytes);
+  // Buffers settle within a few iterations; what grew with every iteration would be six times larger.
+  EXPECT_LE(static_cast<double>(bytes[59]), 1.5 * static_cast<double>(bytes[9]));
+}
+
+TEST_P(Promises, NothingIsInvalid) {
+  for (unsigned seed = 40; seed < 50; ++seed) {
+    const std::string text = RandomScene(seed, 2).text(integrator());
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    for (const Image& image : render(test, 2))
+      for (const Rgb& pixel : image.pixels) {
+        ASSERT_TRUE(is_finite(pixel));
+        ASSERT_GE(std::min(pixel.r, std::min(pixel.g, pixel.b)), 0);
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Promises, ::testing::ValuesIn(kVariants));
+
+}  // namespace
+}  // namespace dspm

@@ -1,0 +1,55 @@
+// Small scenes whose answer is known, or which all integrators must agree on.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace dspm::testing {
+
+/// Inside a sphere that glows with radiance 1 and reflects a share `albedo` diffusely: the radiance L is the same
+/// everywhere, L = 1 + albedo L, so L = 1 / (1 - albedo).
+inline std::string furnace(const std::string& integrator, float albedo) {
+  return fmt::format(R"(
+Integrator {}
+LookAt 0 0 0  0 0 1  0 1 0
+Camera "perspective" "float fov" 80
+Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+WorldBegin
+ReverseOrientation
+AreaLightSource "diffuse" "rgb L" [1 1 1]
+Material "diffuse" "rgb reflectance" [{} {} {}]
+Shape "sphere" "float radius" 2
+)",
+                     integrator, albedo, albedo, albedo);
+}
+
+/// A Cornell-like box with a lamp under the ceiling; `contents` stands in it. -1 <= x, y, z <= 1, open towards -z.
+inline std::string box(const std::string& options, const std::string& contents, int size = 32) {
+  return options + fmt::format(R"(
+LookAt 0 0 -3.6  0 0 0  0 1 0
+Camera "perspective" "float fov" 38
+PixelFilter "box"
+Film "rgb" "integer xresolution" {} "integer yresolution" {}
+WorldBegin
+AttributeBegin
+  Translate 0 0.95 0
+  Rotate 90 1 0 0
+  AreaLightSource "diffuse" "rgb L" [12 12 12]
+  Material "diffuse" "rgb reflectance" [0 0 0]
+  Shape "disk" "float radius" 0.4
+AttributeEnd
+Material "diffuse" "rgb reflectance" [.7 .7 .7]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-1 -1 -1 -1 -1 1 1 -1 1 1 -1 -1]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-1 1 -1 1 1 -1 1 1 1 -1 1 1]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-1 -1 1 -1 1 1 1 1 1 1 -1 1]
+Material "diffuse" "rgb reflectance" [.7 .15 .1]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-1 -1 -1 -1 1 -1 -1 1 1 -1 -1 1]
+Material "diffuse" "rgb reflectance" [.15 .6 .1]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [1 -1 -1 1 -1 1 1 1 1 1 1 -1]
+)",
+                               size, size) +
+         contents;
+}
+
+}  // namespace dspm::testing
