@@ -47,7 +47,8 @@ void parse_directives(benchmark::State& state) {
   for (int i = 0; i < 20000; ++i)
     fmt::format_to(std::back_inserter(text),
                    "AttributeBegin\n  Translate {} 0 1\n  Rotate {} 0 1 0\n  NamedMaterial \"wood\"\n"
-                   "  Shape \"sphere\" \"float radius\" [ 0.{} ]\nAttributeEnd\n", i, i % 360, i + 1);
+                   "  Shape \"sphere\" \"float radius\" [ 0.{} ]\nAttributeEnd\n",
+                   i, i % 360, i + 1);
   for (auto _ : state) {
     dspm::Diagnostics diagnostics;
     benchmark::DoNotOptimize(dspm::parse_text("spheres.dsc", text, {}, diagnostics));

@@ -73,7 +73,8 @@ int edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const char x = lower(a[i - 1]), y = lower(b[j - 1]);
       row[j] = std::min({previous[j] + 1, row[j - 1] + 1, previous[j - 1] + (x == y ? 0 : 1)});
-      if (i > 1 && j > 1 && x == lower(b[j - 2]) && y == lower(a[i - 2])) row[j] = std::min(row[j], two_back[j - 2] + 1);
+      if (i > 1 && j > 1 && x == lower(b[j - 2]) && y == lower(a[i - 2]))
+        row[j] = std::min(row[j], two_back[j - 2] + 1);
     }
     two_back = std::exchange(previous, row);
   }
@@ -87,7 +88,8 @@ std::string to_string(const Diagnostic& diagnostic) {
   std::string text;
   if (at.file != nullptr) text = at.file->name + ":";
   if (at.file != nullptr && at.line > 0) text += fmt::format("{}:{}:", at.line, at.column);
-  text += fmt::format("{}{}: {}\n", text.empty() ? "" : " ", word_of(diagnostic.severity), printable(diagnostic.message));
+  text +=
+      fmt::format("{}{}: {}\n", text.empty() ? "" : " ", word_of(diagnostic.severity), printable(diagnostic.message));
   if (at.file != nullptr && at.line > 0) text += excerpt(at);
   if (!diagnostic.hint.empty()) text += "  " + printable(diagnostic.hint) + "\n";
   return text;

@@ -77,7 +77,8 @@ double determinant3(const Matrix4& a) {
 }
 
 /// The rotation nearest to a regular linear map, by Newton's iteration R <- (s R + R^-T / s) / 2; the scaling s by
-/// determinants makes a few steps enough [Higham 1986, Computing the Polar Decomposition]. Mirroring goes to the stretch.
+/// determinants makes a few steps enough [Higham 1986, Computing the Polar Decomposition]. Mirroring goes to the
+/// stretch.
 Matrix4 rotation_of(Matrix4 linear) {
   if (determinant3(linear) < 0)
     for (std::size_t i = 0; i < 3; ++i)
@@ -88,7 +89,8 @@ Matrix4 rotation_of(Matrix4 linear) {
     const double s = 1 / std::cbrt(determinant3(linear));
     double change = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) change = std::max(change, std::abs(s * linear.m[i][j] - inverse->m[j][i] / s));
+      for (std::size_t j = 0; j < 3; ++j)
+        change = std::max(change, std::abs(s * linear.m[i][j] - inverse->m[j][i] / s));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) linear.m[i][j] = (s * linear.m[i][j] + inverse->m[j][i] / s) / 2;
     if (change < 1e-15) break;

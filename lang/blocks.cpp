@@ -58,11 +58,11 @@ GraphicsState BlockStack::close(Block::Kind kind, const SourceLocation& where, c
     return current;
   }
   if (innermost().kind != kind) {
-    diagnostics_.error(where, fmt::format("{} closes {} of {}", end_of(kind), begin_of(innermost()),
-                                          place(innermost().where, where)),
-                       innermost().kind == Block::Kind::import
-                           ? "an imported file cannot close blocks that were opened outside it"
-                           : fmt::format("{} ends with {}", begin_word(innermost().kind), end_of(innermost().kind)));
+    diagnostics_.error(
+        where, fmt::format("{} closes {} of {}", end_of(kind), begin_of(innermost()), place(innermost().where, where)),
+        innermost().kind == Block::Kind::import
+            ? "an imported file cannot close blocks that were opened outside it"
+            : fmt::format("{} ends with {}", begin_word(innermost().kind), end_of(innermost().kind)));
     if (innermost().kind == Block::Kind::import) return current;
     // Either an inner block was left open or the wrong end was written: close up to a block of the kind, or this one.
     const auto barrier = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) {
@@ -92,7 +92,8 @@ void BlockStack::report_open(const Block& block) const {
 }
 
 const Block* BlockStack::find(Block::Kind kind) const {
-  const auto found = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) { return block.kind == kind; });
+  const auto found =
+      std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) { return block.kind == kind; });
   return found == blocks_.rend() ? nullptr : &*found;
 }
 

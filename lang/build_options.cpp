@@ -12,10 +12,15 @@ namespace {
 
 using enum DirectiveKind;
 
-constexpr std::string_view kOptionsOfPbrt[] = {
-    "disabletexturefiltering", "disablewavelengthjitter", "displacementedgescale", "msereferenceimage",
-    "msereferenceout",         "rendercoordsys",          "forcediffuse",          "pixelstats",
-    "wavefront"};
+constexpr std::string_view kOptionsOfPbrt[] = {"disabletexturefiltering",
+                                               "disablewavelengthjitter",
+                                               "displacementedgescale",
+                                               "msereferenceimage",
+                                               "msereferenceout",
+                                               "rendercoordsys",
+                                               "forcediffuse",
+                                               "pixelstats",
+                                               "wavefront"};
 
 /// pbrt ignores case, dashes and underscores in the names of options.
 std::string normalized(std::string_view name) {
@@ -48,8 +53,8 @@ bool SceneBuilder::apply_option(Directive& directive) {
 
 void SceneBuilder::warn_of_second(const Directive& directive, const PluginUse* first) {
   if (first == nullptr) return;
-  diagnostics_.warning(directive.where, fmt::format("this {} replaces the one of line {}", directive.info->name,
-                                                    first->where.line));
+  diagnostics_.warning(directive.where,
+                       fmt::format("this {} replaces the one of line {}", directive.info->name, first->where.line));
 }
 
 void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directive) {
@@ -65,7 +70,8 @@ void SceneBuilder::camera(Directive& directive) {
 
 void SceneBuilder::frames(const Directive& directive) {
   if (scene_.frames_where.file != nullptr) {
-    diagnostics_.error(directive.where, "a second Frames", fmt::format("the first is in line {}", scene_.frames_where.line));
+    diagnostics_.error(directive.where, "a second Frames",
+                       fmt::format("the first is in line {}", scene_.frames_where.line));
     return;
   }
   scene_.frames_where = directive.where;

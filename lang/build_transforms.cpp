@@ -69,7 +69,8 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
   if (is_regular(motion.at(0)))
     state_.ctm = std::move(motion);
   else
-    diagnostics_.error(directive.where, fmt::format("with this {} the current transform is singular", directive.info->name));
+    diagnostics_.error(directive.where,
+                       fmt::format("with this {} the current transform is singular", directive.info->name));
 }
 
 void SceneBuilder::replace(const Directive& directive, const TransformOp& op) {
@@ -82,8 +83,9 @@ void SceneBuilder::replace(const Directive& directive, const TransformOp& op) {
 bool SceneBuilder::is_blurred(const Directive& directive) {
   if (state_.active == GraphicsState::Active::both) return false;
   if (!blur_told_)
-    diagnostics_.unsupported(directive.where, "motion blur (a transform for one end of the shutter's time) is not "
-                                              "supported for now");
+    diagnostics_.unsupported(directive.where,
+                             "motion blur (a transform for one end of the shutter's time) is not "
+                             "supported for now");
   blur_told_ = true;
   return state_.active == GraphicsState::Active::end;  // what holds at the start is rendered with --lenient
 }
@@ -104,7 +106,8 @@ void SceneBuilder::coordinate_system(const Directive& directive) {
   if (found == scene_.coordinate_systems.end()) {
     std::vector<std::string> known;
     for (const auto& [each, motion] : scene_.coordinate_systems) known.push_back(each);
-    diagnostics_.error(name.where, fmt::format("unknown coordinate system \"{}\"", name.text), did_you_mean(name.text, known));
+    diagnostics_.error(name.where, fmt::format("unknown coordinate system \"{}\"", name.text),
+                       did_you_mean(name.text, known));
   } else if (is_blurred(directive)) {
     return;
   } else if (!group_) {
@@ -135,7 +138,10 @@ void SceneBuilder::keyframe(const Directive& directive) {
   reader.finish();
   const int frame = static_cast<int>(std::clamp(key, 1.0, static_cast<double>(kMostFrames)));
   check_frame(frame, directive.where);
-  group_->begin_key(frame - 1, ease == "smooth" ? Ease::smooth : ease == "step" ? Ease::step : Ease::linear,
+  group_->begin_key(frame - 1,
+                    ease == "smooth" ? Ease::smooth
+                    : ease == "step" ? Ease::step
+                                     : Ease::linear,
                     directive.where, diagnostics_);
 }
 

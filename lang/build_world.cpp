@@ -16,8 +16,8 @@ bool gives(const ParamList& params, std::string_view name) { return params.find(
 
 /// Takes `"string <name>" "<text>"` out of the list.
 std::optional<Argument> take_text(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
-  const auto found = std::find_if(params.params.begin(), params.params.end(),
-                                  [&](const Param& param) { return param.name == name; });
+  const auto found =
+      std::find_if(params.params.begin(), params.params.end(), [&](const Param& param) { return param.name == name; });
   if (found == params.params.end()) return std::nullopt;
   const auto* texts = std::get_if<std::vector<std::string>>(&found->values);
   Argument argument{{}, found->values_where};
@@ -103,7 +103,8 @@ void SceneBuilder::dynamic_begin(const Directive& directive) {
 
 void SceneBuilder::object_begin(const Directive& directive) {
   if (const Block* outer = blocks_.find(Block::Kind::object))
-    diagnostics_.error(directive.where, fmt::format("ObjectBegin inside {} of line {}", begin_of(*outer), outer->where.line),
+    diagnostics_.error(directive.where,
+                       fmt::format("ObjectBegin inside {} of line {}", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
   open_block(Block::Kind::object, directive, directive.words[0].text);
   define(objects_, directive);
@@ -112,7 +113,8 @@ void SceneBuilder::object_begin(const Directive& directive) {
 
 void SceneBuilder::object_instance(const Directive& directive) {
   if (const Block* outer = blocks_.find(Block::Kind::object))
-    diagnostics_.error(directive.where, fmt::format("ObjectInstance inside {} of line {}", begin_of(*outer), outer->where.line),
+    diagnostics_.error(directive.where,
+                       fmt::format("ObjectInstance inside {} of line {}", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
   scene_.instances.push_back({directive.words[0].text, state_.ctm, state_.reverse_orientation, state_.dynamic_block,
                               directive.words[0].where});
@@ -205,7 +207,8 @@ void SceneBuilder::texture(Directive& directive) {
   }
   define(is_spectrum ? spectrum_textures_ : float_textures_, directive);
   std::string name = directive.words[0].text;
-  scene_.textures.push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
+  scene_.textures.push_back(
+      {plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
 }
 
 std::string SceneBuilder::take_light_name(ParamList& params) {
@@ -227,12 +230,15 @@ void SceneBuilder::light_source(Directive& directive) {
 }
 
 void SceneBuilder::shape(Directive& directive) {
-  ShapeUse use{plugin_use(directive, AttributeTarget::shape), state_.ctm, state_.reverse_orientation, state_.material,
-               state_.area_light, state_.dynamic_block};
+  ShapeUse use{plugin_use(directive, AttributeTarget::shape),
+               state_.ctm,
+               state_.reverse_orientation,
+               state_.material,
+               state_.area_light,
+               state_.dynamic_block};
   if (use.dynamic_block < 0 && use.params.is_keyed()) {
-    const auto keyed = std::find_if(use.params.params.begin(), use.params.params.end(), [](const Param& param) {
-      return ParamList{{param}}.is_keyed();
-    });
+    const auto keyed = std::find_if(use.params.params.begin(), use.params.params.end(),
+                                    [](const Param& param) { return ParamList{{param}}.is_keyed(); });
     diagnostics_.error(keyed->where, "only shapes in a Dynamic block may differ between frames",
                        "put it between DynamicBegin \"a name\" and DynamicEnd");
   }

@@ -18,10 +18,12 @@ std::string shortened(std::string_view word) {
 }
 
 [[noreturn]] void fail_unknown(const Lexer& lexer, const Token& token) {
-  if (token.kind != Kind::word) lexer.fail(token.text, fmt::format("expected a directive, not {}", shortened(token.text)));
+  if (token.kind != Kind::word)
+    lexer.fail(token.text, fmt::format("expected a directive, not {}", shortened(token.text)));
   const std::string message = fmt::format("unknown directive {}", shortened(token.text));
   if (is_old_directive(token.text))
-    throw SyntaxError(lexer.locate(token.text), message, "pbrt-v4 has no such directive any more", std::string(token.text));
+    throw SyntaxError(lexer.locate(token.text), message, "pbrt-v4 has no such directive any more",
+                      std::string(token.text));
   lexer.fail(token.text, message, did_you_mean(token.text, directive_names()));
 }
 
@@ -30,8 +32,9 @@ void read_number(Lexer& lexer, const Token& word, Directive& directive) {
   const bool is_bare = next.kind == Kind::number || next.kind == Kind::word;
   if (!is_bare || find_directive(next.text) != nullptr) {
     const auto expected = std::count(directive.info->arguments.begin(), directive.info->arguments.end(), 'n');
-    lexer.fail(word.text, fmt::format("{} takes {} number{}, but {} follow{}", word.text, expected, expected == 1 ? "" : "s",
-                                      directive.numbers.size(), directive.numbers.size() == 1 ? "s" : ""));
+    lexer.fail(word.text,
+               fmt::format("{} takes {} number{}, but {} follow{}", word.text, expected, expected == 1 ? "" : "s",
+                           directive.numbers.size(), directive.numbers.size() == 1 ? "s" : ""));
   }
   directive.numbers.push_back(lexer.number<double>());
 }
@@ -62,7 +65,7 @@ void expect_end(Lexer& lexer, const Directive& directive) {
   if (directive.params.params.empty())
     lexer.fail(next.text, fmt::format("{} takes no {} here", directive.info->name, shortened(next.text)));
   lexer.fail(next.text, fmt::format("expected a parameter or a directive, not {}", shortened(next.text)),
-             next.kind == Kind::number ? "several values stand in brackets" : "");
+             next.kind == Kind::number ? "several numbers stand in brackets" : "");
 }
 
 }  // namespace

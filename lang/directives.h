@@ -1,4 +1,5 @@
-// The words of the language: one visible table of directives, with the arguments that each takes and where it may stand.
+// The words of the language: one visible table of directives, with the arguments that each takes and where it may
+// stand.
 #pragma once
 
 #include <span>
@@ -8,15 +9,17 @@
 
 namespace dspm {
 
+// clang-format off
 enum class DirectiveKind {
   accelerator, active_transform, area_light_source, attribute, attribute_begin, attribute_end, camera, color_space,
   concat_transform, coordinate_system, coord_sys_transform, film, identity, import, include, integrator, light_source,
   look_at, make_named_material, make_named_medium, material, medium_interface, named_material, object_begin, object_end,
   object_instance, option, pixel_filter, reverse_orientation, rotate, sampler, scale, shape, texture, transform,
   transform_begin, transform_end, transform_times, translate, world_begin,
-  frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,
-  variation_begin, variation_end, axis_begin, axis_end, show, hide, light,
+  frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,               // what dspm adds to pbrt
+  variation_begin, variation_end, axis_begin, axis_end, show, hide, light,  // not built yet
 };
+// clang-format on
 
 enum class Section { options, world, any };  // before WorldBegin, after it, anywhere
 

@@ -48,7 +48,8 @@ bool starts_directive(const Token& token) {
 /// Splits a directive off the tokens from `at` on.
 class DirectiveTokens {
  public:
-  DirectiveTokens(const Tokens& tokens, std::size_t at) : tokens_(tokens), at_(at), info_(find_directive(tokens[at].text)) {
+  DirectiveTokens(const Tokens& tokens, std::size_t at)
+      : tokens_(tokens), at_(at), info_(find_directive(tokens[at].text)) {
     take_head();
     while (at_ < tokens_.size() && !ends_here()) take_group();
     if (groups_.back().back().is_comment() && !groups_.back().back().is_comment_line()) {
@@ -83,7 +84,8 @@ class DirectiveTokens {
     if (at_ == tokens_.size()) return;
     const bool is_list = tokens_[at_].kind == Kind::open;
     take();
-    while (is_list && at_ < tokens_.size() && groups_.back().back().kind != Kind::close && !starts_directive(tokens_[at_]))
+    while (is_list && at_ < tokens_.size() && groups_.back().back().kind != Kind::close &&
+           !starts_directive(tokens_[at_]))
       take();
   }
 
@@ -165,7 +167,8 @@ class Writer {
   void write(const DirectiveTokens& directive) {
     const int change = directive.info() == nullptr ? 0 : directive.info()->indentation;
     const bool is_key = directive.info() != nullptr && directive.info()->kind == DirectiveKind::keyframe;
-    const bool ends_keys = change < 0 || (directive.info() != nullptr && directive.info()->kind == DirectiveKind::keyframe_end);
+    const bool ends_keys =
+        change < 0 || (directive.info() != nullptr && directive.info()->kind == DirectiveKind::keyframe_end);
     if (in_key_ && (is_key || ends_keys)) --level_;
     in_key_ = is_key || (in_key_ && !ends_keys);
     if (change < 0 && level_ > 0) --level_;

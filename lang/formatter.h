@@ -1,5 +1,5 @@
-// The canonical form of a scene file: one directive a line, blocks indented, comments kept. Works on tokens alone, so it
-// neither follows Include nor cares whether plugins exist.
+// The canonical form of a scene file: one directive a line, blocks indented, comments kept. Works on tokens alone, so
+// it neither follows Include nor cares whether plugins exist.
 #pragma once
 
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dspm {
@@ -18,7 +19,7 @@ TransformOp matrix_op(const Matrix4& matrix) {
 bool is_regular(const Matrix4& matrix) {
   for (const auto& row : matrix.m)
     for (const double v : row)
-      if (!std::isfinite(static_cast<float>(v))) return false;
+      if (!(std::abs(v) <= std::numeric_limits<float>::max())) return false;
   return matrix.inverse().has_value();
 }
 

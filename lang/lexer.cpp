@@ -22,12 +22,12 @@ const char* line_end(const char* at, const char* end) {
   return newline == nullptr ? end : static_cast<const char*>(newline);
 }
 
-std::string_view view(const char* begin, const char* end) {
-  return {begin, static_cast<std::size_t>(end - begin)};
-}
+std::string_view view(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
 /// Which std::from_chars does not take, while it would take the - of `+-1`.
-const char* skip_plus(const char* at, const char* end) { return end - at > 1 && at[0] == '+' && at[1] != '-' ? at + 1 : at; }
+const char* skip_plus(const char* at, const char* end) {
+  return end - at > 1 && at[0] == '+' && at[1] != '-' ? at + 1 : at;
+}
 
 /// The end of the string that begins at `quote`, behind its closing quote; null where its line ends first.
 const char* string_end(const char* quote, const char* end) {
@@ -40,8 +40,7 @@ const char* string_end(const char* quote, const char* end) {
 
 }  // namespace
 
-Lexer::Lexer(const SourceText& source)
-    : source_(source), at_(source.text().data()), end_(at_ + source.text().size()) {
+Lexer::Lexer(const SourceText& source) : source_(source), at_(source.text().data()), end_(at_ + source.text().size()) {
   if (source.text().starts_with("\xEF\xBB\xBF")) at_ += 3;  // byte order mark
 }
 
@@ -97,15 +96,16 @@ Token Lexer::read_string() {
   return {Token::Kind::string, view(begin, closed)};
 }
 
-std::string_view Lexer::word_at(const char* begin) const {
-  return view(begin, std::find_if(begin, end_, ends_word));
-}
+std::string_view Lexer::word_at(const char* begin) const { return view(begin, std::find_if(begin, end_, ends_word)); }
 
 void Lexer::skip_blank() {
   while (at_ != end_) {
-    if (is_blank(*at_)) ++at_;
-    else if (*at_ == '#') at_ = line_end(at_, end_);
-    else break;
+    if (is_blank(*at_))
+      ++at_;
+    else if (*at_ == '#')
+      at_ = line_end(at_, end_);
+    else
+      break;
   }
 }
 
@@ -132,7 +132,8 @@ std::string Lexer::unquoted(const Token& string) const {
   for (std::size_t escape; (escape = rest.find('\\')) != rest.npos; rest.remove_prefix(escape + 2)) {
     constexpr std::string_view kLetters = "bfnrt\\'\"", kMeanings = "\b\f\n\r\t\\'\"";
     const std::size_t which = kLetters.find(rest[escape + 1]);
-    if (which == kLetters.npos) fail(rest.substr(escape, 2), "unknown escape", "there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"");
+    if (which == kLetters.npos)
+      fail(rest.substr(escape, 2), "unknown escape", "there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"");
     result.append(rest.substr(0, escape));
     result.push_back(kMeanings[which]);
   }
@@ -198,7 +199,8 @@ void Lexer::numbers_to_bracket(std::vector<Number>& values) {
     if (at_ == end_) fail(view(begin - 1, begin), "this list is not closed");
     if (!starts_number(*at_)) {
       if (*at_ == ']') break;
-      if (*at_ == '"' || *at_ == '[' || is_upper(*at_)) fail(view(at_, at_ + 1), "expected a number, or ] to end the list");
+      if (*at_ == '"' || *at_ == '[' || is_upper(*at_))
+        fail(view(at_, at_ + 1), "expected a number, or ] to end the list");
     }
     values.push_back(read_number<Number>());
   }

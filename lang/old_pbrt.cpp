@@ -13,8 +13,8 @@ using Words = std::span<const std::string_view>;
 bool among(std::string_view word, Words words) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
 // Only pbrt-v1 and v2 have these, with v3 the last one.
-constexpr std::string_view kDirectives[] = {"SurfaceIntegrator", "VolumeIntegrator", "Volume", "Renderer", "SearchPath",
-                                            "WorldEnd"};
+constexpr std::string_view kDirectives[] = {"SurfaceIntegrator", "VolumeIntegrator", "Volume",
+                                            "Renderer",          "SearchPath",       "WorldEnd"};
 
 // Plugins which pbrt-v4 dropped or renamed.
 constexpr std::string_view kCameras[] = {"environment"};
@@ -25,16 +25,15 @@ constexpr std::string_view kIntegrators[] = {"directlighting", "whitted", "ao"};
 constexpr std::string_view kAccelerators[] = {"grid"};
 constexpr std::string_view kLights[] = {"exinfinite", "infinitesample", "area"};
 constexpr std::string_view kShapes[] = {"cone", "hyperboloid", "paraboloid", "heightfield", "heightfield2", "nurbs"};
-constexpr std::string_view kMaterials[] = {"matte",       "plastic", "glass",        "mirror",     "metal",
-                                           "uber",        "disney",  "substrate",    "translucent", "fourier",
-                                           "kdsubsurface", "bluepaint", "brushedmetal", "clay",      "felt",
-                                           "primer",      "skin",    "shinymetal"};
+constexpr std::string_view kMaterials[] = {
+    "matte",   "plastic",      "glass",     "mirror",       "metal", "uber", "disney", "substrate", "translucent",
+    "fourier", "kdsubsurface", "bluepaint", "brushedmetal", "clay",  "felt", "primer", "skin",      "shinymetal"};
 constexpr std::string_view kTextures[] = {"uv"};
 constexpr std::string_view kMedia[] = {"heterogeneous"};
 
 // Parameters which pbrt-v4 renamed or reads in another way, whatever they belong to.
-constexpr std::string_view kParams[] = {"Kd",     "Ks",     "Kr",      "Kt",      "mapname",        "bumpmap",
-                                        "xwidth", "ywidth", "nlevels", "namedmaterial1", "namedmaterial2"};
+constexpr std::string_view kParams[] = {
+    "Kd", "Ks", "Kr", "Kt", "mapname", "bumpmap", "xwidth", "ywidth", "nlevels", "namedmaterial1", "namedmaterial2"};
 
 Words old_types(DirectiveKind kind) {
   switch (kind) {
@@ -68,7 +67,9 @@ std::optional<OldWord> type_of(const Directive& directive) {
   return OldWord{directive.words.back().text, directive.words.back().where};
 }
 
-bool is_written_with(const SourceFile& file, std::string_view word) { return file.text.find(word) != std::string::npos; }
+bool is_written_with(const SourceFile& file, std::string_view word) {
+  return file.text.find(word) != std::string::npos;
+}
 
 }  // namespace
 

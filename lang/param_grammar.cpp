@@ -6,6 +6,8 @@
 #include <charconv>
 #include <tuple>
 
+#include "lang/directives.h"
+
 namespace dspm {
 namespace {
 
@@ -16,17 +18,20 @@ struct TypeWord {
 };
 
 constexpr TypeWord kTypes[] = {
-    {"bool", ParamType::boolean},       {"integer", ParamType::integer},   {"float", ParamType::number},
-    {"string", ParamType::text},        {"point2", ParamType::point2, 2},  {"vector2", ParamType::vector2, 2},
-    {"point3", ParamType::point3, 3},   {"vector3", ParamType::vector3, 3}, {"normal", ParamType::normal, 3},
-    {"rgb", ParamType::rgb, 3},         {"blackbody", ParamType::blackbody}, {"spectrum", ParamType::spectrum},
+    {"bool", ParamType::boolean},     {"integer", ParamType::integer},     {"float", ParamType::number},
+    {"string", ParamType::text},      {"point2", ParamType::point2, 2},    {"vector2", ParamType::vector2, 2},
+    {"point3", ParamType::point3, 3}, {"vector3", ParamType::vector3, 3},  {"normal", ParamType::normal, 3},
+    {"rgb", ParamType::rgb, 3},       {"blackbody", ParamType::blackbody}, {"spectrum", ParamType::spectrum},
     {"texture", ParamType::texture},
 };
 
 /// How the types are called now that pbrt-v1 to v3 knew by other words.
 std::string_view new_type(std::string_view word) {
-  return word == "point" ? "point3" : word == "vector" ? "vector3" : word == "normal3" ? "normal"
-         : word == "color" || word == "xyz" ? "rgb" : "";
+  return word == "point"                    ? "point3"
+         : word == "vector"                 ? "vector3"
+         : word == "normal3"                ? "normal"
+         : word == "color" || word == "xyz" ? "rgb"
+                                            : "";
 }
 
 struct Declaration {
@@ -37,7 +42,8 @@ struct Declaration {
 /// Type, blanks, name; `type` is null where the first word is no type.
 Declaration split(std::string_view inside, bool accept_old_types) {
   const auto skip = [&](auto is_end) {
-    const std::size_t length = static_cast<std::size_t>(std::find_if(inside.begin(), inside.end(), is_end) - inside.begin());
+    const std::size_t length =
+        static_cast<std::size_t>(std::find_if(inside.begin(), inside.end(), is_end) - inside.begin());
     const std::string_view part = inside.substr(0, length);
     inside.remove_prefix(length);
     return part;
@@ -49,7 +55,8 @@ Declaration split(std::string_view inside, bool accept_old_types) {
   if (accept_old_types && (word == "point" || word == "vector" || word == "normal3")) word = new_type(word);
   skip(is_no_blank);
   const std::string_view full_name = skip(is_blank);
-  const auto type = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeWord& t) { return t.word == word; });
+  const auto type =
+      std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeWord& t) { return t.word == word; });
   const std::size_t at = std::min(full_name.find('@'), full_name.size());
   return {type == std::end(kTypes) ? nullptr : type, full_name.substr(0, at), full_name.substr(at)};
 }
@@ -64,8 +71,10 @@ Declaration split(std::string_view inside, bool accept_old_types) {
     throw SyntaxError(lexer.locate(string.text), fmt::format("unknown parameter type \"{}\"", word),
                       fmt::format("did you mean \"{}\"?", now), std::string(word));
   std::string hint = did_you_mean(word, words);
-  if (hint.empty()) hint = "there are: bool, integer, float, string, point2, vector2, point3, vector3, normal, rgb, "
-                           "blackbody, spectrum, texture";
+  if (hint.empty())
+    hint =
+        "there are: bool, integer, float, string, point2, vector2, point3, vector3, normal, rgb, "
+        "blackbody, spectrum, texture";
   lexer.fail(string.text, fmt::format("unknown parameter type \"{}\"", word), hint);
 }
 
@@ -121,46 +130,52 @@ std::vector<bool> read_flags(Lexer& lexer) {
   });
 }
 
-/// The next value is a string, bracketed or not.
-bool strings_follow(Lexer& lexer) {
-  if (lexer.peek().kind != Token::Kind::open) return lexer.peek().kind == Token::Kind::string;
+/// The token behind the opening bracket, if there is one; nothing is read.
+Token first_value(Lexer& lexer) {
+  if (lexer.peek().kind != Token::Kind::open) return lexer.peek();
   Lexer ahead = lexer;
   ahead.next();
-  return ahead.peek().kind == Token::Kind::string;
+  return ahead.next();
 }
 
 [[noreturn]] void fail_strings(Lexer& lexer, const TypeWord& type, std::string_view name) {
-  Token found = lexer.next();
-  if (found.kind == Token::Kind::open) found = lexer.next();
+  const Token found = first_value(lexer);
   const bool may_be_texture = type.type == ParamType::number || type.type == ParamType::rgb;
-  const std::string hint = may_be_texture ? fmt::format("a texture is given as \"texture {}\" {}", name, found.text) : "";
-  lexer.fail(found.text, fmt::format("expected a number for \"{} {}\"", type.word, name), declares_param(found.text) ? "" : hint);
+  const std::string hint =
+      may_be_texture ? fmt::format("a texture is given as \"texture {}\" {}", name, found.text) : "";
+  lexer.fail(found.text, fmt::format("expected a number for \"{} {}\"", type.word, name),
+             declares_param(found.text) ? "" : hint);
 }
 
 Param::Values read_values_of(Lexer& lexer, const TypeWord& type, std::string_view name) {
+  const bool are_strings = first_value(lexer).kind == Token::Kind::string;
   switch (type.type) {
     case ParamType::boolean: return read_flags(lexer);
     case ParamType::text:
     case ParamType::texture: return read_strings(lexer);
     case ParamType::spectrum:
-      if (strings_follow(lexer)) return read_strings(lexer);
+      if (are_strings) return read_strings(lexer);
       return read_numbers<float>(lexer);
     default: break;
   }
-  if (strings_follow(lexer)) fail_strings(lexer, type, name);
+  if (are_strings) fail_strings(lexer, type, name);
   if (type.type == ParamType::integer) return read_numbers<int>(lexer);
   return read_numbers<float>(lexer);
 }
 
-void check_count(const Lexer& lexer, const Token& string, const Declaration& declared, const Param::Values& values) {
+void check_count(Lexer& lexer, const Token& string, const Declaration& declared, const Param::Values& values) {
   const auto* numbers = std::get_if<std::vector<float>>(&values);
   if (numbers == nullptr) return;
   const bool is_sampled = declared.type->type == ParamType::spectrum;
   const std::size_t dimension = is_sampled ? 2 : declared.type->dimension;
   if (numbers->size() % dimension == 0) return;
-  lexer.fail(string.text, fmt::format("{} numbers cannot be values of type {}", numbers->size(), declared.type->word),
-             is_sampled ? "a sampled spectrum is a list of wavelength and value pairs"
-                        : fmt::format("each of them has {} numbers", dimension));
+  std::string hint = fmt::format("each of them has {} numbers", dimension);
+  if (is_sampled) hint = "a sampled spectrum is a list of wavelength and value pairs";
+  if (lexer.peek().kind == Token::Kind::number) hint = "several numbers stand in brackets";
+  lexer.fail(string.text,
+             fmt::format("{} number{} cannot be values of type {}", numbers->size(), numbers->size() == 1 ? "" : "s",
+                         declared.type->word),
+             hint);
 }
 
 Param read_param(Lexer& lexer, bool accept_old_types) {
@@ -174,9 +189,10 @@ Param read_param(Lexer& lexer, bool accept_old_types) {
   param.name = declared.name;
   param.key = read_key(lexer, string, declared.key);
   param.where = lexer.locate(string.text);
-  if (lexer.peek().kind == Token::Kind::end || lexer.peek().kind == Token::Kind::close)
+  const Token& next = lexer.peek();
+  if (next.kind == Token::Kind::end || next.kind == Token::Kind::close || find_directive(next.text) != nullptr)
     lexer.fail(string.text, "this parameter has no value");
-  param.values_where = lexer.locate(lexer.peek().text);
+  param.values_where = lexer.locate(first_value(lexer).text);
   param.values = read_values_of(lexer, *declared.type, declared.name);
   check_count(lexer, string, declared, param.values);
   return param;
@@ -185,7 +201,8 @@ Param read_param(Lexer& lexer, bool accept_old_types) {
 void check_pair(const Param& a, const Param& b) {
   if (a.name != b.name) return;
   const auto fail = [&](const std::string& what) {
-    throw SyntaxError(b.where, fmt::format("parameter \"{}\" {}", b.name, what), fmt::format("first in line {}", a.where.line));
+    throw SyntaxError(b.where, fmt::format("parameter \"{}\" {}", b.name, what),
+                      fmt::format("first in line {}", a.where.line));
   };
   if (a.key == b.key) fail(a.key == 0 ? "is given twice" : fmt::format("has two values for frame {}", a.key));
   if (a.key == 0 || b.key == 0) fail("is given both with and without a frame");

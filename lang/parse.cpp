@@ -141,7 +141,8 @@ class SceneReader {
   }
 
   void check_cycle(const Argument& name, const std::string& id) const {
-    const auto first = std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == id; });
+    const auto first =
+        std::find_if(open_.begin(), open_.end(), [&](const OpenFile& file) { return file.identity == id; });
     if (first == open_.end()) return;
     std::string cycle;
     for (auto file = first; file != open_.end(); ++file) cycle += file->name + " -> ";
@@ -186,7 +187,8 @@ SceneDescription parse(const std::string& main_name, const ParseOptions& options
 
 }  // namespace
 
-SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options, Diagnostics& diagnostics) {
+SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
+                             Diagnostics& diagnostics) {
   return parse(paths.empty() ? "" : paths.front(), options, diagnostics, [&](SceneReader& reader) {
     for (const std::string& path : paths) reader.read_main(path);
   });

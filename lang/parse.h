@@ -17,7 +17,8 @@ struct ParseOptions {
 /// Reads the files one after the other as if they were one; "-" is standard input. What is wrong goes to `diagnostics`,
 /// up to kErrorsShown errors; after an error the description is what could be read. It owns the files' texts, to which
 /// the diagnostics refer: keep it while they are printed.
-SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options, Diagnostics& diagnostics);
+SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
+                             Diagnostics& diagnostics);
 
 /// The same for a text in memory. Included files are looked for beside `name`, which need not exist.
 SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,

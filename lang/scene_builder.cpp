@@ -64,8 +64,7 @@ bool SceneBuilder::skip_variations(const Directive& directive) {
 }
 
 void SceneBuilder::close_forgotten_group(const Directive& directive) {
-  diagnostics_.error(directive.where,
-                     fmt::format("only transforms stand between keys, no {}", directive.info->name),
+  diagnostics_.error(directive.where, fmt::format("only transforms stand between keys, no {}", directive.info->name),
                      fmt::format("KeyframeEnd is missing: the keys began in line {}", group_->where().line));
   finish_group();
 }
@@ -90,7 +89,8 @@ void SceneBuilder::check_keys(const Directive& directive) {
     if (takes_keys(directive.info->kind))
       check_frame(param.key, param.where);
     else
-      diagnostics_.error(param.where, fmt::format("parameters of {} cannot change between frames", directive.info->name));
+      diagnostics_.error(param.where,
+                         fmt::format("parameters of {} cannot change between frames", directive.info->name));
   }
 }
 

@@ -97,7 +97,7 @@ class SceneBuilder {
   bool options_have_keys_ = false;
   bool blur_told_ = false;  // since the last ActiveTransform
   int skipped_depth_ = 0;
-  std::vector<std::pair<int, SourceLocation>> keys_before_world_;  // checked when the number of frames is known
+  std::vector<std::pair<int, SourceLocation>> keys_before_world_;        // checked when the number of frames is known
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files that are being imported
   Places materials_, float_textures_, spectrum_textures_, media_, objects_;
 };

@@ -1,5 +1,5 @@
-// A scene file's text as the lexer reads it: `$name` replaced by what -D says, and every place in it traced back to line
-// and column of the file as it was written.
+// A scene file's text as the lexer reads it: `$name` replaced by what -D says, and every place in it traced back to
+// line and column of the file as it was written.
 #pragma once
 
 #include <map>

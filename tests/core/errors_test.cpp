@@ -10,7 +10,8 @@ TEST(Diagnostic, ShowsTheLineAndTheHint) {
   std::string text(13, '\n');
   text += "  Material \"diffuse\" \"rgb reflectence\" [.7 .68 .65]\n";
   const SourceFile file{"drop.dsc", text};
-  EXPECT_EQ(to_string({Severity::error, {&file, 14, 22, 17},
+  EXPECT_EQ(to_string({Severity::error,
+                       {&file, 14, 22, 17},
                        "unknown parameter \"reflectence\" of material \"diffuse\"",
                        "did you mean \"reflectance\"? (dspm --describe material:diffuse lists them all)"}),
             "drop.dsc:14:22: error: unknown parameter \"reflectence\" of material \"diffuse\"\n"
@@ -30,8 +31,11 @@ TEST(Diagnostic, ClipsLongLines) {
   const SourceFile file{"a.dsc", std::string(500, 'x') + "HERE" + std::string(500, 'y')};
   EXPECT_EQ(to_string({Severity::error, {&file, 1, 501, 4}, "odd", ""}),
             "a.dsc:1:501: error: odd\n"
-            "    1 | ..." + std::string(50, 'x') + "HERE" + std::string(46, 'y') + "...\n"
-            "      |    " + std::string(50, ' ') + "^~~~\n");
+            "    1 | ..." +
+                std::string(50, 'x') + "HERE" + std::string(46, 'y') +
+                "...\n"
+                "      |    " +
+                std::string(50, ' ') + "^~~~\n");
 }
 
 TEST(Diagnostic, CountsCharactersNotBytesAndTabsAsOne) {

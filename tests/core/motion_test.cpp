@@ -25,7 +25,8 @@ TransformOp matrix(const Matrix4& m) {
   return op;
 }
 
-Matrix4 between(std::vector<TransformOp> a, std::vector<TransformOp> b, Frame frame, Frame last, Ease ease = Ease::linear) {
+Matrix4 between(std::vector<TransformOp> a, std::vector<TransformOp> b, Frame frame, Frame last,
+                Ease ease = Ease::linear) {
   return KeyedTransform({{0, ease, std::move(a)}, {last, Ease::linear, std::move(b)}}).at(frame);
 }
 
@@ -40,10 +41,10 @@ TEST(KeyedTransform, EqualSequencesGoArgumentByArgument) {
   for (Frame f = 0; f <= 16; ++f) {
     expect_near(between({rotate(0, 0, 1, 0)}, {rotate(360, 0, 1, 0)}, f, 16), Matrix4::rotate(22.5 * f, 0, 1, 0));
     const double t = f / 16.0;
-    expect_near(between({translate(0, 0, 0), rotate(0, 1, 0, 0), scale(1, 1, 1)},
-                        {translate(1, 2, 3), rotate(-720, 1, 0, 0), scale(3, 2, 1)}, f, 16),
-                Matrix4::translate(t, 2 * t, 3 * t) * Matrix4::rotate(-720 * t, 1, 0, 0) *
-                    Matrix4::scale(1 + 2 * t, 1 + t, 1));
+    expect_near(
+        between({translate(0, 0, 0), rotate(0, 1, 0, 0), scale(1, 1, 1)},
+                {translate(1, 2, 3), rotate(-720, 1, 0, 0), scale(3, 2, 1)}, f, 16),
+        Matrix4::translate(t, 2 * t, 3 * t) * Matrix4::rotate(-720 * t, 1, 0, 0) * Matrix4::scale(1 + 2 * t, 1 + t, 1));
   }
 }
 
@@ -66,7 +67,8 @@ TEST(KeyedTransform, OthersAreDecomposed) {
 }
 
 TEST(KeyedTransform, DecompositionTakesTheShorterWay) {
-  expect_near(between({rotate(0, 0, 0, 1)}, {rotate(270, 0, 0, 1), scale(1, 1, 1)}, 1, 3), Matrix4::rotate(-30, 0, 0, 1));
+  expect_near(between({rotate(0, 0, 0, 1)}, {rotate(270, 0, 0, 1), scale(1, 1, 1)}, 1, 3),
+              Matrix4::rotate(-30, 0, 0, 1));
 }
 
 TEST(KeyedTransform, MirrorsStayMirrors) {
@@ -92,7 +94,9 @@ TEST(KeyedTransform, KeysAreMetExactlyAndRotationsStayRigid) {
 }
 
 TEST(KeyedTransform, IsEased) {
-  const auto x = [](Ease ease, Frame f) { return between({translate(0, 0, 0)}, {translate(1, 0, 0)}, f, 4, ease).m[0][3]; };
+  const auto x = [](Ease ease, Frame f) {
+    return between({translate(0, 0, 0)}, {translate(1, 0, 0)}, f, 4, ease).m[0][3];
+  };
   EXPECT_DOUBLE_EQ(x(Ease::linear, 1), .25);
   EXPECT_DOUBLE_EQ(x(Ease::smooth, 1), 3 * .0625 - 2 * .015625);
   EXPECT_DOUBLE_EQ(x(Ease::smooth, 2), .5);

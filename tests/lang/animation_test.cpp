@@ -5,7 +5,8 @@ namespace dspm::test {
 namespace {
 
 Matrix4 at(const std::string& directives, int key) {
-  const SceneDescription scene = good("Frames 25\nWorldBegin\nDynamicBegin \"a\"\n" + directives + "\nShape \"s\" DynamicEnd");
+  const SceneDescription scene =
+      good("Frames 25\nWorldBegin\nDynamicBegin \"a\"\n" + directives + "\nShape \"s\" DynamicEnd");
   return scene.shapes.at(0).world_from_object.at(key - 1);
 }
 
@@ -44,9 +45,10 @@ TEST(Animation, DynamicBlocksHoldShapesLightsAndInstances) {
 TEST(Animation, ABlockBeyondTheLastFrameIsAWarning) {
   const Parsed parsed = parse("Frames 4\nWorldBegin\nDynamicBegin \"a\" \"integer frames\" [3 9]\nDynamicEnd");
   EXPECT_EQ(parsed.scene.dynamic_blocks[0].frames, (FrameInterval{2, 4}));
-  EXPECT_EQ(parsed.messages(), "scene.dsc:3:18: warning: this key for frame 9 lies outside: the scene has 4 frames\n"
-                               "    3 | DynamicBegin \"a\" \"integer frames\" [3 9]\n"
-                               "      |                  ^~~~~~~~~~~~~~~~\n");
+  EXPECT_EQ(parsed.messages(),
+            "scene.dsc:3:18: warning: this key for frame 9 lies outside: the scene has 4 frames\n"
+            "    3 | DynamicBegin \"a\" \"integer frames\" [3 9]\n"
+            "      |                  ^~~~~~~~~~~~~~~~\n");
 }
 
 TEST(Animation, KeysInterpolateHoldAndMultiplyOn) {

@@ -1,4 +1,5 @@
-// Hundreds of pbrt scenes by others: every v4 one parses and survives formatting, every older one is called by its name.
+// Hundreds of pbrt scenes by others: every v4 one parses and survives formatting, every older one is called by its
+// name.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -64,7 +65,9 @@ void expect_same_scenes(const SceneDescription& a, const SceneDescription& b) {
   same_option(a.filter, b.filter);
   same_option(a.integrator, b.integrator);
   same_option(a.camera, b.camera);
-  if (a.camera) { EXPECT_EQ(a.camera->camera_from_world.at(0), b.camera->camera_from_world.at(0)); }
+  if (a.camera) {
+    EXPECT_EQ(a.camera->camera_from_world.at(0), b.camera->camera_from_world.at(0));
+  }
   expect_same_lists(a.materials, b.materials, [](const MaterialUse& x, const MaterialUse& y) {
     expect_same(x, y);
     EXPECT_EQ(x.name, y.name);
@@ -115,16 +118,23 @@ TEST(Corpus, FormattingChangesNothing) {
 
 TEST(Corpus, OlderScenesAreCalledByTheirName) {
   // These hold nothing but what v4 could hold as well: blocks, transforms, named materials, plymeshes, missing files.
-  const std::set<std::string> undecidable{
-      "pbrt-v1-scenes/geometry/ecosys/ecosys-apple.pbrt",     "pbrt-v1-scenes/geometry/ecosys/ecosys-bush.pbrt",
-      "pbrt-v1-scenes/geometry/ecosys/ecosys-dandelion.pbrt", "pbrt-v1-scenes/geometry/ecosys/ecosys-urtica.pbrt",
-      "pbrt-v2-scenes/geometry/ecosys/ecosys-apple.pbrt",     "pbrt-v2-scenes/geometry/ecosys/ecosys-bush.pbrt",
-      "pbrt-v2-scenes/geometry/ecosys/ecosys-dandelion.pbrt", "pbrt-v2-scenes/geometry/ecosys/ecosys-urtica.pbrt",
-      "pbrt-v2-scenes/geometry/sanmiguel/plantas-geom.pbrt",  "pbrt-v2-scenes/geometry/villa-geom.pbrt",
-      "pbrt-v3-scenes/breakfast/geometry.pbrt",               "pbrt-v3-scenes/coffee-splash/geometry.pbrt",
-      "pbrt-v3-scenes/measure-one/main.pbrt",                 "pbrt-v3-scenes/sanmiguel/geometry/troncoA-geom.pbrt",
-      "pbrt-v3-scenes/sanmiguel/geometry/troncoB-geom.pbrt",  "pbrt-v3-scenes/sportscar/geometry.pbrt",
-      "pbrt-v3-scenes/white-room/lights-night.pbrt"};
+  const std::set<std::string> undecidable{"pbrt-v1-scenes/geometry/ecosys/ecosys-apple.pbrt",
+                                          "pbrt-v1-scenes/geometry/ecosys/ecosys-bush.pbrt",
+                                          "pbrt-v1-scenes/geometry/ecosys/ecosys-dandelion.pbrt",
+                                          "pbrt-v1-scenes/geometry/ecosys/ecosys-urtica.pbrt",
+                                          "pbrt-v2-scenes/geometry/ecosys/ecosys-apple.pbrt",
+                                          "pbrt-v2-scenes/geometry/ecosys/ecosys-bush.pbrt",
+                                          "pbrt-v2-scenes/geometry/ecosys/ecosys-dandelion.pbrt",
+                                          "pbrt-v2-scenes/geometry/ecosys/ecosys-urtica.pbrt",
+                                          "pbrt-v2-scenes/geometry/sanmiguel/plantas-geom.pbrt",
+                                          "pbrt-v2-scenes/geometry/villa-geom.pbrt",
+                                          "pbrt-v3-scenes/breakfast/geometry.pbrt",
+                                          "pbrt-v3-scenes/coffee-splash/geometry.pbrt",
+                                          "pbrt-v3-scenes/measure-one/main.pbrt",
+                                          "pbrt-v3-scenes/sanmiguel/geometry/troncoA-geom.pbrt",
+                                          "pbrt-v3-scenes/sanmiguel/geometry/troncoB-geom.pbrt",
+                                          "pbrt-v3-scenes/sportscar/geometry.pbrt",
+                                          "pbrt-v3-scenes/white-room/lights-night.pbrt"};
   const auto files = scenes({kCorpus / "pbrt-v1-scenes", kCorpus / "pbrt-v2-scenes", kCorpus / "pbrt-v3-scenes"});
   if (files.empty()) GTEST_SKIP() << "no scenes under " << DSPM_TEST_DATA;
   EXPECT_GE(files.size(), 340u);

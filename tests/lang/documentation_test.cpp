@@ -1,4 +1,5 @@
-// The examples of docs/language.md: scenes and parts of scenes parse without a word; wrong ones get the text that follows.
+// The examples of docs/language.md: scenes and parts of scenes parse without a word; wrong ones get the text that
+// follows.
 #include <fstream>
 
 #include "lang/directives.h"

@@ -69,8 +69,9 @@ TEST_F(Files, AreLookedForBesideTheNamingFileThenBesideTheMainFile) {
 
 TEST_F(Files, ImportLeavesNothingInForce) {
   put("main.dsc", "WorldBegin\nMaterial \"diffuse\"\nTranslate 1 0 0\nImport \"a.dsc\"\nShape \"after\"");
-  put("a.dsc", "Shape \"first\"\nMaterial \"conductor\"\nScale 2 2 2\nShape \"second\"\n"
-               "MakeNamedMaterial \"m\" \"string type\" \"diffuse\"");
+  put("a.dsc",
+      "Shape \"first\"\nMaterial \"conductor\"\nScale 2 2 2\nShape \"second\"\n"
+      "MakeNamedMaterial \"m\" \"string type\" \"diffuse\"");
   EXPECT_EQ(parse({"main.dsc"}), "");
   ASSERT_EQ(scene.shapes.size(), 3u);
   EXPECT_EQ(scene.shapes[0].material.index, 0);
@@ -83,38 +84,42 @@ TEST_F(Files, ImportLeavesNothingInForce) {
 TEST_F(Files, ImportedFilesCloseTheirOwnBlocks) {
   put("main.dsc", "WorldBegin\nAttributeBegin\nImport \"a.dsc\"\nAttributeEnd");
   put("a.dsc", "AttributeEnd\nDynamicBegin \"x\"\n");
-  EXPECT_EQ(parse({"main.dsc"}), "a.dsc:1:1: error: AttributeEnd closes Import \"a.dsc\" of main.dsc:3\n"
-                                 "    1 | AttributeEnd\n"
-                                 "      | ^~~~~~~~~~~~\n"
-                                 "  an imported file cannot close blocks that were opened outside it\n"
-                                 "a.dsc:2:1: error: DynamicBegin \"x\" is not closed\n"
-                                 "    2 | DynamicBegin \"x\"\n"
-                                 "      | ^~~~~~~~~~~~\n"
-                                 "  DynamicEnd is missing\n");
+  EXPECT_EQ(parse({"main.dsc"}),
+            "a.dsc:1:1: error: AttributeEnd closes Import \"a.dsc\" of main.dsc:3\n"
+            "    1 | AttributeEnd\n"
+            "      | ^~~~~~~~~~~~\n"
+            "  an imported file cannot close blocks that were opened outside it\n"
+            "a.dsc:2:1: error: DynamicBegin \"x\" is not closed\n"
+            "    2 | DynamicBegin \"x\"\n"
+            "      | ^~~~~~~~~~~~\n"
+            "  DynamicEnd is missing\n");
 }
 
 TEST_F(Files, WrongNestingNamesTheOtherFile) {
   put("main.dsc", "WorldBegin\nInclude \"a.dsc\"\nDynamicEnd");
   put("a.dsc", "AttributeBegin");
-  EXPECT_EQ(parse({"main.dsc"}), "main.dsc:3:1: error: DynamicEnd closes AttributeBegin of a.dsc:1\n"
-                                 "    3 | DynamicEnd\n"
-                                 "      | ^~~~~~~~~~\n"
-                                 "  AttributeBegin ends with AttributeEnd\n");
+  EXPECT_EQ(parse({"main.dsc"}),
+            "main.dsc:3:1: error: DynamicEnd closes AttributeBegin of a.dsc:1\n"
+            "    3 | DynamicEnd\n"
+            "      | ^~~~~~~~~~\n"
+            "  AttributeBegin ends with AttributeEnd\n");
 }
 
 TEST_F(Files, CyclesAreNamed) {
   put("a.dsc", "WorldBegin\nInclude \"b.dsc\"");
   put("b.dsc", "Include \"./c.dsc\"");
   put("c.dsc", "\n  Include \"b.dsc\"");
-  EXPECT_EQ(parse({"a.dsc"}), "c.dsc:2:11: error: this file includes itself\n"
-                              "    2 |   Include \"b.dsc\"\n"
-                              "      |           ^~~~~~~\n"
-                              "  b.dsc -> c.dsc -> b.dsc\n");
+  EXPECT_EQ(parse({"a.dsc"}),
+            "c.dsc:2:11: error: this file includes itself\n"
+            "    2 |   Include \"b.dsc\"\n"
+            "      |           ^~~~~~~\n"
+            "  b.dsc -> c.dsc -> b.dsc\n");
 }
 
 TEST_F(Files, IncludesAreLimited) {
   for (int i = 0; i < 80; ++i)
-    put("f" + std::to_string(i) + ".dsc", (i == 0 ? "WorldBegin Include \"f" : "Include \"f") + std::to_string(i + 1) + ".dsc\"");
+    put("f" + std::to_string(i) + ".dsc",
+        (i == 0 ? "WorldBegin Include \"f" : "Include \"f") + std::to_string(i + 1) + ".dsc\"");
   put("f80.dsc", "");
   EXPECT_NE(parse({"f0.dsc"}).find("files include one another more than 64 deep"), std::string::npos);
   for (int i = 0; i < 40; ++i) {
@@ -163,13 +168,15 @@ TEST_F(Files, DamagedGzipIsAnError) {
     EXPECT_THROW(expand_gzip(packed.substr(0, size)), std::runtime_error) << size;
   put("main.dsc", "WorldBegin\nInclude \"a.gz\"");
   put("a.gz", packed.substr(0, packed.size() / 2));
-  EXPECT_EQ(parse({"main.dsc"}), "main.dsc:2:9: error: cannot read \"a.gz\": the gzip data ends early\n"
-                                 "    2 | Include \"a.gz\"\n"
-                                 "      |         ^~~~~~\n");
+  EXPECT_EQ(parse({"main.dsc"}),
+            "main.dsc:2:9: error: cannot read \"a.gz\": the gzip data ends early\n"
+            "    2 | Include \"a.gz\"\n"
+            "      |         ^~~~~~\n");
 }
 
 TEST_F(Files, DefinesAreReplaced) {
-  put("main.dsc", "# $nothing\nFrames $frames\nWorldBegin\nShape \"$kind\" \"float radius\" -$r Shape \"#$kind\"\nOops");
+  put("main.dsc",
+      "# $nothing\nFrames $frames\nWorldBegin\nShape \"$kind\" \"float radius\" -$r Shape \"#$kind\"\nOops");
   EXPECT_EQ(parse({"main.dsc"}, {{"frames", "12"}, {"kind", "a long name"}, {"r", "2.5"}}),
             "main.dsc:5:1: error: unknown directive Oops\n"
             "    5 | Oops\n"
@@ -185,13 +192,15 @@ TEST_F(Files, DefinesAreReplaced) {
 
 TEST_F(Files, ReplacedTextIsShownAsWritten) {
   put("main.dsc", "WorldBegin\nTranslate 0 $y 0");
-  EXPECT_EQ(parse({"main.dsc"}, {{"y", "high"}}), "main.dsc:2:13: error: expected a number\n"
-                                                  "    2 | Translate 0 $y 0\n"
-                                                  "      |             ^~\n");
-  EXPECT_EQ(parse({"main.dsc"}, {{"z", "1"}, {"yy", "1"}}), "main.dsc:2:13: error: $y has no value\n"
-                                                            "    2 | Translate 0 $y 0\n"
-                                                            "      |             ^~\n"
-                                                            "  did you mean \"yy\"?\n");
+  EXPECT_EQ(parse({"main.dsc"}, {{"y", "high"}}),
+            "main.dsc:2:13: error: expected a number\n"
+            "    2 | Translate 0 $y 0\n"
+            "      |             ^~\n");
+  EXPECT_EQ(parse({"main.dsc"}, {{"z", "1"}, {"yy", "1"}}),
+            "main.dsc:2:13: error: $y has no value\n"
+            "    2 | Translate 0 $y 0\n"
+            "      |             ^~\n"
+            "  did you mean \"yy\"?\n");
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ TEST(Formatter, SaysWhatIsNoToken) {
 }
 
 TEST(Formatter, LeavesNonsenseUnharmed) {
-  for (const char* text : {"]", "[ [ ]", "1 2 3", "\"a\" \"b\"", "Shape [", "Shape \"a\" ] \"float f\"", "Keyframe", "x # y"}) {
+  for (const char* text :
+       {"]", "[ [ ]", "1 2 3", "\"a\" \"b\"", "Shape [", "Shape \"a\" ] \"float f\"", "Keyframe", "x # y"}) {
     const std::string once = format(text);
     EXPECT_EQ(format(once), once) << text;
   }

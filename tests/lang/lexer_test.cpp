@@ -37,9 +37,9 @@ std::string failure(const std::string& list) {
 
 TEST(Lexer, TellsTokensApart) {
   Text text("Shape \"a b\" [1 -.5e3] # comment \r\ntrue");
-  const Token::Kind kinds[] = {Token::Kind::word, Token::Kind::string, Token::Kind::open, Token::Kind::number,
-                               Token::Kind::number, Token::Kind::close, Token::Kind::comment, Token::Kind::word,
-                               Token::Kind::end};
+  const Token::Kind kinds[] = {Token::Kind::word,    Token::Kind::string, Token::Kind::open,
+                               Token::Kind::number,  Token::Kind::number, Token::Kind::close,
+                               Token::Kind::comment, Token::Kind::word,   Token::Kind::end};
   const std::string_view texts[] = {"Shape", "\"a b\"", "[", "1", "-.5e3", "]", "# comment", "true", ""};
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
     const Token token = text.lexer.next_or_comment();
@@ -67,7 +67,8 @@ TEST(Lexer, ResolvesEscapes) {
 TEST(Lexer, ReadsNumbers) {
   EXPECT_EQ(numbers<float>("1 +2 -3 .5 5. 1e3 1E-2#c\n7\t8"),
             (std::vector<float>{1, 2, -3, .5f, 5, 1e3f, 1e-2f, 7, 8}));
-  EXPECT_EQ(numbers<int>("0 -7 +12 2147483647 -2147483648"), (std::vector<int>{0, -7, 12, 2147483647, -2147483647 - 1}));
+  EXPECT_EQ(numbers<int>("0 -7 +12 2147483647 -2147483648"),
+            (std::vector<int>{0, -7, 12, 2147483647, -2147483647 - 1}));
 }
 
 TEST(Lexer, TakesTinyNumbersForZero) {

@@ -14,95 +14,121 @@ class Mistakes : public testing::TestWithParam<Mistake> {};
 TEST_P(Mistakes, AreTold) { EXPECT_EQ(parse(GetParam().text).messages(), GetParam().messages); }
 
 const Mistake kSyntax[] = {
-    {"WorldBegin\nShap \"sphere\"", "scene.dsc:2:1: error: unknown directive Shap\n"
-                                    "    2 | Shap \"sphere\"\n"
-                                    "      | ^~~~\n"
-                                    "  did you mean \"Shape\"?\n"},
-    {"WorldBegin\n  Shape", "scene.dsc:2:3: error: Shape must be followed by a name in quotes\n"
-                            "    2 |   Shape\n"
-                            "      |   ^~~~~\n"},
-    {"WorldBegin 12", "scene.dsc:1:12: error: WorldBegin takes no 12 here\n"
-                      "    1 | WorldBegin 12\n"
-                      "      |            ^~\n"},
-    {"WorldBegin \"a\"", "scene.dsc:1:12: error: WorldBegin takes no \"a\" here\n"
-                         "    1 | WorldBegin \"a\"\n"
-                         "      |            ^~~\n"},
-    {"WorldBegin\nShape \"sphere\" \"flaot radius\" 1", "scene.dsc:2:16: error: unknown parameter type \"flaot\"\n"
-                                                        "    2 | Shape \"sphere\" \"flaot radius\" 1\n"
-                                                        "      |                ^~~~~~~~~~~~~~\n"
-                                                        "  did you mean \"float\"?\n"},
-    {"WorldBegin\nShape \"sphere\" \"color c\" 1", "scene.dsc:2:16: error: unknown parameter type \"color\"\n"
-                                                   "    2 | Shape \"sphere\" \"color c\" 1\n"
-                                                   "      |                ^~~~~~~~~\n"
-                                                   "  did you mean \"rgb\"?\n"},
+    {"WorldBegin\nShape \"a\" \"float f\"\nShape \"b\"",
+     "scene.dsc:2:11: error: this parameter has no value\n"
+     "    2 | Shape \"a\" \"float f\"\n"
+     "      |           ^~~~~~~~~\n"},
+    {"WorldBegin\nShap \"sphere\"",
+     "scene.dsc:2:1: error: unknown directive Shap\n"
+     "    2 | Shap \"sphere\"\n"
+     "      | ^~~~\n"
+     "  did you mean \"Shape\"?\n"},
+    {"WorldBegin\n  Shape",
+     "scene.dsc:2:3: error: Shape must be followed by a name in quotes\n"
+     "    2 |   Shape\n"
+     "      |   ^~~~~\n"},
+    {"WorldBegin 12",
+     "scene.dsc:1:12: error: WorldBegin takes no 12 here\n"
+     "    1 | WorldBegin 12\n"
+     "      |            ^~\n"},
+    {"WorldBegin \"a\"",
+     "scene.dsc:1:12: error: WorldBegin takes no \"a\" here\n"
+     "    1 | WorldBegin \"a\"\n"
+     "      |            ^~~\n"},
+    {"WorldBegin\nShape \"sphere\" \"flaot radius\" 1",
+     "scene.dsc:2:16: error: unknown parameter type \"flaot\"\n"
+     "    2 | Shape \"sphere\" \"flaot radius\" 1\n"
+     "      |                ^~~~~~~~~~~~~~\n"
+     "  did you mean \"float\"?\n"},
+    {"WorldBegin\nShape \"sphere\" \"color c\" 1",
+     "scene.dsc:2:16: error: unknown parameter type \"color\"\n"
+     "    2 | Shape \"sphere\" \"color c\" 1\n"
+     "      |                ^~~~~~~~~\n"
+     "  did you mean \"rgb\"?\n"},
     {"WorldBegin\nShape \"sphere\" \"radius\" 1",
      "scene.dsc:2:16: error: expected a type and a name, as in \"float radius\"\n"
      "    2 | Shape \"sphere\" \"radius\" 1\n"
      "      |                ^~~~~~~~\n"},
-    {"WorldBegin\nShape \"sphere\" \"float \" 1", "scene.dsc:2:16: error: a name is missing after the parameter's type\n"
-                                                  "    2 | Shape \"sphere\" \"float \" 1\n"
-                                                  "      |                ^~~~~~~~\n"},
-    {"WorldBegin\nShape \"sphere\" \"float radius\"", "scene.dsc:2:16: error: this parameter has no value\n"
-                                                      "    2 | Shape \"sphere\" \"float radius\"\n"
-                                                      "      |                ^~~~~~~~~~~~~~\n"},
+    {"WorldBegin\nShape \"sphere\" \"float \" 1",
+     "scene.dsc:2:16: error: a name is missing after the parameter's type\n"
+     "    2 | Shape \"sphere\" \"float \" 1\n"
+     "      |                ^~~~~~~~\n"},
+    {"WorldBegin\nShape \"sphere\" \"float radius\"",
+     "scene.dsc:2:16: error: this parameter has no value\n"
+     "    2 | Shape \"sphere\" \"float radius\"\n"
+     "      |                ^~~~~~~~~~~~~~\n"},
     {"WorldBegin\nShape \"sphere\" \"float radius\" \"wood\"",
      "scene.dsc:2:31: error: expected a number for \"float radius\"\n"
      "    2 | Shape \"sphere\" \"float radius\" \"wood\"\n"
      "      |                               ^~~~~~\n"
      "  a texture is given as \"texture radius\" \"wood\"\n"},
-    {"WorldBegin\nShape \"a\" \"string s\" 4", "scene.dsc:2:22: error: expected a string in quotes\n"
-                                               "    2 | Shape \"a\" \"string s\" 4\n"
-                                               "      |                      ^\n"},
-    {"WorldBegin\nShape \"a\" \"bool b\" [yes]", "scene.dsc:2:21: error: expected true or false\n"
-                                                 "    2 | Shape \"a\" \"bool b\" [yes]\n"
-                                                 "      |                     ^~~\n"},
-    {"WorldBegin\nShape \"a\" \"integer i\" 1.5", "scene.dsc:2:23: error: expected an integer\n"
-                                                  "    2 | Shape \"a\" \"integer i\" 1.5\n"
-                                                  "      |                       ^~~\n"},
-    {"WorldBegin\nShape \"a\" \"integer i\" 3e0", "scene.dsc:2:23: error: expected an integer\n"
-                                                  "    2 | Shape \"a\" \"integer i\" 3e0\n"
-                                                  "      |                       ^~~\n"
-                                                  "  write 3\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" [1 nan]", "scene.dsc:2:24: error: numbers must be finite\n"
-                                                    "    2 | Shape \"a\" \"float f\" [1 nan]\n"
-                                                    "      |                        ^~~\n"},
-    {"WorldBegin\nShape \"a\" \"point3 P\" [1 2 3 4]", "scene.dsc:2:11: error: 4 numbers cannot be values of type point3\n"
-                                                       "    2 | Shape \"a\" \"point3 P\" [1 2 3 4]\n"
-                                                       "      |           ^~~~~~~~~~\n"
-                                                       "  each of them has 3 numbers\n"},
+    {"WorldBegin\nShape \"a\" \"string s\" 4",
+     "scene.dsc:2:22: error: expected a string in quotes\n"
+     "    2 | Shape \"a\" \"string s\" 4\n"
+     "      |                      ^\n"},
+    {"WorldBegin\nShape \"a\" \"bool b\" [yes]",
+     "scene.dsc:2:21: error: expected true or false\n"
+     "    2 | Shape \"a\" \"bool b\" [yes]\n"
+     "      |                     ^~~\n"},
+    {"WorldBegin\nShape \"a\" \"integer i\" 1.5",
+     "scene.dsc:2:23: error: expected an integer\n"
+     "    2 | Shape \"a\" \"integer i\" 1.5\n"
+     "      |                       ^~~\n"},
+    {"WorldBegin\nShape \"a\" \"integer i\" 3e0",
+     "scene.dsc:2:23: error: expected an integer\n"
+     "    2 | Shape \"a\" \"integer i\" 3e0\n"
+     "      |                       ^~~\n"
+     "  write 3\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" [1 nan]",
+     "scene.dsc:2:24: error: numbers must be finite\n"
+     "    2 | Shape \"a\" \"float f\" [1 nan]\n"
+     "      |                        ^~~\n"},
+    {"WorldBegin\nShape \"a\" \"point3 P\" [1 2 3 4]",
+     "scene.dsc:2:11: error: 4 numbers cannot be values of type point3\n"
+     "    2 | Shape \"a\" \"point3 P\" [1 2 3 4]\n"
+     "      |           ^~~~~~~~~~\n"
+     "  each of them has 3 numbers\n"},
     {"WorldBegin\nShape \"a\" \"spectrum s\" [1 2 3]",
      "scene.dsc:2:11: error: 3 numbers cannot be values of type spectrum\n"
      "    2 | Shape \"a\" \"spectrum s\" [1 2 3]\n"
      "      |           ^~~~~~~~~~~~\n"
      "  a sampled spectrum is a list of wavelength and value pairs\n"},
-    {"WorldBegin\nShape \"a\" \"rgb c\" 1 2 3", "scene.dsc:2:11: error: 1 numbers cannot be values of type rgb\n"
-                                                "    2 | Shape \"a\" \"rgb c\" 1 2 3\n"
-                                                "      |           ^~~~~~~\n"
-                                                "  each of them has 3 numbers\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" 1 2", "scene.dsc:2:23: error: expected a parameter or a directive, not 2\n"
-                                                "    2 | Shape \"a\" \"float f\" 1 2\n"
-                                                "      |                       ^\n"
-                                                "  several values stand in brackets\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" [1 2\nShape \"b\"", "scene.dsc:3:1: error: expected a number, or ] to end the list\n"
-                                                             "    3 | Shape \"b\"\n"
-                                                             "      | ^\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" [1 2", "scene.dsc:2:21: error: this list is not closed\n"
-                                                 "    2 | Shape \"a\" \"float f\" [1 2\n"
-                                                 "      |                     ^\n"},
-    {"WorldBegin\nShape \"a\" \"string s\" [\"b\"", "scene.dsc:2:22: error: this list is not closed\n"
-                                                    "    2 | Shape \"a\" \"string s\" [\"b\"\n"
-                                                    "      |                      ^\n"},
-    {"WorldBegin\nShape \"sphere\nShape \"b\"", "scene.dsc:2:7: error: this string is not closed on its line\n"
-                                               "    2 | Shape \"sphere\n"
-                                               "      |       ^\n"},
-    {"WorldBegin\nShape \"a\\q\"", "scene.dsc:2:9: error: unknown escape\n"
-                                   "    2 | Shape \"a\\q\"\n"
-                                   "      |         ^~\n"
-                                   "  there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" 1 \"float f\" 2", "scene.dsc:2:23: error: parameter \"f\" is given twice\n"
-                                                            "    2 | Shape \"a\" \"float f\" 1 \"float f\" 2\n"
-                                                            "      |                       ^~~~~~~~~\n"
-                                                            "  first in line 2\n"},
+    {"WorldBegin\nShape \"a\" \"rgb c\" 1 2 3",
+     "scene.dsc:2:11: error: 1 number cannot be values of type rgb\n"
+     "    2 | Shape \"a\" \"rgb c\" 1 2 3\n"
+     "      |           ^~~~~~~\n"
+     "  several numbers stand in brackets\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" 1 2",
+     "scene.dsc:2:23: error: expected a parameter or a directive, not 2\n"
+     "    2 | Shape \"a\" \"float f\" 1 2\n"
+     "      |                       ^\n"
+     "  several numbers stand in brackets\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" [1 2\nShape \"b\"",
+     "scene.dsc:3:1: error: expected a number, or ] to end the list\n"
+     "    3 | Shape \"b\"\n"
+     "      | ^\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" [1 2",
+     "scene.dsc:2:21: error: this list is not closed\n"
+     "    2 | Shape \"a\" \"float f\" [1 2\n"
+     "      |                     ^\n"},
+    {"WorldBegin\nShape \"a\" \"string s\" [\"b\"",
+     "scene.dsc:2:22: error: this list is not closed\n"
+     "    2 | Shape \"a\" \"string s\" [\"b\"\n"
+     "      |                      ^\n"},
+    {"WorldBegin\nShape \"sphere\nShape \"b\"",
+     "scene.dsc:2:7: error: this string is not closed on its line\n"
+     "    2 | Shape \"sphere\n"
+     "      |       ^\n"},
+    {"WorldBegin\nShape \"a\\q\"",
+     "scene.dsc:2:9: error: unknown escape\n"
+     "    2 | Shape \"a\\q\"\n"
+     "      |         ^~\n"
+     "  there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" 1 \"float f\" 2",
+     "scene.dsc:2:23: error: parameter \"f\" is given twice\n"
+     "    2 | Shape \"a\" \"float f\" 1 \"float f\" 2\n"
+     "      |                       ^~~~~~~~~\n"
+     "  first in line 2\n"},
     {"WorldBegin\nMaterial \"a\" \"float f@2\" 1 \"float f\" 2",
      "scene.dsc:2:14: error: parameter \"f\" is given both with and without a frame\n"
      "    2 | Material \"a\" \"float f@2\" 1 \"float f\" 2\n"
@@ -120,49 +146,60 @@ const Mistake kSyntax[] = {
 INSTANTIATE_TEST_SUITE_P(Syntax, Mistakes, testing::ValuesIn(kSyntax));
 
 const Mistake kTransforms[] = {
-    {"WorldBegin\nTranslate 1 2", "scene.dsc:2:1: error: Translate takes 3 numbers, but 2 follow\n"
-                                  "    2 | Translate 1 2\n"
-                                  "      | ^~~~~~~~~\n"},
-    {"WorldBegin\nTranslate 1 2 3 4", "scene.dsc:2:17: error: Translate takes no 4 here\n"
-                                      "    2 | Translate 1 2 3 4\n"
-                                      "      |                 ^\n"},
-    {"WorldBegin\nRotate inf 0 0 1", "scene.dsc:2:8: error: numbers must be finite\n"
-                                     "    2 | Rotate inf 0 0 1\n"
-                                     "      |        ^~~\n"},
-    {"WorldBegin\nTransform [1 0 0]", "scene.dsc:2:11: error: Transform takes 16 numbers, but 3 stand here\n"
-                                      "    2 | Transform [1 0 0]\n"
-                                      "      |           ^\n"},
-    {"WorldBegin\nTransform 1 0 0", "scene.dsc:2:1: error: Transform takes 16 numbers in brackets\n"
-                                    "    2 | Transform 1 0 0\n"
-                                    "      | ^~~~~~~~~\n"},
-    {"WorldBegin\nScale 0 1 1", "scene.dsc:2:1: error: Scale is singular\n"
-                                "    2 | Scale 0 1 1\n"
-                                "      | ^~~~~\n"
-                                "  none of its factors may be 0\n"},
-    {"WorldBegin\nRotate 30 0 0 0", "scene.dsc:2:1: error: Rotate is singular\n"
-                                    "    2 | Rotate 30 0 0 0\n"
-                                    "      | ^~~~~~\n"
-                                    "  its axis must not be 0 0 0\n"},
-    {"WorldBegin\nLookAt 0 0 0  0 2 0  0 1 0", "scene.dsc:2:1: error: LookAt is singular\n"
-                                               "    2 | LookAt 0 0 0  0 2 0  0 1 0\n"
-                                               "      | ^~~~~~\n"
-                                               "  eye and target must differ, and up must not point along the view\n"},
-    {"WorldBegin\nTransform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]", "scene.dsc:2:1: error: Transform is singular\n"
-                                                               "    2 | Transform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]\n"
-                                                               "      | ^~~~~~~~~\n"
-                                                               "  it must have an inverse\n"},
-    {"WorldBegin\nTransform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]", "scene.dsc:2:1: error: Transform is not affine\n"
-                                                               "    2 | Transform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]\n"
-                                                               "      | ^~~~~~~~~\n"
-                                                               "  values 4, 8 and 12 must be 0, value 16 must be 1\n"},
+    {"WorldBegin\nTranslate 1 2",
+     "scene.dsc:2:1: error: Translate takes 3 numbers, but 2 follow\n"
+     "    2 | Translate 1 2\n"
+     "      | ^~~~~~~~~\n"},
+    {"WorldBegin\nTranslate 1 2 3 4",
+     "scene.dsc:2:17: error: Translate takes no 4 here\n"
+     "    2 | Translate 1 2 3 4\n"
+     "      |                 ^\n"},
+    {"WorldBegin\nRotate inf 0 0 1",
+     "scene.dsc:2:8: error: numbers must be finite\n"
+     "    2 | Rotate inf 0 0 1\n"
+     "      |        ^~~\n"},
+    {"WorldBegin\nTransform [1 0 0]",
+     "scene.dsc:2:11: error: Transform takes 16 numbers, but 3 stand here\n"
+     "    2 | Transform [1 0 0]\n"
+     "      |           ^\n"},
+    {"WorldBegin\nTransform 1 0 0",
+     "scene.dsc:2:1: error: Transform takes 16 numbers in brackets\n"
+     "    2 | Transform 1 0 0\n"
+     "      | ^~~~~~~~~\n"},
+    {"WorldBegin\nScale 0 1 1",
+     "scene.dsc:2:1: error: Scale is singular\n"
+     "    2 | Scale 0 1 1\n"
+     "      | ^~~~~\n"
+     "  none of its factors may be 0\n"},
+    {"WorldBegin\nRotate 30 0 0 0",
+     "scene.dsc:2:1: error: Rotate is singular\n"
+     "    2 | Rotate 30 0 0 0\n"
+     "      | ^~~~~~\n"
+     "  its axis must not be 0 0 0\n"},
+    {"WorldBegin\nLookAt 0 0 0  0 2 0  0 1 0",
+     "scene.dsc:2:1: error: LookAt is singular\n"
+     "    2 | LookAt 0 0 0  0 2 0  0 1 0\n"
+     "      | ^~~~~~\n"
+     "  eye and target must differ, and up must not point along the view\n"},
+    {"WorldBegin\nTransform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]",
+     "scene.dsc:2:1: error: Transform is singular\n"
+     "    2 | Transform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]\n"
+     "      | ^~~~~~~~~\n"
+     "  it must have an inverse\n"},
+    {"WorldBegin\nTransform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]",
+     "scene.dsc:2:1: error: Transform is not affine\n"
+     "    2 | Transform [1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1]\n"
+     "      | ^~~~~~~~~\n"
+     "  values 4, 8 and 12 must be 0, value 16 must be 1\n"},
     {"WorldBegin\nScale 1e25 1e25 1e25 Scale 1e25 1e25 1e25",
      "scene.dsc:2:22: error: with this Scale the current transform is singular\n"
      "    2 | Scale 1e25 1e25 1e25 Scale 1e25 1e25 1e25\n"
      "      |                      ^~~~~\n"},
-    {"WorldBegin\nCoordSysTransform \"camrea\"", "scene.dsc:2:19: error: unknown coordinate system \"camrea\"\n"
-                                                "    2 | CoordSysTransform \"camrea\"\n"
-                                                "      |                   ^~~~~~~~\n"
-                                                "  did you mean \"camera\"?\n"},
+    {"WorldBegin\nCoordSysTransform \"camrea\"",
+     "scene.dsc:2:19: error: unknown coordinate system \"camrea\"\n"
+     "    2 | CoordSysTransform \"camrea\"\n"
+     "      |                   ^~~~~~~~\n"
+     "  did you mean \"camera\"?\n"},
     {"WorldBegin\nActiveTransform EndTime\nScale 2 2 2\nScale 2 2 2",
      "scene.dsc:3:1: error: motion blur (a transform for one end of the shutter's time) is not supported for now\n"
      "    3 | Scale 2 2 2\n"
@@ -185,17 +222,19 @@ const Mistake kNesting[] = {
      "    4 | AttributeEnd\n"
      "      | ^~~~~~~~~~~~\n"
      "  ObjectBegin ends with ObjectEnd\n"},
-    {"WorldBegin\nAttributeEnd", "scene.dsc:2:1: error: AttributeEnd without AttributeBegin\n"
-                                 "    2 | AttributeEnd\n"
-                                 "      | ^~~~~~~~~~~~\n"},
-    {"WorldBegin\nAttributeBegin\n  DynamicBegin \"horse\"", "scene.dsc:2:1: error: AttributeBegin is not closed\n"
-                                                             "    2 | AttributeBegin\n"
-                                                             "      | ^~~~~~~~~~~~~~\n"
-                                                             "  AttributeEnd is missing\n"
-                                                             "scene.dsc:3:3: error: DynamicBegin \"horse\" is not closed\n"
-                                                             "    3 |   DynamicBegin \"horse\"\n"
-                                                             "      |   ^~~~~~~~~~~~\n"
-                                                             "  DynamicEnd is missing\n"},
+    {"WorldBegin\nAttributeEnd",
+     "scene.dsc:2:1: error: AttributeEnd without AttributeBegin\n"
+     "    2 | AttributeEnd\n"
+     "      | ^~~~~~~~~~~~\n"},
+    {"WorldBegin\nAttributeBegin\n  DynamicBegin \"horse\"",
+     "scene.dsc:2:1: error: AttributeBegin is not closed\n"
+     "    2 | AttributeBegin\n"
+     "      | ^~~~~~~~~~~~~~\n"
+     "  AttributeEnd is missing\n"
+     "scene.dsc:3:3: error: DynamicBegin \"horse\" is not closed\n"
+     "    3 |   DynamicBegin \"horse\"\n"
+     "      |   ^~~~~~~~~~~~\n"
+     "  DynamicEnd is missing\n"},
     {"WorldBegin\nObjectBegin \"a\"\nObjectBegin \"b\"\nObjectEnd\nObjectInstance \"c\"\nObjectEnd",
      "scene.dsc:3:1: error: ObjectBegin inside ObjectBegin \"a\" of line 2\n"
      "    3 | ObjectBegin \"b\"\n"
@@ -205,19 +244,21 @@ const Mistake kNesting[] = {
      "    5 | ObjectInstance \"c\"\n"
      "      | ^~~~~~~~~~~~~~\n"
      "  objects cannot hold objects\n"},
-    {"WorldBegin\nFilm \"rgb\"", "scene.dsc:2:1: error: Film must stand before WorldBegin\n"
-                                 "    2 | Film \"rgb\"\n"
-                                 "      | ^~~~\n"
-                                 "  the world begins in line 1\n"},
+    {"WorldBegin\nFilm \"rgb\"",
+     "scene.dsc:2:1: error: Film must stand before WorldBegin\n"
+     "    2 | Film \"rgb\"\n"
+     "      | ^~~~\n"
+     "  the world begins in line 1\n"},
     {"Shape \"a\"\nShape \"b\"",
      "scene.dsc:1:1: error: Shape must stand after WorldBegin\n"
      "    1 | Shape \"a\"\n"
      "      | ^~~~~\n"
      "  WorldBegin is missing before it, unless this file is a part for another one to Include\n"},
-    {"WorldBegin\nWorldBegin", "scene.dsc:2:1: error: a second WorldBegin\n"
-                               "    2 | WorldBegin\n"
-                               "      | ^~~~~~~~~~\n"
-                               "  the first is in line 1\n"},
+    {"WorldBegin\nWorldBegin",
+     "scene.dsc:2:1: error: a second WorldBegin\n"
+     "    2 | WorldBegin\n"
+     "      | ^~~~~~~~~~\n"
+     "  the first is in line 1\n"},
     {"Film \"rgb\"", "scene.dsc: error: there is no WorldBegin, and so nothing to render\n"},
     {"", "scene.dsc: error: there is no WorldBegin, and so nothing to render\n"},
 };
@@ -229,50 +270,61 @@ const Mistake kNames[] = {
      "    3 | MakeNamedMaterial \"a\" \"string type\" \"c\"\n"
      "      |                   ^~~\n"
      "  the first stands in scene.dsc:2\n"},
-    {"WorldBegin\nMakeNamedMaterial \"a\"", "scene.dsc:2:1: error: MakeNamedMaterial \"a\" needs a \"string type\"\n"
-                                            "    2 | MakeNamedMaterial \"a\"\n"
-                                            "      | ^~~~~~~~~~~~~~~~~\n"},
-    {"WorldBegin\nTexture \"t\" \"rgb\" \"constant\"", "scene.dsc:2:13: error: a texture cannot be of type \"rgb\"\n"
-                                                       "    2 | Texture \"t\" \"rgb\" \"constant\"\n"
-                                                       "      |             ^~~~~\n"
-                                                       "  there are: float, spectrum\n"},
-    {"WorldBegin\nAttribute \"sahpe\" \"float r\" 1", "scene.dsc:2:11: error: unknown target \"sahpe\" of Attribute\n"
-                                                      "    2 | Attribute \"sahpe\" \"float r\" 1\n"
-                                                      "      |           ^~~~~~~\n"
-                                                      "  did you mean \"shape\"?\n"},
-    {"Option \"sede\" 1\nWorldBegin", "scene.dsc:1:8: error: unknown Option \"sede\"\n"
-                                      "    1 | Option \"sede\" 1\n"
-                                      "      |        ^~~~~~\n"
-                                      "  did you mean \"seed\"?\n"},
-    {"Option \"seed\" 1.5\nWorldBegin", "scene.dsc:1:15: error: expected an integer\n"
-                                        "    1 | Option \"seed\" 1.5\n"
-                                        "      |               ^~~\n"},
-    {"Option \"wavefront\" true\nWorldBegin", "scene.dsc:1:8: error: dspm has no Option \"wavefront\"\n"
-                                              "    1 | Option \"wavefront\" true\n"
-                                              "      |        ^~~~~~~~~~~\n"},
-    {"ColorSpace \"rec2020\"\nWorldBegin", "scene.dsc:1:12: error: dspm has no ColorSpace \"rec2020\"\n"
-                                           "    1 | ColorSpace \"rec2020\"\n"
-                                           "      |            ^~~~~~~~~\n"
-                                           "  there is: srgb\n"},
-    {"WorldBegin\nShape \"a\" \"float f\" $radius", "scene.dsc:2:21: error: $radius has no value\n"
-                                                    "    2 | Shape \"a\" \"float f\" $radius\n"
-                                                    "      |                     ^~~~~~~\n"
-                                                    "  values are given on the command line: -D name=value\n"},
+    {"WorldBegin\nMakeNamedMaterial \"a\"",
+     "scene.dsc:2:1: error: MakeNamedMaterial \"a\" needs a \"string type\"\n"
+     "    2 | MakeNamedMaterial \"a\"\n"
+     "      | ^~~~~~~~~~~~~~~~~\n"},
+    {"WorldBegin\nTexture \"t\" \"rgb\" \"constant\"",
+     "scene.dsc:2:13: error: a texture cannot be of type \"rgb\"\n"
+     "    2 | Texture \"t\" \"rgb\" \"constant\"\n"
+     "      |             ^~~~~\n"
+     "  there are: float, spectrum\n"},
+    {"WorldBegin\nAttribute \"sahpe\" \"float r\" 1",
+     "scene.dsc:2:11: error: unknown target \"sahpe\" of Attribute\n"
+     "    2 | Attribute \"sahpe\" \"float r\" 1\n"
+     "      |           ^~~~~~~\n"
+     "  did you mean \"shape\"?\n"},
+    {"Option \"sede\" 1\nWorldBegin",
+     "scene.dsc:1:8: error: unknown Option \"sede\"\n"
+     "    1 | Option \"sede\" 1\n"
+     "      |        ^~~~~~\n"
+     "  did you mean \"seed\"?\n"},
+    {"Option \"seed\" 1.5\nWorldBegin",
+     "scene.dsc:1:15: error: expected an integer\n"
+     "    1 | Option \"seed\" 1.5\n"
+     "      |               ^~~\n"},
+    {"Option \"wavefront\" true\nWorldBegin",
+     "scene.dsc:1:8: error: dspm has no Option \"wavefront\"\n"
+     "    1 | Option \"wavefront\" true\n"
+     "      |        ^~~~~~~~~~~\n"},
+    {"ColorSpace \"rec2020\"\nWorldBegin",
+     "scene.dsc:1:12: error: dspm has no ColorSpace \"rec2020\"\n"
+     "    1 | ColorSpace \"rec2020\"\n"
+     "      |            ^~~~~~~~~\n"
+     "  there is: srgb\n"},
+    {"WorldBegin\nShape \"a\" \"float f\" $radius",
+     "scene.dsc:2:21: error: $radius has no value\n"
+     "    2 | Shape \"a\" \"float f\" $radius\n"
+     "      |                     ^~~~~~~\n"
+     "  values are given on the command line: -D name=value\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Names, Mistakes, testing::ValuesIn(kNames));
 
 const Mistake kAnimation[] = {
-    {"Frames 0\nWorldBegin", "scene.dsc:1:1: error: expected a number of frames from 1 to 100000\n"
-                             "    1 | Frames 0\n"
-                             "      | ^~~~~~\n"},
-    {"Frames 4 \"float fsp\" 25\nWorldBegin", "scene.dsc:1:10: error: unknown parameter \"fsp\" of Frames\n"
-                                             "    1 | Frames 4 \"float fsp\" 25\n"
-                                             "      |          ^~~~~~~~~~~\n"
-                                             "  did you mean \"fps\"? (it knows: fps)\n"},
-    {"Frames 4\nFrames 5\nWorldBegin", "scene.dsc:2:1: error: a second Frames\n"
-                                       "    2 | Frames 5\n"
-                                       "      | ^~~~~~\n"
-                                       "  the first is in line 1\n"},
+    {"Frames 0\nWorldBegin",
+     "scene.dsc:1:1: error: expected a number of frames from 1 to 100000\n"
+     "    1 | Frames 0\n"
+     "      | ^~~~~~\n"},
+    {"Frames 4 \"float fsp\" 25\nWorldBegin",
+     "scene.dsc:1:10: error: unknown parameter \"fsp\" of Frames\n"
+     "    1 | Frames 4 \"float fsp\" 25\n"
+     "      |          ^~~~~~~~~~~\n"
+     "  did you mean \"fps\"? (it knows: fps)\n"},
+    {"Frames 4\nFrames 5\nWorldBegin",
+     "scene.dsc:2:1: error: a second Frames\n"
+     "    2 | Frames 5\n"
+     "      | ^~~~~~\n"
+     "  the first is in line 1\n"},
     {"Film \"rgb\" \"integer xresolution@2\" 3\nWorldBegin",
      "scene.dsc:1:12: error: parameters of Film cannot change between frames\n"
      "    1 | Film \"rgb\" \"integer xresolution@2\" 3\n"
@@ -300,9 +352,10 @@ const Mistake kAnimation[] = {
      "    2 | Keyframe 3 Keyframe 3 KeyframeEnd\n"
      "      |            ^~~~~~~~\n"
      "  keys are written in ascending order\n"},
-    {"Frames 9\nKeyframe 1.5 KeyframeEnd\nWorldBegin", "scene.dsc:2:1: error: expected a frame from 1 to 100000\n"
-                                                       "    2 | Keyframe 1.5 KeyframeEnd\n"
-                                                       "      | ^~~~~~~~\n"},
+    {"Frames 9\nKeyframe 1.5 KeyframeEnd\nWorldBegin",
+     "scene.dsc:2:1: error: expected a frame from 1 to 100000\n"
+     "    2 | Keyframe 1.5 KeyframeEnd\n"
+     "      | ^~~~~~~~\n"},
     {"Frames 9\nKeyframe 1 KeyframeEnd\nKeyframe 2 KeyframeEnd\nWorldBegin",
      "scene.dsc:3:1: error: a second group of keys in this block\n"
      "    3 | Keyframe 2 KeyframeEnd\n"
@@ -318,9 +371,10 @@ const Mistake kAnimation[] = {
      "    2 | Keyframe 1 \"string ease\" \"bouncy\" KeyframeEnd\n"
      "      |                          ^~~~~~~~\n"
      "  it can be: linear, smooth, step\n"},
-    {"KeyframeEnd\nWorldBegin", "scene.dsc:1:1: error: KeyframeEnd without Keyframe\n"
-                                "    1 | KeyframeEnd\n"
-                                "      | ^~~~~~~~~~~\n"},
+    {"KeyframeEnd\nWorldBegin",
+     "scene.dsc:1:1: error: KeyframeEnd without Keyframe\n"
+     "    1 | KeyframeEnd\n"
+     "      | ^~~~~~~~~~~\n"},
     {"WorldBegin\nDynamicBegin \"a\"\nKeyframe 1\n",
      "scene.dsc:3:1: error: these keys are not closed\n"
      "    3 | Keyframe 1\n"
@@ -338,10 +392,11 @@ const Mistake kAnimation[] = {
      "scene.dsc:3:18: error: expected the first and the last frame, counted from 1\n"
      "    3 | DynamicBegin \"a\" \"integer frames\" [2 1] DynamicEnd\n"
      "      |                  ^~~~~~~~~~~~~~~~\n"},
-    {"WorldBegin\nHide \"part\"", "scene.dsc:2:1: error: Hide: product variations are not yet supported\n"
-                                  "    2 | Hide \"part\"\n"
-                                  "      | ^~~~\n"
-                                  "  render one scene a variation meanwhile\n"},
+    {"WorldBegin\nHide \"part\"",
+     "scene.dsc:2:1: error: Hide: product variations are not yet supported\n"
+     "    2 | Hide \"part\"\n"
+     "      | ^~~~\n"
+     "  render one scene a variation meanwhile\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Animation, Mistakes, testing::ValuesIn(kAnimation));
 
@@ -355,18 +410,20 @@ TEST(MistakesInARow, AreAllFoundUpToTwenty) {
 
 TEST(OldPbrt, IsOneMessage) {
   const auto messages = [](const std::string& text) { return parse(text, {}, "old.pbrt").messages(); };
-  EXPECT_EQ(messages("Shape \"a\"\nWorldBegin\nMaterial \"matte\" \"rgb Kd\" [1 1 1]\nNonsense\nWorldEnd"),
-            "old.pbrt:3:10: error: this is a scene for pbrt-v3 or older; dspm reads the format of pbrt-v4, which does not "
-            "know \"matte\"\n"
-            "    3 | Material \"matte\" \"rgb Kd\" [1 1 1]\n"
-            "      |          ^~~~~~~\n"
-            "  convert it with pbrt-v4: pbrt --upgrade old.pbrt > new.pbrt\n");
-  EXPECT_EQ(messages("SurfaceIntegrator \"path\""),
-            "old.pbrt:1:1: error: this is a scene for pbrt-v1 or v2; dspm reads the format of pbrt-v4, which does not know "
-            "\"SurfaceIntegrator\"\n"
-            "    1 | SurfaceIntegrator \"path\"\n"
-            "      | ^~~~~~~~~~~~~~~~~\n"
-            "  pbrt-v3's documentation tells how to bring it to v3; pbrt-v4 --upgrade does the rest\n");
+  EXPECT_EQ(
+      messages("Shape \"a\"\nWorldBegin\nMaterial \"matte\" \"rgb Kd\" [1 1 1]\nNonsense\nWorldEnd"),
+      "old.pbrt:3:10: error: this is a scene for pbrt-v3 or older; dspm reads the format of pbrt-v4, which does not "
+      "know \"matte\"\n"
+      "    3 | Material \"matte\" \"rgb Kd\" [1 1 1]\n"
+      "      |          ^~~~~~~\n"
+      "  convert it with pbrt-v4: pbrt --upgrade old.pbrt > new.pbrt\n");
+  EXPECT_EQ(
+      messages("SurfaceIntegrator \"path\""),
+      "old.pbrt:1:1: error: this is a scene for pbrt-v1 or v2; dspm reads the format of pbrt-v4, which does not know "
+      "\"SurfaceIntegrator\"\n"
+      "    1 | SurfaceIntegrator \"path\"\n"
+      "      | ^~~~~~~~~~~~~~~~~\n"
+      "  pbrt-v3's documentation tells how to bring it to v3; pbrt-v4 --upgrade does the rest\n");
 }
 
 TEST(OldPbrt, IsNotSuspectedWhereTheSceneIsCertainlyNew) {

@@ -66,7 +66,7 @@ TEST(Scene, LocatesParameters) {
   EXPECT_EQ(radius.where.line, 2);
   EXPECT_EQ(radius.where.column, 17);
   EXPECT_EQ(radius.where.length, 14);
-  EXPECT_EQ(radius.values_where.column, 32);
+  EXPECT_EQ(radius.values_where.column, 34);
   EXPECT_EQ(scene.shapes[0].where.column, 3);
   EXPECT_EQ(scene.shapes[0].type_where.column, 9);
   EXPECT_EQ(radius.where.file, scene.files[0].get());
