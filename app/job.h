@@ -28,7 +28,7 @@ struct Job {
   SourceLocation where;  // of the Integrator directive
   std::string accel;     // a plugin's name; empty: the usual one
 
-  /// Photon paths an iteration; 0: the integrator emits none.
+  /// What the integrator knows as `photons`; 0: it emits none.
   int photons() const;
   /// Iterations to go; 0: until stopped.
   int iterations(const Integrator& made, const Options& options) const;
