@@ -73,9 +73,10 @@ class PhotonTracer {
     if (bsdf.lobes(settings_.least_alpha) == 0) return;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
-      const float geometric = std::abs(dot(wi, point.ng));
-      if (geometric == 0) return;
-      flux *= std::abs(dot(wi, point.ns)) / geometric;
+      // Where the normals disagree about the side, no scattering function gives anything.
+      const float geometric = dot(wi, point.ng), shading = dot(wi, point.ns);
+      if (!(geometric * shading > 0)) return;
+      flux *= shading / geometric;
     }
     out_.photons.push_back({point.p, wi, flux, path.frames});
     out_.stored.add(path.frames.count());

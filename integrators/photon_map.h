@@ -19,7 +19,8 @@ class PhotonMap {
   /// Calls fn(const Gathered&, distance squared) for every photon within `radius` of p; returns how many were tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius, Fn&& fn) const {
-    return grid_.for_each_within(p, radius, [&](std::uint32_t i, float distance2) { fn(photons_[i], distance2); });
+    const Gathered* photons = photons_.data();
+    return grid_.for_each_within(p, radius, [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
   }
 
   /// What a gather needs of a photon besides its place.

@@ -58,14 +58,15 @@ std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius, Fn&& fn) c
     return 0;
   const Cell low = cell_of(p - reach), high = cell_of(p + reach);
   const Lanes px = _mm_set1_ps(p.x), py = _mm_set1_ps(p.y), pz = _mm_set1_ps(p.z), radius2 = _mm_set1_ps(radius * radius);
+  const float *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
   std::uint64_t tested = 0;
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y) {
-      const std::uint32_t begin = begin_[index_of(low.x, y, z)], end = begin_[index_of(high.x, y, z) + 1];
+  for (int cz = low.z; cz <= high.z; ++cz)
+    for (int cy = low.y; cy <= high.y; ++cy) {
+      const std::uint32_t begin = begin_[index_of(low.x, cy, cz)], end = begin_[index_of(high.x, cy, cz) + 1];
       tested += end - begin;
       for (std::uint32_t i = begin; i < end; i += kLanes) {
-        const Lanes dx = _mm_sub_ps(_mm_loadu_ps(&x_[i]), px), dy = _mm_sub_ps(_mm_loadu_ps(&y_[i]), py),
-                    dz = _mm_sub_ps(_mm_loadu_ps(&z_[i]), pz);
+        const Lanes dx = _mm_sub_ps(_mm_loadu_ps(x + i), px), dy = _mm_sub_ps(_mm_loadu_ps(y + i), py),
+                    dz = _mm_sub_ps(_mm_loadu_ps(z + i), pz);
         const Lanes d2 = _mm_add_ps(_mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy)), _mm_mul_ps(dz, dz));
         auto within = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(d2, radius2)));
         if (end - i < kLanes) within &= (1u << (end - i)) - 1;

@@ -55,7 +55,7 @@ class Bsdf {
 /// build with because a Bsdf owns nothing and has no virtual base.
 class BsdfSlot {
  public:
-  static constexpr std::size_t kSize = 144;
+  static constexpr std::size_t kSize = 96;
 
   template <class T, class... Args>
   const Bsdf& emplace(Args&&... args) {
