@@ -22,6 +22,7 @@ class Sppm final : public Integrator {
         seen_(render.crop.count(), 1) {
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(1);
+    statistics_.bytes = pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes();
   }
 
   int iterations() const override { return settings_.iterations; }

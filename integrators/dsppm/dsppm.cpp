@@ -23,6 +23,7 @@ class Dsppm final : public Integrator {
     estimator_ = settings.kz11 ? make_kz11(of) : make_hj09(of);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    statistics_.bytes = bytes();
   }
 
   int iterations() const override { return settings_.iterations; }
