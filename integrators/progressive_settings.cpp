@@ -17,7 +17,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones are followed");
-  params.flag("mixture", true, "one path with a weight a frame where only looks differ (no effect yet: paths always split)");
+  if (params.flag("mixture", false, "false: paths split where frames differ in looks only; sharing them is not built yet"))
+    params.unsupported("mixture", "one path with a weight for each frame");
   params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);

@@ -1,5 +1,6 @@
 #include "world/geometry.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -54,11 +55,20 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   for (const ShapeUse& use : description.shapes) add_source(use, {});
   std::map<std::string, std::vector<const ObjectUse*>> uses;
   for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
+  refuse_unknown_objects();
   for (const ObjectDefinition& object : description.objects)
     if (const auto found = uses.find(object.name); found != uses.end())
       for (const ShapeUse& shape : object.shapes) add_source(shape, found->second);
   for (const WorldShape& shape : shapes_)
     for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+}
+
+void Geometry::refuse_unknown_objects() {
+  std::vector<std::string> names;
+  for (const ObjectDefinition& object : description_.objects) names.push_back(object.name);
+  for (const ObjectUse& use : description_.instances)
+    if (std::find(names.begin(), names.end(), use.name) == names.end())
+      diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name), did_you_mean(use.name, names));
 }
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {

@@ -35,6 +35,7 @@ class Geometry {
 
  private:
   struct Source;
+  void refuse_unknown_objects();
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);

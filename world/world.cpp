@@ -40,6 +40,15 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   return cameras;
 }
 
+/// What the language knows and the renderer does not.
+void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
+  for (const MediumUse& use : description.media)
+    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": participating media are not built in dspm");
+  for (const MediumInterfaceUse& use : description.medium_interfaces)
+    if (!use.inside.empty() || !use.outside.empty())
+      diagnostics.unsupported(use.where, "participating media are not built in dspm");
+}
+
 template <class T>
 FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<Frame>& frames) {
   FrameStates<T> result;
@@ -61,6 +70,7 @@ FrameSet present_in(const WorldShape& shape, const std::vector<Frame>& frames) {
 struct World::Parts {
   Parts(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
       : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
+    refuse_media(text, diagnostics);
     const Bounds3& bounds = geometry.bounds();
     if (!bounds.empty()) {
       center = bounds.center();

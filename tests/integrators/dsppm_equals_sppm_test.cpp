@@ -86,6 +86,36 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
   RecordProperty("differing", sum.differing);
 }
 
+// kz11 keeps no statistics to look at; the images say it.
+TEST(Kz11, FramesEqualTheirOwnRuns) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const std::string text =
+        RandomScene(500 + seed, 6).text(R"(Integrator "dsppm" "integer photons" 3000 "string estimator" "kz11")");
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    const auto scene = test.scene(test.all_frames());
+    const auto together = test.integrator(*scene);
+    for (int i = 0; i < kIterations; ++i) together->iterate(i);
+    for (const Frame f : test.all_frames()) {
+      const Image a = together->estimate(f), b = test.render(f, kIterations);
+      for (std::size_t p = 0; p < a.pixels.size(); ++p) EXPECT_TRUE(same(a.pixels[p], b.pixels[p]));
+    }
+  }
+}
+
+// Frames of a path tracer, too, are those of their own runs.
+TEST(Path, FramesEqualTheirOwnRuns) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const std::string text = RandomScene(700 + seed, 4).text(R"(Integrator "path" "integer maxdepth" 8)");
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    const auto scene = test.scene(test.all_frames());
+    const auto together = test.integrator(*scene);
+    for (int i = 0; i < kIterations; ++i) together->iterate(i);
+    for (const Frame f : test.all_frames()) EXPECT_EQ(together->estimate(f), test.render(f, kIterations));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Frames, DsppmEqualsSppm, ::testing::Values(1, 2, 5, 8, 33));
 
 }  // namespace
