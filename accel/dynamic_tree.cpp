@@ -6,15 +6,6 @@
 namespace dspm {
 namespace {
 
-bool is_world_mesh(const PlacedShape& placed) { return placed.shape->triangles() && !placed.in_object_space(); }
-
-std::vector<int> world_meshes(std::span<const PlacedShape> shapes, std::span<const int> which) {
-  std::vector<int> meshes;
-  for (const int s : which)
-    if (is_world_mesh(shapes[static_cast<std::size_t>(s)])) meshes.push_back(s);
-  return meshes;
-}
-
 // Norm of a linear map where vectors are measured by their largest component.
 template <class Map>
 float norm(const Map& map) {
@@ -29,14 +20,14 @@ float stretch_of(const Transform& t) {
 
 }  // namespace
 
-DynamicTree::DynamicTree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all)
-    : meshes_(shapes, world_meshes(shapes, which), all) {
+DynamicTree::DynamicTree(std::span<const PlacedShape> shapes, const ShapesByKind& which, FrameSet all)
+    : meshes_(shapes, which.meshes, all) {
   std::map<const Shape*, const ShapeTree*> trees;  // looked up only, so addresses decide nothing
   std::vector<Placed> placed;
   std::vector<Piece> pieces;
-  for (const int s : which) {
+  for (const int s : which.others) {
     const PlacedShape& shape = shapes[static_cast<std::size_t>(s)];
-    if (is_world_mesh(shape) || shape.shape->primitive_count() == 0) continue;
+    if (shape.shape->primitive_count() == 0) continue;
     const ShapeTree*& tree = trees[shape.shape];
     if (!tree) tree = shape_trees_.emplace_back(std::make_unique<ShapeTree>(*shape.shape)).get();
     placed.push_back({s, &shape, tree});
@@ -77,7 +68,7 @@ void DynamicTree::find_in(const Placed& placed, const Ray& ray, Query& query) {
 template <class Query>
 void DynamicTree::find(const Ray& ray, Query& query) const {
   walk(bvh_, BoxRay(ray, margins_), query, [&](std::uint32_t leaf) { find_in(placed_[leaf], ray, query); });
-  if (!meshes_.bvh().nodes.empty()) meshes_.find(MeshRay(ray), query);
+  if (!meshes_.empty()) meshes_.find(MeshRay(ray), query);
 }
 template void DynamicTree::find(const Ray&, NearestHit&) const;
 template void DynamicTree::find(const Ray&, NearestHits&) const;

@@ -12,9 +12,9 @@ namespace dspm {
 class DynamicTree {
  public:
   /// Over shapes[i] for all i in `which`.
-  DynamicTree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all);
+  DynamicTree(std::span<const PlacedShape> shapes, const ShapesByKind& which, FrameSet all);
 
-  bool empty() const { return placed_.empty() && meshes_.bvh().nodes.empty(); }
+  bool empty() const { return placed_.empty() && meshes_.empty(); }
   /// Offers to `query` (NearestHit, NearestHits or Unblocked) what the ray meets.
   template <class Query>
   void find(const Ray& ray, Query& query) const;

@@ -5,6 +5,8 @@
 
 #include <immintrin.h>
 
+#include "accel/bvh.h"
+#include "accel/hits.h"
 #include "accel/meet.h"
 
 namespace dspm {
@@ -51,10 +53,38 @@ struct alignas(64) TrianglePacket {
     return lanes & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
   }
 
+  Vec3 corner(int i, std::size_t lane) const { return {vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; }
   std::optional<PrimitiveHit> meet(std::size_t lane, const MeshRay& ray) const {
-    const auto corner = [&](int i) { return Vec3{vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; };
-    return dspm::meet(ray, corner(0), corner(1), corner(2));
+    return dspm::meet(ray, corner(0, lane), corner(1, lane), corner(2, lane));
   }
+
+  /// Offers to `query` what the ray meets; `frames_of(shape)` are the frames in which a triangle is there.
+  template <class Query, class FramesOf>
+  void find(const MeshRay& ray, Query& query, const FramesOf& frames_of) const {
+    for (unsigned rest = candidates(ray.triangle, query.limit()); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      const FrameSet frames = frames_of(shape[lane]) & query.frames();
+      if (frames.empty()) continue;
+      if (const auto hit = meet(lane, ray)) query.offer({hit->t, shape[lane], primitive[lane], hit->uv}, frames);
+    }
+  }
+
+  /// With margin.
+  Bounds3 bounds() const;
+};
+
+/// Which placed shapes are meshes that stand in world space, and which go their own ways.
+struct ShapesByKind {
+  std::vector<int> meshes, others;
+};
+ShapesByKind by_kind(std::span<const PlacedShape> shapes, std::span<const int> which);
+
+/// The triangles of shapes[i] for all i in `which`, those side by side that are near each other.
+struct PackedTriangles {
+  std::vector<TrianglePacket> packets;
+  Bvh bvh;  // over them
+
+  PackedTriangles(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all);
 };
 
 }  // namespace dspm

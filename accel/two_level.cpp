@@ -3,13 +3,13 @@
 namespace dspm {
 namespace {
 
-std::vector<int> those_which(std::span<const PlacedShape> shapes, FrameSet all, bool stand_still) {
+ShapesByKind those_which(std::span<const PlacedShape> shapes, FrameSet all, bool stand_still) {
   std::vector<int> numbers;
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     const FrameSet there = shapes[s].frames & all;
     if (!there.empty() && (there == all) == stand_still) numbers.push_back(static_cast<int>(s));
   }
-  return numbers;
+  return by_kind(shapes, numbers);
 }
 
 HitPartition one_part(FrameSet frames, const RayHit& hit) {
