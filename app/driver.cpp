@@ -142,7 +142,7 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
   messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file,
                 job_.frames.size(), job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(),
                 job_.integrator, iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
-  const int photons = job_.photons();
+  const int photons = integrator.photons();
   const std::string emitted = photons > 0 ? fmt::format("photons {}; ", photons) : "";
   messages_.say("{}memory: trees {}, integrator {}, all {}", emitted, readable_bytes(scene.accel->memory()),
                 readable_bytes(integrator.statistics().bytes), readable_bytes(peak_memory()));

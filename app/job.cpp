@@ -127,16 +127,6 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
 
 }  // namespace
 
-int Job::photons() const {
-  for (const ParamInfo& info : params_of(*plugin)) {
-    if (info.name != "photons") continue;
-    const int usual = std::stoi(info.default_value);
-    const int given = integer_of(params, "photons", integer_of(params, "photonsperiteration", usual));
-    return given == -1 ? settings.crop.count() : given;  // pbrt's word for one a pixel
-  }
-  return 0;
-}
-
 int Job::iterations(const Integrator& made, const Options& options) const {
   if (options.iterations) return *options.iterations;
   const int asked = made.iterations();

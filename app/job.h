@@ -28,8 +28,6 @@ struct Job {
   SourceLocation where;  // of the Integrator directive
   std::string accel;     // a plugin's name; empty: the usual one
 
-  /// What the integrator knows as `photons`; 0: it emits none.
-  int photons() const;
   /// Iterations to go; 0: until stopped.
   int iterations(const Integrator& made, const Options& options) const;
   std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics) const;

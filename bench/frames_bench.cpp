@@ -82,7 +82,7 @@ void compare(const LoadedScene& loaded, int iterations) {
   }
 
   const Statistics s = joint.integrator->statistics();
-  fmt::print("{} frames, {} photons an iteration, {} iterations, {} threads\n\n", frames.size(), loaded.job.photons(), iterations,
+  fmt::print("{} frames, {} photons an iteration, {} iterations, {} threads\n\n", frames.size(), joint.integrator->photons(), iterations,
              thread_count());
   fmt::print("| step | dsppm, s | K x sppm, s | speedup | sharing factor | reached |\n| --- | --- | --- | --- | --- | --- |\n");
   const double factors[] = {s.camera.segments.factor(), s.photon.segments.factor(), s.photons_stored.factor(), s.photon_tests.factor(), 0};

@@ -12,8 +12,8 @@ namespace dspm {
 class PixelEstimator {
  public:
   virtual ~PixelEstimator() = default;
-  /// The radius within which gather_at would look: the largest of the frames'.
-  virtual float search_radius(const HitPoint& hit) const = 0;
+  /// The square of the radius within which gather_at would look: the largest of the frames'.
+  virtual float search_radius2(const HitPoint& hit) const = 0;
   /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the same
   /// time; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) = 0;

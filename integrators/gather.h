@@ -13,30 +13,25 @@ namespace dspm {
 struct GatherCounts {
   SharedCount tests, found;
   std::uint64_t invalid = 0;
-
-  GatherCounts& operator+=(const GatherCounts& o) {
-    tests += o.tests, found += o.found, invalid += o.invalid;
-    return *this;
-  }
 };
 
-/// Calls fn(frames, flux times f, distance squared) for every photon within `radius` that counts for the hit point in some
-/// frame: photons which arrive at the back of the surface do not. Throughput is left to the caller.
+/// Calls fn(frames, flux times f, distance squared) for every photon within sqrt(radius2) that counts for the hit point in some
+/// frame: photons which arrive at the back of the surface do not, unless its lobes let light pass. Throughput is left to the caller.
 template <class Fn>
-void gather(const HitPoint& hit, const PhotonMap& map, float radius, GatherCounts& counts, Fn&& fn) {
+void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCounts& counts, Fn&& fn) {
   SharedCount within;
   std::uint64_t tested = 0;
   if (hit.lambertian) {  // apart from the rest: the loop that most of a gather's time goes to
-    tested = map.for_each_within(hit.p, radius, [&](const PhotonMap::Gathered& photon, float distance2) {
+    tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
       if (!frames.empty() && dot(photon.wi, hit.ng) > 0) fn(frames, photon.flux, distance2);
     });
   } else {
-    tested = map.for_each_within(hit.p, radius, [&](const PhotonMap::Gathered& photon, float distance2) {
+    tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
-      if (frames.empty() || !(dot(photon.wi, hit.ng) > 0)) return;
+      if (frames.empty() || !(hit.transmits || dot(photon.wi, hit.ng) > 0)) return;
       const Rgb flux = photon.flux * hit.bsdf->evaluate(hit.wo, photon.wi, Transport::radiance, hit.lobes);
       counts.invalid += !is_finite(flux);
       fn(frames, is_finite(flux) ? flux : Rgb(), distance2);
@@ -45,6 +40,12 @@ void gather(const HitPoint& hit, const PhotonMap& map, float radius, GatherCount
   counts.found += within;
   // How many frames the photons too far away belong to is not looked up: they are taken to be like those within.
   counts.tests += {tested, static_cast<std::uint64_t>(std::llround(static_cast<double>(tested) * within.factor()))};
+}
+
+/// Takes the counts of all tiles into `statistics`.
+inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
+  for (const GatherCounts& c : tiles)
+    statistics.photon_tests += c.tests, statistics.photons_found += c.found, statistics.invalid += c.invalid;
 }
 
 }  // namespace dspm

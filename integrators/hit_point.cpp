@@ -10,13 +10,13 @@ namespace {
 constexpr int kTileSide = 16;
 // A few pixel spacings; never more than a share of the scene, for what is seen at the horizon.
 constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
-constexpr int kFirstRouletteBounce = 4;
+// What is rougher is no specular lobe.
+constexpr float kLeastRoughness = 1e-4f;
 
 class HitPointTracer {
  public:
-  HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, FrameSet frames,
-                 HitPointTile& out)
-      : scene_(scene), render_(render), settings_(settings), frames_(frames), out_(out) {}
+  HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointTile& out)
+      : scene_(scene), render_(render), settings_(settings), frames_(scene.frames()), out_(out) {}
 
   /// x, y in the full image.
   void trace(int x, int y, std::uint64_t iteration) {
@@ -25,7 +25,7 @@ class HitPointTracer {
     const Vec2 film = film_point(render_, x, y, random);
     scene_.camera.for_each(frames_, [&](FrameSet frames, const Camera& camera) {
       camera_ = &camera;
-      stack_.push({camera.ray(film, random.pair(0, kLightDirection)), Rgb(1), frames, 0, 0, frames != frames_});
+      stack_.push({camera.ray(film, random.pair(0, kLightDirection)), Rgb(1), frames});
       run(random);
     });
     ++out_.paths.paths;
@@ -37,7 +37,7 @@ class HitPointTracer {
   void run(const PathRandom& random) {
     while (!stack_.empty()) {
       const PathState path = stack_.pop();
-      met_dynamic_ |= path.dynamic;
+      met_dynamic_ |= path.frames != frames_;
       const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
       out_.paths.segments.add(path.frames.count());
       for (const FrameHit& part : parts) follow(path, part, random);
@@ -48,17 +48,17 @@ class HitPointTracer {
     if (part.hit.missed()) {
       for_each_escape(scene_, part.frames, path.ray.direction,
                       [&](FrameSet frames, const Rgb& radiance, const SceneLight&, const Light&) {
-                        out_.seen.push_back({pixel_, frames, path.throughput * radiance});
+                        see(frames, path.throughput * radiance);
                       });
       return;
     }
-    met_dynamic_ |= !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(frames_);
     const Vec3 wo = -path.ray.direction;
     const float length = path.length + part.hit.t;
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
       for_each_emission(scene_, {frames, part.hit}, point, wo, [&](FrameSet lit, const Rgb& radiance, const Light&) {
-        out_.seen.push_back({pixel_, lit, path.throughput * radiance});
+        see(lit, path.throughput * radiance);
       });
+      met_dynamic_ |= frames != frames_;
       PathState branch = path;
       branch.frames = frames;
       branch.length = length;
@@ -69,33 +69,25 @@ class HitPointTracer {
   /// Ends the path in a hit point, or follows a lobe that is too smooth to gather on.
   void scatter(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
     if (path.bounces >= settings_.max_depth) return;
-    const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(settings_.least_alpha);
-    const LobeSet smooth = static_cast<LobeSet>(all & ~rough);
     const int bounce = path.bounces;
-    const float gathers = rough == 0 ? 0 : smooth == 0 ? 1 : bsdf.share(wo, rough);
-    if (random.number(bounce, kSplit) < gathers) {
-      path.throughput *= 1 / gathers;
-      return end(path, point, bsdf, wo, rough, random);
-    }
-    if (smooth == 0) return;
-    const Vec2 u = random.pair(bounce, kScatter);
-    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::radiance, smooth);
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(bounce, kSplit));
+    path.throughput *= 1 / choice.chance;
+    if (choice.rough) return end(path, point, bsdf, wo, choice.lobes, random);
+    // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from it.
+    if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
+      add_direct_light(path, point, bsdf, wo, glossy, random, [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
+    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, choice.lobes);
     if (!sample) return;
     extend(path, point, *sample);
-    path.throughput *= 1 / (1 - gathers);
-    const float p = bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(path.throughput));
-    if (!is_black(path.throughput) && is_finite(path.throughput) && survives(path, p, random.number(bounce, kRoulette)))
-      stack_.push(path);
+    if (is_black(path.throughput)) return;
+    if (!is_finite(path.throughput)) return reject(path.frames);
+    if (survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette))) stack_.push(path);
   }
 
   void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
            const PathRandom& random) {
     if (settings_.sample_direct)
-      sample_direct_light(scene_, path.frames, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
-                          [](const Vec3&, float) { return 1.f; },
-                          [&](FrameSet frames, const Rgb& radiance) {
-                            out_.seen.push_back({pixel_, frames, path.throughput * radiance});
-                          });
+      add_direct_light(path, point, bsdf, wo, lobes, random, [](float) { return 1.f; });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(lobes);
     if (constant && is_black(*constant)) return;
@@ -105,9 +97,24 @@ class HitPointTracer {
     hit.throughput = constant ? path.throughput * *constant : path.throughput;
     hit.frames = path.frames, hit.pixel = pixel_;
     hit.radius = radius(path.length);
-    hit.lobes = lobes, hit.lambertian = constant.has_value();
+    hit.lobes = lobes, hit.lambertian = constant.has_value(), hit.transmits = bsdf.transmits(lobes);
     if (!constant) hit.bsdf = BsdfSlot::copy_of(bsdf);
   }
+
+  template <class Weight>
+  void add_direct_light(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
+                        const PathRandom& random, Weight&& weight) {
+    sample_direct_light(
+        scene_, path.frames, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
+        [&](const Vec3&, float pdf_w) { return weight(pdf_w); },
+        [&](FrameSet frames, const Rgb& radiance) { see(frames, path.throughput * radiance); });
+  }
+
+  void see(FrameSet frames, const Rgb& radiance) {
+    if (!is_finite(radiance)) return reject(frames);
+    out_.seen.push_back({pixel_, frames, radiance});
+  }
+  void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
 
   float radius(float path_length) const {
     if (settings_.radius > 0) return settings_.radius;
@@ -129,18 +136,29 @@ class HitPointTracer {
 void clear(HitPointTile& tile) {
   tile.hit_points.clear();
   tile.seen.clear();
-  tile.paths = {};
+  tile.paths = {}, tile.invalid = 0;
 }
 
 }  // namespace
 
+void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
+  for (const HitPointTile& tile : tiles) statistics.camera += tile.paths, statistics.invalid += tile.invalid;
+}
+
+std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
+  std::size_t sum = 0;
+  for (const HitPointTile& tile : tiles)
+    sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.seen.capacity() * sizeof(SeenLight);
+  return sum;
+}
+
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings,
-                                           FrameSet frames, std::uint64_t iteration, std::vector<HitPointTile> reuse) {
+                                           std::uint64_t iteration, std::vector<HitPointTile> reuse) {
   reuse.resize(static_cast<std::size_t>(tile_count(render.crop, kTileSide)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     clear(tile);
-    HitPointTracer tracer(scene, render, settings, frames, tile);
+    HitPointTracer tracer(scene, render, settings, tile);
     for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t), [&](int x, int y) { tracer.trace(x, y, iteration); });
   });
   return reuse;

@@ -31,6 +31,8 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Iterations that were asked for; 0: until stopped.
   virtual int iterations() const = 0;
+  /// Photon paths an iteration, in each frame; 0: it traces none.
+  virtual int photons() const { return 0; }
   /// All frames take one step; iterations count from 0 and come in order.
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.

@@ -16,7 +16,6 @@ namespace dspm {
 namespace {
 
 constexpr int kTileSide = 16;
-constexpr int kFirstRouletteBounce = 4;
 
 struct TracedPath : PathState {
   Vec3 from;        // where the segment starts: the last surface's point
@@ -39,7 +38,6 @@ class PixelTracer {
       TracedPath path;
       path.ray = camera.ray(film, random.pair(0, kLightDirection));
       path.throughput = Rgb(1), path.frames = frames;
-      path.dynamic = frames != scene_.frames();
       stack_.push(path);
     });
     run(random);
@@ -55,7 +53,7 @@ class PixelTracer {
   void run(const PathRandom& random) {
     while (!stack_.empty()) {
       const TracedPath path = stack_.pop();
-      met_dynamic_ |= path.dynamic;
+      met_dynamic_ |= path.frames != scene_.frames();
       counts_.segments.add(path.frames.count());
       for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) follow(path, part, random);
     }
@@ -63,9 +61,9 @@ class PixelTracer {
 
   void follow(const TracedPath& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) return escape(path, part.frames);
-    met_dynamic_ |= !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(scene_.frames());
     const Vec3 wo = -path.ray.direction;
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+      met_dynamic_ |= frames != scene_.frames();
       add_emission(path, {frames, part.hit}, point, wo);
       if (path.bounces >= max_depth_) return;
       sample_direct_light(scene_, frames, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
@@ -98,14 +96,13 @@ class PixelTracer {
 
   void scatter(TracedPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
     const int bounce = path.bounces;
-    const Vec2 u = random.pair(bounce, kScatter);
-    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::radiance, bsdf.all_lobes());
+    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
     extend(path, point, *sample);
     path.from = point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
-    const float p = bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(path.throughput));
-    if (!is_black(path.throughput) && survives(path, p, random.number(bounce, kRoulette))) stack_.push(path);
+    if (!is_black(path.throughput) && survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette)))
+      stack_.push(path);
   }
 
   void add(FrameSet frames, const Rgb& radiance) {

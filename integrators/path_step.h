@@ -1,8 +1,10 @@
 // One step of a path, for camera and photon paths of every integrator: what a path is, where it goes on, and how it ends.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/rng.h"
 #include "integrators/statistics.h"
@@ -17,10 +19,11 @@ struct PathState {
   FrameSet frames;    // the frames in which this very path exists; shrinks, never grows
   int bounces = 0;    // scatterings so far
   float length = 0;   // of the segments so far, in world units
-  bool dynamic = false;  // met something that is not there in all frames
+  float eta_scale = 1;  // of the refractions so far: what throughput will get back on the way out
 };
 
-/// The random numbers' dimensions at one bounce. At a path's start, bounce 0 uses the last three as well.
+/// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at the
+/// vertex of bounce b takes those of b + 1.
 enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
 
 /// The paths still to be followed. Their sets are disjoint, so there are never more than frames.
@@ -80,11 +83,38 @@ inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const
   return below == 0 ? 0 : std::abs(dot(wo, point.ns) * dot(wi, point.ng)) / below;
 }
 
+/// Smooth lobes are followed, rough ones gather or are gathered from; where a surface has both, a path chooses.
+struct LobeChoice {
+  LobeSet lobes;
+  float chance;  // of this choice
+  bool rough;
+};
+
+inline LobeChoice choose_lobes(const Bsdf& bsdf, const Vec3& wo, float least_alpha, float u) {
+  const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
+  const float rough_chance = rough == 0 ? 0 : smooth == 0 ? 1 : bsdf.share(wo, rough);
+  if (u < rough_chance) return {rough, rough_chance, true};
+  return {smooth, 1 - rough_chance, false};
+}
+
+inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const Vec3& wo, const PathRandom& random, int bounce,
+                                             Transport transport, LobeSet lobes) {
+  const Vec2 u = random.pair(bounce, kScatter);
+  return bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, transport, lobes);
+}
+
 /// Moves `path` on along the sampled direction.
 inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.throughput *= sample.weight;
+  path.eta_scale *= sample.eta_scale;
   path.ray = point.spawn(sample.wi);
   ++path.bounces;
+}
+
+/// A camera path's chance to go on after `bounce`: its throughput, as it would be outside of glass.
+inline float roulette_chance(const PathState& path, int bounce) {
+  constexpr int kFirstRouletteBounce = 4;
+  return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(path.throughput) / path.eta_scale);
 }
 
 /// Russian roulette: survives where u < p, and is divided by p. Frames share u, so they decide alike where p is equal.

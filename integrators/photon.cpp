@@ -16,22 +16,22 @@ double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>
 
 class PhotonTracer {
  public:
-  PhotonTracer(const Scene& scene, const PhotonSettings& settings, FrameSet frames, PhotonTrace& out)
-      : scene_(scene), settings_(settings), frames_(frames), out_(out) {}
+  PhotonTracer(const Scene& scene, const PhotonSettings& settings, PhotonTrace& out)
+      : scene_(scene), settings_(settings), frames_(scene.frames()), out_(out) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
     const PathRandom random(settings_.seed, settings_.stream, path_index, iteration);
     start(random);
     ++out_.paths.paths;
-    bool met_dynamic = false;
+    met_dynamic_ = false;
     while (!stack_.empty()) {
       const PhotonPath path = stack_.pop();
-      met_dynamic |= path.dynamic;
+      met_dynamic_ |= path.frames != frames_;
       const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
       out_.paths.segments.add(path.frames.count());
-      for (const FrameHit& part : parts) met_dynamic |= follow(path, part, random);
+      for (const FrameHit& part : parts) follow(path, part, random);
     }
-    out_.paths.dynamic_paths += met_dynamic;
+    out_.paths.dynamic_paths += met_dynamic_;
   }
 
  private:
@@ -46,26 +46,21 @@ class PhotonTracer {
       const Rgb flux = emission->flux / chosen.probability;
       if (!is_finite(flux)) return reject(frames);
       balance(frames, [&](EnergyBalance& e) { e.emitted += sum(flux); });
-      stack_.push({{emission->ray, flux, frames, 0, 0, frames != frames_}, kDirectPhotons});
+      stack_.push({{emission->ray, flux, frames}, kDirectPhotons});
     });
   }
 
-  /// What one part of the partition meets; true where that is not there in all frames.
-  bool follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
-    if (part.hit.missed()) {
-      balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
-      return false;
-    }
-    const bool dynamic = !scene_.shapes[static_cast<std::size_t>(part.hit.shape)].frames.contains(frames_);
+  void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
+    if (part.hit.missed())
+      return balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+      met_dynamic_ |= frames != frames_;
       PhotonPath branch = path;
       branch.frames = frames;
-      branch.dynamic |= dynamic || frames != part.frames;
       const Vec3 wo = -path.ray.direction;
       store(branch, point, bsdf, wo);
       scatter(branch, point, bsdf, wo, random);
     });
-    return dynamic;
   }
 
   void store(const PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wi) {
@@ -91,20 +86,19 @@ class PhotonTracer {
     if (bounce + 1 >= settings_.max_depth) return account(0, before);
 
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
-    const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(settings_.least_alpha);
-    const float is_rough = rough == 0 ? 0 : rough == all ? 1 : bsdf.share(wo, rough);
-    const bool by_rough = random.number(bounce, kSplit) < is_rough;
-    path.kind = by_rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(bounce, kSplit));
+    path.kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
     if (path.kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons)) return account(0, before);
 
-    const LobeSet lobes = by_rough ? rough : static_cast<LobeSet>(all & ~rough);
-    const Vec2 u = random.pair(bounce, kScatter);
-    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, Transport::flux, lobes);
+    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
     if (!sample) return account(before, 0);
     const float largest = max_component(path.throughput);
     extend(path, point, *sample);
-    path.throughput *= shading_correction(point, wo, sample->wi) / (by_rough ? is_rough : 1 - is_rough);
-    if (!is_finite(path.throughput)) return reject(path.frames);
+    path.throughput *= shading_correction(point, wo, sample->wi) / choice.chance;
+    if (!is_finite(path.throughput)) {
+      reject(path.frames);
+      return account(0, before);
+    }
     const double scattered = sum(path.throughput);
     const float p = std::min(1.f, max_component(path.throughput) / largest);
     const bool alive = p > 0 && survives(path, p, random.number(bounce, kRoulette));
@@ -126,6 +120,7 @@ class PhotonTracer {
   FrameSet frames_;
   PhotonTrace& out_;
   PathStack<PhotonPath> stack_;
+  bool met_dynamic_ = false;
 };
 
 void clear(PhotonTrace& trace, int frames) {
@@ -142,16 +137,30 @@ void finish_balance(PhotonTrace& trace, FrameSet frames) {
 
 }  // namespace
 
-std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, FrameSet frames,
-                                       std::uint64_t iteration, std::int64_t first, std::int64_t count,
-                                       std::vector<PhotonTrace> reuse) {
+void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
+  for (const PhotonTrace& trace : traces) {
+    statistics.photon += trace.paths;
+    statistics.photons_stored += trace.stored;
+    statistics.invalid += trace.invalid;
+    for (std::size_t f = 0; f < statistics.energy.size(); ++f) statistics.energy[f] += trace.energy[f];
+  }
+}
+
+std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
+  std::size_t sum = 0;
+  for (const PhotonTrace& trace : traces) sum += trace.photons.capacity() * sizeof(Photon);
+  return sum;
+}
+
+std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
+                                       std::int64_t count, std::vector<PhotonTrace> reuse) {
   reuse.resize(static_cast<std::size_t>(chunk_count(count, kPathsPerChunk)));
   parallel_chunks(count, kPathsPerChunk, [&](std::int64_t begin, std::int64_t end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(begin / kPathsPerChunk)];
     clear(trace, scene.frame_count());
-    PhotonTracer tracer(scene, settings, frames, trace);
-    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(first + i), iteration);
-    finish_balance(trace, frames);
+    PhotonTracer tracer(scene, settings, trace);
+    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
+    finish_balance(trace, scene.frames());
   });
   return reuse;
 }

@@ -30,7 +30,7 @@ struct PhotonSettings {
   std::uint64_t seed = 0;
   Stream stream = Stream::photon;
   int max_depth = 8;           // a photon is stored at its first max_depth hits
-  float least_alpha = 0;       // lobes smoother than this do not gather: nothing is stored for them alone
+  float least_alpha = 0.25f;   // lobes smoother than this do not gather: nothing is stored for them alone
   unsigned kinds = kAllPhotons;  // those that are stored
 };
 
@@ -43,10 +43,13 @@ struct PhotonTrace {
   std::uint64_t invalid = 0;
 };
 
-/// Traces paths first .. first + count - 1 of an iteration in `frames`, in parallel; chunks of paths in their order. The
-/// buffers in `reuse` are taken over to spare allocations.
-std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, FrameSet frames,
-                                       std::uint64_t iteration, std::int64_t first, std::int64_t count,
-                                       std::vector<PhotonTrace> reuse);
+/// Takes the traces' counts into `statistics`.
+void account(const std::vector<PhotonTrace>& traces, Statistics& statistics);
+std::size_t bytes_of(const std::vector<PhotonTrace>& traces);
+
+/// Traces paths 0 .. count - 1 of an iteration, in parallel; chunks of paths in their order. The buffers in `reuse` are
+/// taken over to spare allocations.
+std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
+                                       std::int64_t count, std::vector<PhotonTrace> reuse);
 
 }  // namespace dspm

@@ -3,7 +3,7 @@
 // Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
 // lobe) and a global one are made once; every iteration then takes one more camera path a pixel, with direct light by
 // shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or through
-// final gather rays. Biased: the maps' blur stays. Parameters: see make_photonmap below.
+// final gather rays, which follow at most four smooth lobes. Biased: the maps' blur stays. Parameters: see make_photonmap below.
 #include "integrators/photonmap.h"
 
 #include "core/parallel.h"
@@ -36,20 +36,22 @@ class PhotonMapper final : public Integrator {
       : settings_(settings), scene_(scene), render_(render), sums_(render.crop.count(), scene.frame_count()) {
     statistics_.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    statistics_.bytes = sums_.bytes();
     const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
     global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
     caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene), settings.caustic_photons};
   }
 
   int iterations() const override { return settings_.iterations; }
+  int photons() const override { return settings_.photons; }
 
   void iterate(int iteration) override {
     if (statistics_.iterations == 0) make_maps();
     {
       const StepTimer timer(statistics_.steps[kHitPoints]);
       HitPointSettings hit_points{settings_.max_depth, settings_.least_alpha, 0, true, settings_.final_gather > 0};
-      tiles_ = trace_hit_points(scene_, render_, hit_points, scene_.frames(), static_cast<std::uint64_t>(iteration),
-                                std::move(tiles_));
+      tiles_ = trace_hit_points(scene_, render_, hit_points, static_cast<std::uint64_t>(iteration), std::move(tiles_));
+      account(tiles_, statistics_);
     }
     const StepTimer timer(statistics_.steps[kGather]);
     gather_tiles(static_cast<std::uint64_t>(iteration));
@@ -79,18 +81,12 @@ class PhotonMapper final : public Integrator {
     PhotonSettings caustic{render_.seed, Stream::light, settings_.max_depth, settings_.least_alpha, kCausticPhotons};
     make_map(global_, global, settings_.photons, global_how_.radius);
     make_map(caustic_, caustic, settings_.caustic_photons, caustic_how_.radius);
-    statistics_.bytes = global_.bytes() + caustic_.bytes() + sums_.bytes();
   }
 
   void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
-    const auto traces = trace_photons(scene_, settings, scene_.frames(), 0, 0, photons, {});
+    const auto traces = trace_photons(scene_, settings, 0, photons, {});
     map.build(traces, radius / 4);
-    for (const PhotonTrace& trace : traces) {
-      statistics_.photon += trace.paths;
-      statistics_.photons_stored += trace.stored;
-      statistics_.invalid += trace.invalid;
-      for (std::size_t f = 0; f < statistics_.energy.size(); ++f) statistics_.energy[f] += trace.energy[f];
-    }
+    account(traces, statistics_);
   }
 
   void gather_tiles(std::uint64_t iteration) {
@@ -107,12 +103,10 @@ class PhotonMapper final : public Integrator {
           final_gather(hit, iteration, counts[tile], add);
       }
     });
-    for (const HitPointTile& tile : tiles_) statistics_.camera += tile.paths;
-    for (const TileCounts& c : counts) {
-      statistics_.camera.segments += c.paths.segments;
-      statistics_.photon_tests += c.gather.tests, statistics_.photons_found += c.gather.found;
-      statistics_.invalid += c.gather.invalid;
-    }
+    std::vector<GatherCounts> gathers;
+    for (const TileCounts& c : counts) statistics_.camera.segments += c.paths.segments, gathers.push_back(c.gather);
+    account(gathers, statistics_);
+    statistics_.bytes = std::max(statistics_.bytes, global_.bytes() + caustic_.bytes() + sums_.bytes() + bytes_of(tiles_));
   }
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
@@ -124,8 +118,7 @@ class PhotonMapper final : public Integrator {
     for (int ray = 0; ray < settings_.final_gather; ++ray) {
       const PathRandom random(render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
                               iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
-      const Vec2 u = random.pair(0, kScatter);
-      const auto sample = hit.bsdf->sample(hit.wo, {u.x, u.y, random.number(0, kLobe)}, Transport::radiance, hit.lobes);
+      const auto sample = sample_bsdf(*hit.bsdf, hit.wo, random, 0, Transport::radiance, hit.lobes);
       if (!sample) continue;
       PathState path;
       path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
@@ -158,23 +151,20 @@ class PhotonMapper final : public Integrator {
   void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const HitPoint& from,
                      const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
     const Vec3 wo = -path.ray.direction;
-    const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(settings_.least_alpha);
-    const float ends = rough == 0 ? 0 : rough == all ? 1 : bsdf.share(wo, rough);
-    if (random.number(path.bounces, kSplit) < ends) {
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(path.bounces, kSplit));
+    path.throughput *= 1 / choice.chance;
+    if (choice.rough) {
       HitPoint hit = from;
       hit.p = point.p, hit.wo = wo, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
-      hit.throughput = path.throughput / ends;
-      hit.frames = path.frames, hit.lobes = rough, hit.lambertian = false;
+      hit.throughput = path.throughput;
+      hit.frames = path.frames, hit.lobes = choice.lobes, hit.lambertian = false, hit.transmits = bsdf.transmits(choice.lobes);
       hit.bsdf = BsdfSlot::copy_of(bsdf);
       estimate_radiance(hit, global_, global_how_, counts.gather, add);
       return;
     }
-    if (rough == all || path.bounces >= kGatherBounces) return;
-    const Vec2 u = random.pair(path.bounces, kScatter);
-    const auto sample = bsdf.sample(wo, {u.x, u.y, random.number(path.bounces, kLobe)}, Transport::radiance,
-                                    static_cast<LobeSet>(all & ~rough));
+    if (path.bounces >= kGatherBounces) return;
+    const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
     if (!sample) return;
-    path.throughput *= 1 / (1 - ends);
     extend(path, point, *sample);
     if (!is_black(path.throughput) && is_finite(path.throughput)) stack.push(path);
   }
@@ -216,6 +206,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.radius >= 0, "radius", "the radius must not be negative");
   demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
   demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");
+  demand(s.least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
   demand(s.max_depth > 0, "maxdepth", "maxdepth must be at least 1");
   params.finish();
   return std::make_unique<PhotonMapper>(s, scene, render);

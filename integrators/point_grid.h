@@ -23,10 +23,10 @@ class PointGrid {
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t bytes() const;
 
-  /// Calls fn(i, distance squared) for every place i of the sorted order whose point lies within `radius` of p, in
-  /// ascending order of i within a row of cells and of rows. Returns how many points were tested.
+  /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed here, is
+  /// at most `radius2`: which points those are depends neither on the cells nor on the other points. In ascending order of i within a row of cells and of rows. Returns how many points were tested.
   template <class Fn>
-  std::uint64_t for_each_within(const Vec3& p, float radius, Fn&& fn) const;
+  std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const;
 
  private:
   struct Cell {
@@ -50,14 +50,16 @@ class PointGrid {
 };
 
 template <class Fn>
-std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius, Fn&& fn) const {
+std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
   if (order_.empty()) return 0;
-  const Vec3 reach{radius, radius, radius};
-  if (!(p.x + radius >= bounds_.low.x && p.x - radius <= bounds_.high.x && p.y + radius >= bounds_.low.y &&
-        p.y - radius <= bounds_.high.y && p.z + radius >= bounds_.low.z && p.z - radius <= bounds_.high.z))
+  // Rounded outward, so that no cell is left out whose points the distance test would let pass.
+  const float radius = std::sqrt(radius2) * (1 + 0x1p-20f);
+  const Vec3 reach = Vec3{radius, radius, radius} + abs(p) * 0x1p-21f, from = p - reach, to = p + reach;
+  if (!(to.x >= bounds_.low.x && from.x <= bounds_.high.x && to.y >= bounds_.low.y && from.y <= bounds_.high.y &&
+        to.z >= bounds_.low.z && from.z <= bounds_.high.z))
     return 0;
-  const Cell low = cell_of(p - reach), high = cell_of(p + reach);
-  const Lanes px = _mm_set1_ps(p.x), py = _mm_set1_ps(p.y), pz = _mm_set1_ps(p.z), radius2 = _mm_set1_ps(radius * radius);
+  const Cell low = cell_of(from), high = cell_of(to);
+  const Lanes px = _mm_set1_ps(p.x), py = _mm_set1_ps(p.y), pz = _mm_set1_ps(p.z), limit = _mm_set1_ps(radius2);
   const float *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
   std::uint64_t tested = 0;
   for (int cz = low.z; cz <= high.z; ++cz)
@@ -68,7 +70,7 @@ std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius, Fn&& fn) c
         const Lanes dx = _mm_sub_ps(_mm_loadu_ps(x + i), px), dy = _mm_sub_ps(_mm_loadu_ps(y + i), py),
                     dz = _mm_sub_ps(_mm_loadu_ps(z + i), pz);
         const Lanes d2 = _mm_add_ps(_mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy)), _mm_mul_ps(dz, dz));
-        auto within = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(d2, radius2)));
+        auto within = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(d2, limit)));
         if (end - i < kLanes) within &= (1u << (end - i)) - 1;
         if (within == 0) continue;
         alignas(16) float distance2[kLanes];

@@ -2,7 +2,7 @@
 
 namespace dspm {
 
-ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render) {
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render, bool choose_estimator) {
   ProgressiveSettings s;
   params.alias("photonsperiteration", "photons");
   s.iterations = params.integer("iterations", render.default_iterations, "",
@@ -11,7 +11,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.hit_point.radius = params.number("radius", 0, "world units", "initial search radius; 0: four pixel spacings at the hit point");
   s.alpha = params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
   const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
-  s.kz11 = params.choice("estimator", "hj09", {"hj09", "kz11"},
+  s.kz11 = choose_estimator && params.choice("estimator", "hj09", {"hj09", "kz11"},
                          "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") == "kz11";
   const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
@@ -27,9 +27,10 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
+  demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
   demand(max_depth > 0, "maxdepth", "maxdepth must be at least 1");
   params.finish();
-  if (s.photons == -1) s.photons = std::max(1, render.crop.count());  // pbrt's default
+  if (s.photons == -1) s.photons = std::max(1, render.width * render.height);  // pbrt's default
   s.photon.seed = render.seed;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;

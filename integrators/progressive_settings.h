@@ -15,7 +15,7 @@ struct ProgressiveSettings {
   HitPointSettings hit_point;
 };
 
-/// Reads them and calls finish().
-ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
+/// Reads them and calls finish(). An integrator that knows but one estimator does not let the scene choose it.
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render, bool choose_estimator);
 
 }  // namespace dspm

@@ -5,6 +5,8 @@
 // progressive_settings.cpp.
 #include "integrators/sppm.h"
 
+#include <cassert>
+
 #include "core/parallel.h"
 #include "integrators/pixel_statistics.h"
 #include "integrators/progressive_settings.h"
@@ -22,24 +24,27 @@ class Sppm final : public Integrator {
         seen_(render.crop.count(), 1) {
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(1);
-    statistics_.bytes = pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes();
+    statistics_.bytes = bytes();
+    assert(scene.frame_count() <= 1);  // or 0, where only parameters are checked
   }
 
   int iterations() const override { return settings_.iterations; }
+  int photons() const override { return settings_.photons; }
 
   void iterate(int iteration) override {
     const auto number = static_cast<std::uint64_t>(iteration);
     {
       const StepTimer timer(statistics_.steps[kHitPoints]);
-      tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, scene_.frames(), number, std::move(tiles_));
+      tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, number, std::move(tiles_));
     }
     {
       const StepTimer timer(statistics_.steps[kPhotons]);
-      traces_ = trace_photons(scene_, settings_.photon, scene_.frames(), number, 0, settings_.photons, std::move(traces_));
+      traces_ = trace_photons(scene_, settings_.photon, number, settings_.photons, std::move(traces_));
     }
     {
       const StepTimer timer(statistics_.steps[kPhotonMap]);
-      map_.build(traces_, mean_search_radius(tiles_, [&](const HitPoint& hit) { return std::sqrt(radius2(hit)); }, scene_.radius));
+      const auto radius2_of = [&](const HitPoint& hit) { return radius2(hit); };
+      map_.build(traces_, mean_search_radius(tiles_, radius2_of, scene_.radius));
     }
     {
       const StepTimer timer(statistics_.steps[kStatistics]);
@@ -79,9 +84,7 @@ class Sppm final : public Integrator {
         PixelStatistics& pixel = pixels_[static_cast<std::size_t>(hit.pixel)];
         pixel.R2 = radius2(hit);
         PassSums sums;
-        gather(hit, map_, std::sqrt(pixel.R2), counts_[tile], [&](FrameSet, const Rgb& flux, float distance2) {
-          if (distance2 <= pixel.R2) ++sums.M, sums.phi += flux;
-        });
+        gather(hit, map_, pixel.R2, counts_[tile], [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
         sums.phi *= hit.throughput;
         pixel.absorb(sums, settings_.alpha);
       }
@@ -89,21 +92,14 @@ class Sppm final : public Integrator {
   }
 
   void count() {
-    std::size_t bytes = pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes() + map_.bytes();
-    for (const HitPointTile& tile : tiles_) {
-      statistics_.camera += tile.paths;
-      bytes += tile.hit_points.capacity() * sizeof(HitPoint) + tile.seen.capacity() * sizeof(SeenLight);
-    }
-    for (const PhotonTrace& trace : traces_) {
-      statistics_.photon += trace.paths;
-      statistics_.photons_stored += trace.stored;
-      statistics_.invalid += trace.invalid;
-      statistics_.energy[0] += trace.energy[0];
-      bytes += trace.photons.capacity() * sizeof(Photon);
-    }
-    for (const GatherCounts& c : counts_)
-      statistics_.photon_tests += c.tests, statistics_.photons_found += c.found, statistics_.invalid += c.invalid;
-    statistics_.bytes = std::max(statistics_.bytes, bytes);
+    account(tiles_, statistics_);
+    account(traces_, statistics_);
+    account(counts_, statistics_);
+    statistics_.bytes = std::max(statistics_.bytes, bytes());
+  }
+
+  std::size_t bytes() const {
+    return pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
   }
 
   ProgressiveSettings settings_;
@@ -122,7 +118,7 @@ class Sppm final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  const ProgressiveSettings settings = read_progressive_settings(params, render, false);
   return std::make_unique<Sppm>(settings, scene, render);
 }
 

@@ -54,6 +54,7 @@ class Infinite final : public Light {
     return Illumination{s.direction, kInfinity, s.radiance, s.pdf_w};
   }
 
+  bool is_infinite() const override { return true; }
   Rgb escaped(const Vec3& direction) const override { return scale_ * map_.radiance(to_light(direction)); }
 
   float escaped_pdf_w(const Vec3& direction) const override {

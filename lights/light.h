@@ -42,6 +42,8 @@ class Light {
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.
   virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
+  /// Answers the next two: rays that leave the scene see it.
+  virtual bool is_infinite() const { return false; }
   /// Radiance of a ray of that direction which leaves the scene (infinite lights), and illuminate's density for it.
   virtual Rgb escaped(const Vec3& /*direction*/) const { return {}; }
   virtual float escaped_pdf_w(const Vec3& /*direction*/) const { return 0; }

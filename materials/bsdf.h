@@ -25,6 +25,8 @@ struct BsdfSample {
   Rgb weight;     // f |cos(wi, ns)| / pdf_w; for a specular lobe: its share of the light over the chance of its choice
   float pdf_w;    // by solid angle, over the lobes asked for; 0 where specular
   bool specular;  // the direction was the only possible one: pdf_w and evaluate know nothing of it
+  // What refraction did to radiance, (eta_i/eta_t)^2, and will undo on the way out: for roulette to leave out of account.
+  float eta_scale = 1;
 };
 
 /// Plain values without owned memory: a Bsdf may be copied byte by byte (see BsdfSlot).
@@ -42,6 +44,8 @@ class Bsdf {
   virtual std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const = 0;
   /// The chance that sampling all lobes would choose one of `lobes`, in [0, 1].
   virtual float share(const Vec3& wo, LobeSet lobes) const = 0;
+  /// Some of `lobes` passes light through the surface.
+  virtual bool transmits(LobeSet) const { return false; }
   /// f where it is the same for all pairs of directions on the outer (ng) or both sides, and black through the surface:
   /// gathering then sums flux first and multiplies once (of light on the wrong side of ns the gatherer takes care).
   /// Nothing for all else.

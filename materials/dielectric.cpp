@@ -43,7 +43,7 @@ class SmoothDielectric final : public Bsdf {
     if (!i || weight == 0) return std::nullopt;
     const std::optional<Vec3> wi = frame_.leave(*i, side);
     if (!wi) return std::nullopt;
-    return BsdfSample{*wi, Rgb(weight), 0, true};
+    return BsdfSample{*wi, Rgb(weight), 0, true, reflected ? 1 : transport_scale(transport, eta)};
   }
 
   float share(const Vec3& wo, LobeSet lobes) const override {
@@ -63,6 +63,7 @@ class RoughDielectric final : public Bsdf {
       : frame_(frame), facets_(facets), eta_(eta) {}
 
   LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? kBothLobes : 0; }
+  bool transmits(LobeSet lobes) const override { return (lobes & kTransmission) != 0; }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi);
@@ -102,7 +103,8 @@ class RoughDielectric final : public Bsdf {
     }
     const float weight = (1 - fresnel) / (1 - chance) * facets_.visible_after(o, *i);
     const float pdf_w = (1 - chance) * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
-    return BsdfSample{*wi, Rgb(weight * transport_scale(transport, eta)), pdf_w, false};
+    const float scale = transport_scale(transport, eta);
+    return BsdfSample{*wi, Rgb(weight * scale), pdf_w, false, scale};
   }
 
   float share(const Vec3& wo, LobeSet lobes) const override;

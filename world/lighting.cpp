@@ -33,7 +33,7 @@ class LightMaker {
       return LightState{params_at(use.params, f), use.world_from_light.at(f)};
     });
     auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
-    if (light) light->infinite = use.type == "infinite";
+    if (light) light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
     return light;
   }
 

@@ -27,7 +27,7 @@ class World {
   ~World();
 
   int frame_count() const;
-  /// The scene of these frames of the file: ascending, at most kMaxFrames. All scenes of a world agree in what sampling
+  /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of a world agree in what sampling
   /// derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
   /// What is shared between frames and what is not, and why: a sentence a line, for --explain.

@@ -27,13 +27,15 @@ class Dsppm final : public Integrator {
   }
 
   int iterations() const override { return settings_.iterations; }
+  int photons() const override { return settings_.photons; }
 
   void iterate(int iteration) override {
     trace_camera_paths(static_cast<std::uint64_t>(iteration));
     trace_light_paths(static_cast<std::uint64_t>(iteration));
     {
       const StepTimer timer(statistics_.steps[kPhotonMap]);
-      map_.build(traces_, mean_search_radius(tiles_, [&](const HitPoint& hit) { return estimator_->search_radius(hit); }, scene_.radius));
+      map_.build(traces_, mean_search_radius(
+                              tiles_, [&](const HitPoint& hit) { return estimator_->search_radius2(hit); }, scene_.radius));
     }
     update_statistics();
     ++statistics_.iterations;
@@ -57,20 +59,15 @@ class Dsppm final : public Integrator {
   // [WG12 4.1]
   void trace_camera_paths(std::uint64_t iteration) {
     const StepTimer timer(statistics_.steps[kHitPoints]);
-    tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, scene_.frames(), iteration, std::move(tiles_));
-    for (const HitPointTile& tile : tiles_) statistics_.camera += tile.paths;
+    tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, iteration, std::move(tiles_));
+    account(tiles_, statistics_);
   }
 
   // [WG12 4.2]
   void trace_light_paths(std::uint64_t iteration) {
     const StepTimer timer(statistics_.steps[kPhotons]);
-    traces_ = trace_photons(scene_, settings_.photon, scene_.frames(), iteration, 0, settings_.photons, std::move(traces_));
-    for (const PhotonTrace& trace : traces_) {
-      statistics_.photon += trace.paths;
-      statistics_.photons_stored += trace.stored;
-      statistics_.invalid += trace.invalid;
-      for (std::size_t f = 0; f < statistics_.energy.size(); ++f) statistics_.energy[f] += trace.energy[f];
-    }
+    traces_ = trace_photons(scene_, settings_.photon, iteration, settings_.photons, std::move(traces_));
+    account(traces_, statistics_);
   }
 
   // [WG12 4.3]
@@ -83,19 +80,12 @@ class Dsppm final : public Integrator {
       for (const HitPoint& hit : tiles_[tile].hit_points) estimator_->gather_at(hit, map_, counts[tile]);
     });
     estimator_->end_iteration(settings_.photons);
-    for (const GatherCounts& c : counts) {
-      statistics_.photon_tests += c.tests, statistics_.photons_found += c.found;
-      statistics_.invalid += c.invalid;
-    }
+    account(counts, statistics_);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
   std::size_t bytes() const {
-    std::size_t sum = estimator_->bytes() + seen_.bytes() + map_.bytes();
-    for (const HitPointTile& tile : tiles_)
-      sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.seen.capacity() * sizeof(SeenLight);
-    for (const PhotonTrace& trace : traces_) sum += trace.photons.capacity() * sizeof(Photon);
-    return sum;
+    return estimator_->bytes() + seen_.bytes() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
   }
 
   ProgressiveSettings settings_;
@@ -112,7 +102,7 @@ class Dsppm final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_dsppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  const ProgressiveSettings settings = read_progressive_settings(params, render, true);
   return std::make_unique<Dsppm>(settings, scene, render);
 }
 

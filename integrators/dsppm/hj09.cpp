@@ -15,13 +15,13 @@ class Hj09 final : public PixelEstimator {
       : frames_(settings.frames), alpha_(settings.alpha),
         statistics_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
 
-  float search_radius(const HitPoint& hit) const override {
+  float search_radius2(const HitPoint& hit) const override {
     float largest2 = 0;
     hit.frames.for_each([&](Frame f) {
       const float R2 = statistics_[index(hit.pixel, f)].R2;
       largest2 = std::max(largest2, R2 == 0 ? hit.radius * hit.radius : R2);
     });
-    return std::sqrt(largest2);
+    return largest2;
   }
 
   void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
@@ -35,8 +35,7 @@ class Hj09 final : public PixelEstimator {
 
     PassSums shared;
     std::array<PassSums, kMaxFrames> sums;
-    hit.frames.for_each([&](Frame f) { sums[static_cast<std::size_t>(f)] = {}; });
-    gather(hit, map, std::sqrt(largest2), counts, [&](FrameSet frames, const Rgb& flux, float distance2) {
+    gather(hit, map, largest2, counts, [&](FrameSet frames, const Rgb& flux, float distance2) {
       if (frames == hit.frames && distance2 <= smallest2) {
         ++shared.M, shared.phi += flux;
         return;

@@ -16,20 +16,22 @@ class Kz11 final : public PixelEstimator {
       : frames_(settings.frames), alpha_(settings.alpha), shared_(static_cast<std::size_t>(settings.pixels)),
         own_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
 
-  float search_radius(const HitPoint& hit) const override { return hit.radius * static_cast<float>(scale_); }
+  float search_radius2(const HitPoint& hit) const override {
+    const float radius = hit.radius * static_cast<float>(scale_);
+    return radius * radius;
+  }
 
   void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
-    const float radius = search_radius(hit);
-    const Rgb per_area = hit.throughput / (kPi * radius * radius);
+    const float radius2 = search_radius2(hit);
+    const Rgb per_area = hit.throughput / (kPi * radius2);
     Rgb shared;
     std::array<Rgb, kMaxFrames> own;
     FrameSet with_own;
-    gather(hit, map, radius, counts, [&](FrameSet frames, const Rgb& flux, float) {
+    gather(hit, map, radius2, counts, [&](FrameSet frames, const Rgb& flux, float) {
       if (frames == hit.frames) {
         shared += flux;
         return;
       }
-      (frames - with_own).for_each([&](Frame f) { own[static_cast<std::size_t>(f)] = {}; });
       with_own |= frames;
       frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += flux; });
     });

@@ -37,7 +37,7 @@ TEST(PointGrid, FindsWhatADoubleLoopFinds) {
         for (const float radius : {0.01f, 0.3f, 50.f}) {
           std::vector<std::uint32_t> found;
           const std::uint64_t tested =
-              grid.for_each_within(p, radius, [&](std::uint32_t i, float) { found.push_back(grid.order()[i]); });
+              grid.for_each_within(p, radius * radius, [&](std::uint32_t i, float) { found.push_back(grid.order()[i]); });
           std::sort(found.begin(), found.end());
           EXPECT_EQ(found, by_double_loop(points, p, radius));
           EXPECT_GE(tested, found.size());
