@@ -19,7 +19,7 @@ class TriangleMesh;
 /// Where a ray meets a primitive: distance in units of the ray's direction, and the place on the primitive.
 struct PrimitiveHit {
   float t;
-  Vec2 uv;  // parameters of the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
+  Vec2 uv;  // on the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
 };
 
 /// The surface at a hit.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iostream>
 
 #include "shapes/mesh_repair.h"
 #include "shapes/mesh_topology.h"
