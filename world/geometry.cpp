@@ -118,7 +118,8 @@ void Geometry::check(const ShapeUse& use, Source& source) {
       const auto faces = mesh->faces();
       for (ShapeParts& parts : source.parts) {
         const TriangleMesh* other = parts[p].shape->triangles();
-        const bool same_topology = other && other->faces() == faces;
+        if (!other) continue;
+        const bool same_topology = other->faces() == faces;
         parts[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
       }
       mesh = source.parts.front()[p].shape->triangles();

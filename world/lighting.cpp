@@ -1,5 +1,7 @@
 #include "world/lighting.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace dspm {
@@ -102,7 +104,11 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
   if (diagnostics.error_count() > 0) return lights;
   double total = 0;
-  for (WorldLight& light : lights) total += static_cast<double>(light.probability = mean_power(light));
+  for (WorldLight& light : lights) {
+    light.probability = mean_power(light);
+    if (!std::isfinite(light.probability)) diagnostics.error({}, fmt::format("the power of {} is not finite", light.name));
+    total += static_cast<double>(light.probability);
+  }
   for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;
   return lights;
 }

@@ -18,42 +18,50 @@ std::size_t states_in(const Timeline<State>& line, std::span<const Frame> frames
   return seen.size();
 }
 
-struct BlockSummary {
-  std::size_t places = 0, frames_present = 0, primitives = 0;
+/// The shapes of a dynamic block (or all static ones) in these frames.
+struct Summary {
+  std::size_t states = 0;          // distinct sets of placed shapes over the frames
+  std::size_t frames_present = 0;  // with any of them
+  std::size_t places = 0, primitives = 0;
   std::set<const Shape*> geometries;
 };
 
-BlockSummary summary(const std::vector<const WorldShape*>& shapes, std::span<const Frame> frames) {
-  BlockSummary s;
-  for (const WorldShape* shape : shapes)
-    if (std::any_of(frames.begin(), frames.end(), [&](Frame f) { return shape->present[static_cast<std::size_t>(f)]; })) {
-      ++s.places;
-      if (s.geometries.insert(shape->placed.shape).second)
-        s.primitives += static_cast<std::size_t>(shape->placed.shape->primitive_count());
-    }
-  for (const Frame f : frames)
-    s.frames_present +=
-        std::any_of(shapes.begin(), shapes.end(), [&](const WorldShape* w) { return w->present[static_cast<std::size_t>(f)]; });
+Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Frame> frames) {
+  Summary s;
+  std::set<std::vector<const WorldShape*>> states;
+  std::set<const WorldShape*> places;
+  for (const Frame f : frames) {
+    std::vector<const WorldShape*> there;
+    for (const WorldShape* shape : shapes)
+      if (shape->present[static_cast<std::size_t>(f)]) there.push_back(shape);
+    s.frames_present += !there.empty();
+    places.insert(there.begin(), there.end());
+    states.insert(std::move(there));
+  }
+  s.states = states.size(), s.places = places.size();
+  for (const WorldShape* shape : places)
+    if (s.geometries.insert(shape->placed.shape).second)
+      s.primitives += static_cast<std::size_t>(shape->placed.shape->primitive_count());
   return s;
 }
 
-std::string explain_block(const DynamicBlock& block, const BlockSummary& s, std::size_t frames) {
+std::string explain_block(const DynamicBlock& block, const Summary& s, std::size_t frames) {
   const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
-  if (s.places == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
-  if (s.frames_present == frames && s.places == s.geometries.size() && s.geometries.size() < frames && s.places <= 1)
+  if (s.frames_present == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
+  if (s.states == 1)
     return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name, stored);
   const std::string where = s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
-  if (s.geometries.size() < s.places)
-    return fmt::format("dynamic \"{}\": {}moves rigidly through {}; its geometry is stored once ({}). Paths that meet it split.",
-                       block.name, where, counted(s.places, "place"), stored);
-  return fmt::format("dynamic \"{}\": {}{} over the frames ({}). Paths that meet it split.", block.name, where,
-                     counted(s.places, "different shape"), stored);
+  const std::string how = s.geometries.size() < s.places
+                              ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
+                              : fmt::format("{} of its geometry over the frames", counted(s.states, "state"));
+  return fmt::format("dynamic \"{}\": {}{} ({}). Paths that meet it split.", block.name, where, how, stored);
 }
 
 }  // namespace
 
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                         const std::vector<WorldLight>& lights, std::size_t camera_states,
+                                         const std::vector<WorldLight>& lights,
+                                         const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{} rendered together.", counted(frames.size(), "frame")));
@@ -62,7 +70,7 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   std::vector<std::vector<const WorldShape*>> moving(description.dynamic_blocks.size());
   for (const WorldShape& shape : geometry.shapes())
     (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
-  const BlockSummary fixed = summary(still, frames);
+  const Summary fixed = summary(still, frames);
   lines.push_back(fmt::format("static: {} in {}: shared by all frames. Paths that meet nothing else are traced once.",
                               counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape")));
   for (std::size_t b = 0; b < moving.size(); ++b)
@@ -78,6 +86,7 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
       lines.push_back(fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
                                   light.name, counted(n, "state")));
   }
+  const std::size_t camera_states = states_in(camera, frames);
   lines.push_back(camera_states > 1
                       ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
                                     counted(camera_states, "state"))

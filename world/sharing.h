@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cameras/camera.h"
 #include "lang/description.h"
 #include "world/geometry.h"
 #include "world/lighting.h"
@@ -13,7 +14,8 @@ namespace dspm {
 
 /// A sentence a line about the scene of these frames of the file.
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                         const std::vector<WorldLight>& lights, std::size_t camera_states,
+                                         const std::vector<WorldLight>& lights,
+                                         const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames);
 
 }  // namespace dspm

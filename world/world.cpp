@@ -126,8 +126,7 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
 }
 
 std::vector<std::string> World::explain(std::span<const Frame> frames) const {
-  return explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera.states.size(),
-                         frames);
+  return explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
 }
 
 }  // namespace dspm

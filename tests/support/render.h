@@ -34,6 +34,7 @@ class TestScene {
     return frames;
   }
   const Job& job() const { return job_; }
+  const World& world() const { return *world_; }
   std::unique_ptr<Scene> scene(const std::vector<Frame>& frames) const { return world_->scene(frames); }
   /// The scene's integrator, or another that takes the same parameters.
   std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}) {
