@@ -1,6 +1,9 @@
 // The tree over everything that differs between frames: the project's own, as its nodes know in which frames their
 // contents are there. Meshes that stand in world space are one tree of triangles. Everything else is placed by a
 // transform: below a tree over the placed shapes hangs one tree for every distinct shape.
+//
+// A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over the meshes of its
+// frame alone. Deforming meshes, each there in a frame or two, are therefore kept twice.
 #pragma once
 
 #include <memory>
@@ -29,8 +32,10 @@ class DynamicTree {
   template <class Query>
   static void find_in(const Placed& placed, const Ray& ray, Query& query);
   Bounds3 place(const Placed& placed);
+  void build_single_frames(std::span<const PlacedShape> shapes, const std::vector<int>& meshes, FrameSet all);
 
   TriangleTree meshes_;
+  std::vector<TriangleTree> of_frame_;  // the same meshes frame by frame; empty where they live too long for that
   std::vector<std::unique_ptr<ShapeTree>> shape_trees_;
   std::vector<Placed> placed_;  // by leaf
   Bvh bvh_;                     // over placed_
