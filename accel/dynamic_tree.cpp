@@ -20,7 +20,8 @@ constexpr std::size_t kMostCopies = 2;
 // By how much a rounding in the object's space, or on the way there, can be larger in the world than one that is made
 // there: the condition of the transform. Twice that, as the margins of the object's space come on top of it.
 float stretch_of(const Transform& t) {
-  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) * norm([&](const Vec3& v) { return t.inverse_vector(v); });
+  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) *
+         norm([&](const Vec3& v) { return t.inverse_vector(v); });
 }
 
 }  // namespace
@@ -44,7 +45,8 @@ DynamicTree::DynamicTree(std::span<const PlacedShape> shapes, const ShapesByKind
   bvh_.forget_pieces();
 }
 
-void DynamicTree::build_single_frames(std::span<const PlacedShape> shapes, const std::vector<int>& meshes, FrameSet all) {
+void DynamicTree::build_single_frames(std::span<const PlacedShape> shapes, const std::vector<int>& meshes,
+                                      FrameSet all) {
   std::size_t triangles = 0, copies = 0;
   for (const int s : meshes) {
     const PlacedShape& shape = shapes[static_cast<std::size_t>(s)];

@@ -2,8 +2,8 @@
 // contents are there. Meshes that stand in world space are one tree of triangles. Everything else is placed by a
 // transform: below a tree over the placed shapes hangs one tree for every distinct shape.
 //
-// A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over the meshes of its
-// frame alone. Deforming meshes, each there in a frame or two, are therefore kept twice.
+// A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over the meshes of
+// its frame alone. Deforming meshes, each there in a frame or two, are therefore kept twice.
 #pragma once
 
 #include <memory>

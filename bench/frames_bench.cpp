@@ -1,5 +1,5 @@
-// dsppm on all frames of a scene against sppm on each of them, iteration by iteration in turn: the four steps and the total
-// as in WG12's table 1, each beside its sharing factor.
+// dsppm on all frames of a scene against sppm on each of them, iteration by iteration in turn: the four steps and the
+// total as in WG12's table 1, each beside its sharing factor.
 //   frames_bench [SCENE] [iterations] [name=value ...]
 // Without a scene: the paper's horse in Sibenik, where its models are.
 #include <fmt/format.h>
@@ -38,7 +38,8 @@ std::vector<double> iterate(Run& run, int iteration) {
   run.integrator->iterate(iteration);
   const Statistics after = run.integrator->statistics();
   std::vector<double> seconds;
-  for (std::size_t s = 0; s < after.steps.size(); ++s) seconds.push_back(after.steps[s].seconds - before.steps[s].seconds);
+  for (std::size_t s = 0; s < after.steps.size(); ++s)
+    seconds.push_back(after.steps[s].seconds - before.steps[s].seconds);
   return seconds;
 }
 
@@ -82,10 +83,13 @@ void compare(const LoadedScene& loaded, int iterations) {
   }
 
   const Statistics s = joint.integrator->statistics();
-  fmt::print("{} frames, {} photons an iteration, {} iterations, {} threads\n\n", frames.size(), joint.integrator->photons(), iterations,
-             thread_count());
-  fmt::print("| step | dsppm, s | K x sppm, s | speedup | sharing factor | reached |\n| --- | --- | --- | --- | --- | --- |\n");
-  const double factors[] = {s.camera.segments.factor(), s.photon.segments.factor(), s.photons_stored.factor(), s.photon_tests.factor(), 0};
+  fmt::print("{} frames, {} photons an iteration, {} iterations, {} threads\n\n", frames.size(),
+             joint.integrator->photons(), iterations, thread_count());
+  fmt::print(
+      "| step | dsppm, s | K x sppm, s | speedup | sharing factor | reached |\n| --- | --- | --- | --- | --- | --- "
+      "|\n");
+  const double factors[] = {s.camera.segments.factor(), s.photon.segments.factor(), s.photons_stored.factor(),
+                            s.photon_tests.factor(), 0};
   for (std::size_t step = 0; step <= kSteps; ++step)
     print_row(step < kSteps ? s.steps[step].name : "all", joint_seconds[step], alone_seconds[step], factors[step]);
   fmt::print("\ndynamic photon paths {:.1f}%, dynamic hit point paths {:.1f}%\n", 100 * s.photon.dynamic_share(),

@@ -1,5 +1,5 @@
-// Seconds an iteration of sppm on the box with glass and the box with a fine mesh, the mean of iterations 17 to 48 as other
-// renderers were measured, and the peak memory.
+// Seconds an iteration of sppm on the box with glass and the box with a fine mesh, the mean of iterations 17 to 48 as
+// other renderers were measured, and the peak memory.
 //   sppm_bench [SCENE ...]
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -44,8 +44,10 @@ void measure(const std::string& path, const char* direct) {
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  fmt::print("| {} | {} | {:.3f} |{} {:.2f} M | {} MiB |\n", std::filesystem::path(path).stem().string(), direct, all, steps,
-             static_cast<double>(after.camera.segments.done + after.photon.segments.done + after.camera.shadow_rays) / 1e6 / kLast,
+  fmt::print("| {} | {} | {:.3f} |{} {:.2f} M | {} MiB |\n", std::filesystem::path(path).stem().string(), direct, all,
+             steps,
+             static_cast<double>(after.camera.segments.done + after.photon.segments.done + after.camera.shadow_rays) /
+                 1e6 / kLast,
              usage.ru_maxrss / 1024);
 }
 
@@ -54,10 +56,11 @@ void measure(const std::string& path, const char* direct) {
 int main(int argc, char** argv) {
   std::vector<std::string> scenes(argv + 1, argv + argc);
   if (scenes.empty()) scenes = {DSPM_TEST_DATA "/bench/glassball.pbrt", DSPM_TEST_DATA "/bench/blob.pbrt"};
-  fmt::print("seconds an iteration, mean of iterations {} to {}, {} threads; memory is the process's peak so far\n\n"
-             "| scene | direct light | all | hit points | photons | photon map | statistics | rays | memory |\n"
-             "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
-             kFirst + 1, kLast, thread_count());
+  fmt::print(
+      "seconds an iteration, mean of iterations {} to {}, {} threads; memory is the process's peak so far\n\n"
+      "| scene | direct light | all | hit points | photons | photon map | statistics | rays | memory |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+      kFirst + 1, kLast, thread_count());
   for (const std::string& scene : scenes) {
     if (!std::filesystem::exists(scene)) {
       fmt::print("SKIPPED: there is no {}\n", scene);

@@ -37,9 +37,18 @@ class FrameSet {
   constexpr Frame lowest() const { return std::countr_zero(bits_); }
   constexpr std::uint64_t bits() const { return bits_; }
 
-  constexpr FrameSet& operator|=(FrameSet o) { bits_ |= o.bits_; return *this; }
-  constexpr FrameSet& operator&=(FrameSet o) { bits_ &= o.bits_; return *this; }
-  constexpr FrameSet& operator-=(FrameSet o) { bits_ &= ~o.bits_; return *this; }
+  constexpr FrameSet& operator|=(FrameSet o) {
+    bits_ |= o.bits_;
+    return *this;
+  }
+  constexpr FrameSet& operator&=(FrameSet o) {
+    bits_ &= o.bits_;
+    return *this;
+  }
+  constexpr FrameSet& operator-=(FrameSet o) {
+    bits_ &= ~o.bits_;
+    return *this;
+  }
   friend constexpr FrameSet operator|(FrameSet a, FrameSet b) { return a |= b; }
   friend constexpr FrameSet operator&(FrameSet a, FrameSet b) { return a &= b; }
   friend constexpr FrameSet operator-(FrameSet a, FrameSet b) { return a -= b; }

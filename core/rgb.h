@@ -15,9 +15,18 @@ struct Rgb {
 
   float operator[](int i) const { return i == 0 ? r : i == 1 ? g : b; }
   float& operator[](int i) { return i == 0 ? r : i == 1 ? g : b; }
-  Rgb& operator+=(const Rgb& o) { r += o.r, g += o.g, b += o.b; return *this; }
-  Rgb& operator*=(const Rgb& o) { r *= o.r, g *= o.g, b *= o.b; return *this; }
-  Rgb& operator*=(float s) { r *= s, g *= s, b *= s; return *this; }
+  Rgb& operator+=(const Rgb& o) {
+    r += o.r, g += o.g, b += o.b;
+    return *this;
+  }
+  Rgb& operator*=(const Rgb& o) {
+    r *= o.r, g *= o.g, b *= o.b;
+    return *this;
+  }
+  Rgb& operator*=(float s) {
+    r *= s, g *= s, b *= s;
+    return *this;
+  }
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 inline Rgb operator+(Rgb a, const Rgb& b) { return a += b; }

@@ -52,8 +52,7 @@ std::optional<Matrix4> Matrix4::look_at(const Double3& eye, const Double3& look,
   if (!right) return std::nullopt;
   const Double3 true_up = cross3(*forward, *right);
   Matrix4 camera_to_world;
-  for (std::size_t i = 0; i < 3; ++i)
-    camera_to_world.m[i] = {(*right)[i], true_up[i], (*forward)[i], eye[i]};
+  for (std::size_t i = 0; i < 3; ++i) camera_to_world.m[i] = {(*right)[i], true_up[i], (*forward)[i], eye[i]};
   return camera_to_world.inverse();
 }
 
@@ -114,7 +113,8 @@ Bounds3 Transform::bounds(const Bounds3& b) const {
   Bounds3 result;
   if (b.empty()) return result;
   for (int corner = 0; corner < 8; ++corner)
-    result.add(point({corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z}));
+    result.add(
+        point({corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z}));
   return result;
 }
 

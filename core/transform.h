@@ -45,7 +45,9 @@ class Transform {
   Vec3 inverse_point(const Vec3& p) const { return apply(backward_, p, 1); }
   Vec3 inverse_vector(const Vec3& v) const { return apply(backward_, v, 0); }
   /// The ray in the object's space. Its direction keeps the scale, so distances t are the world's.
-  Ray inverse_ray(const Ray& ray) const { return {inverse_point(ray.origin), inverse_vector(ray.direction), ray.t_max}; }
+  Ray inverse_ray(const Ray& ray) const {
+    return {inverse_point(ray.origin), inverse_vector(ray.direction), ray.t_max};
+  }
   Bounds3 bounds(const Bounds3& b) const;
   /// An upper bound on the rounding error of point(p), a coordinate each.
   Vec3 point_error(const Vec3& p) const;

@@ -23,8 +23,14 @@ struct Vec3 {
   float x = 0, y = 0, z = 0;
   float operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   float& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
-  Vec3& operator+=(const Vec3& b) { x += b.x, y += b.y, z += b.z; return *this; }
-  Vec3& operator*=(float s) { x *= s, y *= s, z *= s; return *this; }
+  Vec3& operator+=(const Vec3& b) {
+    x += b.x, y += b.y, z += b.z;
+    return *this;
+  }
+  Vec3& operator*=(float s) {
+    x *= s, y *= s, z *= s;
+    return *this;
+  }
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

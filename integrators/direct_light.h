@@ -17,27 +17,28 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&) with the radiance
-/// that the surface sends towards wo by it, for the frames in which nothing lies between. `weight(wi, pdf_w)` multiplies
-/// in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for delta lights.
+/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&) with the
+/// radiance that the surface sends towards wo by it, for the frames in which nothing lies between. `weight(wi, pdf_w)`
+/// multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for delta lights.
 template <class Weight, class Fn>
-void sample_direct_light(const Scene& scene, FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-                         LobeSet lobes, const PathRandom& random, int bounce, std::uint64_t& shadow_rays, Weight&& weight,
-                         Fn&& fn) {
+void sample_direct_light(const Scene& scene, FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf,
+                         const Vec3& wo, LobeSet lobes, const PathRandom& random, int bounce,
+                         std::uint64_t& shadow_rays, Weight&& weight, Fn&& fn) {
   const ChosenLight chosen = scene.choose_light(random.number(bounce, kLightChoice));
   if (chosen.probability == 0) return;
   const Vec2 u = random.pair(bounce, kLightPoint);
-  scene.lights[static_cast<std::size_t>(chosen.index)].states.for_each(frames, [&](FrameSet common, const Light& light) {
-    const auto lit = light.illuminate(point.p, u);
-    if (!lit) return;
-    const float pdf_w = chosen.probability * lit->pdf_w;
-    const Rgb f = bsdf.evaluate(wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
-    const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
-    if (is_black(radiance) || !is_finite(radiance)) return;
-    ++shadow_rays;
-    const FrameSet free = common - scene.accel->occluded(shadow_ray(point, *lit), common);
-    if (!free.empty()) fn(free, radiance);
-  });
+  scene.lights[static_cast<std::size_t>(chosen.index)].states.for_each(
+      frames, [&](FrameSet common, const Light& light) {
+        const auto lit = light.illuminate(point.p, u);
+        if (!lit) return;
+        const float pdf_w = chosen.probability * lit->pdf_w;
+        const Rgb f = bsdf.evaluate(wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
+        const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
+        if (is_black(radiance) || !is_finite(radiance)) return;
+        ++shadow_rays;
+        const FrameSet free = common - scene.accel->occluded(shadow_ray(point, *lit), common);
+        if (!free.empty()) fn(free, radiance);
+      });
 }
 
 }  // namespace dspm

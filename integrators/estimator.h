@@ -14,8 +14,8 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius within which gather_at would look: the largest of the frames'.
   virtual float search_radius2(const HitPoint& hit) const = 0;
-  /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the same
-  /// time; a pixel's hit points of one iteration hold disjoint frames.
+  /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the
+  /// same time; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) = 0;
   /// Once an iteration, after all gathers: `photons` paths were emitted in each frame.
   virtual void end_iteration(std::int64_t photons) = 0;

@@ -1,5 +1,5 @@
-// What one photon gives one hit point: the inner loop of every photon gather. The order of tests: distance (the grid's),
-// frames, side of the surface, then the scattering function.
+// What one photon gives one hit point: the inner loop of every photon gather. The order of tests: distance (the
+// grid's), frames, side of the surface, then the scattering function.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,9 @@ struct GatherCounts {
   std::uint64_t invalid = 0;
 };
 
-/// Calls fn(frames, flux times f, distance squared) for every photon within sqrt(radius2) that counts for the hit point in some
-/// frame: photons which arrive at the back of the surface do not, unless its lobes let light pass. Throughput is left to the caller.
+/// Calls fn(frames, flux times f, distance squared) for every photon within sqrt(radius2) that counts for the hit point
+/// in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass. Throughput
+/// is left to the caller.
 template <class Fn>
 void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCounts& counts, Fn&& fn) {
   SharedCount within;

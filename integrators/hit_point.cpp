@@ -55,9 +55,8 @@ class HitPointTracer {
     const Vec3 wo = -path.ray.direction;
     const float length = path.length + part.hit.t;
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
-      for_each_emission(scene_, {frames, part.hit}, point, wo, [&](FrameSet lit, const Rgb& radiance, const Light&) {
-        see(lit, path.throughput * radiance);
-      });
+      for_each_emission(scene_, {frames, part.hit}, point, wo,
+                        [&](FrameSet lit, const Rgb& radiance, const Light&) { see(lit, path.throughput * radiance); });
       met_dynamic_ |= frames != frames_;
       PathState branch = path;
       branch.frames = frames;
@@ -73,7 +72,8 @@ class HitPointTracer {
     const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(bounce, kSplit));
     path.throughput *= 1 / choice.chance;
     if (choice.rough) return end(path, point, bsdf, wo, choice.lobes, random);
-    // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from it.
+    // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from
+    // it.
     if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
       add_direct_light(path, point, bsdf, wo, glossy, random, [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, choice.lobes);
@@ -86,8 +86,7 @@ class HitPointTracer {
 
   void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
            const PathRandom& random) {
-    if (settings_.sample_direct)
-      add_direct_light(path, point, bsdf, wo, lobes, random, [](float) { return 1.f; });
+    if (settings_.sample_direct) add_direct_light(path, point, bsdf, wo, lobes, random, [](float) { return 1.f; });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(lobes);
     if (constant && is_black(*constant)) return;
@@ -102,8 +101,8 @@ class HitPointTracer {
   }
 
   template <class Weight>
-  void add_direct_light(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
-                        const PathRandom& random, Weight&& weight) {
+  void add_direct_light(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+                        LobeSet lobes, const PathRandom& random, Weight&& weight) {
     sample_direct_light(
         scene_, path.frames, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
         [&](const Vec3&, float pdf_w) { return weight(pdf_w); },
@@ -152,14 +151,16 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   return sum;
 }
 
-std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings,
-                                           std::uint64_t iteration, std::vector<HitPointTile> reuse) {
+std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
+                                           const HitPointSettings& settings, std::uint64_t iteration,
+                                           std::vector<HitPointTile> reuse) {
   reuse.resize(static_cast<std::size_t>(tile_count(render.crop, kTileSide)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     clear(tile);
     HitPointTracer tracer(scene, render, settings, tile);
-    for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t), [&](int x, int y) { tracer.trace(x, y, iteration); });
+    for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t),
+                           [&](int x, int y) { tracer.trace(x, y, iteration); });
   });
   return reuse;
 }

@@ -9,15 +9,15 @@ namespace dspm {
 
 struct HitPoint {
   Vec3 p, p_error;
-  Vec3 ng;           // on wo's side
-  Vec3 wo;           // back along the camera path
-  Rgb throughput;    // of the path, over the chance that it ended here
+  Vec3 ng;         // on wo's side
+  Vec3 wo;         // back along the camera path
+  Rgb throughput;  // of the path, over the chance that it ended here
   FrameSet frames;
-  float radius;      // to start with: the scene's, or from the pixel's footprint
-  int pixel;         // within the crop, row by row
-  LobeSet lobes;     // that gather here
-  bool lambertian;   // f is constant: throughput holds it, and bsdf is not to be asked (unless it is to be kept)
-  bool transmits;    // photons on the other side of the surface count as well
+  float radius;     // to start with: the scene's, or from the pixel's footprint
+  int pixel;        // within the crop, row by row
+  LobeSet lobes;    // that gather here
+  bool lambertian;  // f is constant: throughput holds it, and bsdf is not to be asked (unless it is to be kept)
+  bool transmits;   // photons on the other side of the surface count as well
   BsdfSlot bsdf;
 };
 
@@ -61,7 +61,8 @@ void account(const std::vector<HitPointTile>& tiles, Statistics& statistics);
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles);
 
 /// Traces one camera path for each pixel of the crop, in parallel over tiles; buffers in `reuse` are taken over.
-std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings,
-                                           std::uint64_t iteration, std::vector<HitPointTile> reuse);
+std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
+                                           const HitPointSettings& settings, std::uint64_t iteration,
+                                           std::vector<HitPointTile> reuse);
 
 }  // namespace dspm

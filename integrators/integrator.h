@@ -21,7 +21,7 @@ struct RenderSettings {
   int width = 0, height = 0;  // of the full image
   PixelRect crop;             // what is rendered of it
   std::shared_ptr<const PixelFilter> filter;
-  bool jitter = true;            // false: every camera path through the pixel's centre
+  bool jitter = true;  // false: every camera path through the pixel's centre
   std::uint64_t seed = 0;
   int default_iterations = 256;  // where the integrator's parameters give none
 };

@@ -18,8 +18,9 @@ namespace {
 constexpr int kTileSide = 16;
 
 struct TracedPath : PathState {
-  Vec3 from;        // where the segment starts: the last surface's point
-  float pdf_w = 0;  // of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes
+  Vec3 from;  // where the segment starts: the last surface's point
+  float pdf_w =
+      0;  // of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes
 };
 
 /// The balance heuristic's share of a technique with density `own` against one with `other`.
@@ -66,11 +67,12 @@ class PixelTracer {
       met_dynamic_ |= frames != scene_.frames();
       add_emission(path, {frames, part.hit}, point, wo);
       if (path.bounces >= max_depth_) return;
-      sample_direct_light(scene_, frames, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
-                          [&](const Vec3& wi, float pdf_w) {
-                            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
-                          },
-                          [&](FrameSet lit, const Rgb& radiance) { add(lit, path.throughput * radiance); });
+      sample_direct_light(
+          scene_, frames, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
+          [&](const Vec3& wi, float pdf_w) {
+            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
+          },
+          [&](FrameSet lit, const Rgb& radiance) { add(lit, path.throughput * radiance); });
       TracedPath branch = path;
       branch.frames = frames;
       scatter(branch, point, bsdf, wo, random);
@@ -94,7 +96,8 @@ class PixelTracer {
     });
   }
 
-  void scatter(TracedPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
+  void scatter(TracedPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+               const PathRandom& random) {
     const int bounce = path.bounces;
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
@@ -124,7 +127,10 @@ class PixelTracer {
 class Path final : public Integrator {
  public:
   Path(int iterations, int max_depth, const Scene& scene, const RenderSettings& render)
-      : iterations_(iterations), max_depth_(max_depth), scene_(scene), render_(render),
+      : iterations_(iterations),
+        max_depth_(max_depth),
+        scene_(scene),
+        render_(render),
         sums_(render.crop.count(), scene.frame_count()) {
     statistics_.steps = {{"paths"}};
     statistics_.bytes = sums_.bytes();
@@ -166,8 +172,9 @@ class Path final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const int iterations = params.integer("iterations", render.default_iterations, "",
-                                        "paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  const int iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
   const int max_depth = params.integer("maxdepth", 5, "", "bounces of a path");
   params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},

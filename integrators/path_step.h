@@ -1,4 +1,5 @@
-// One step of a path, for camera and photon paths of every integrator: what a path is, where it goes on, and how it ends.
+// One step of a path, for camera and photon paths of every integrator: what a path is, where it goes on, and how it
+// ends.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +15,16 @@ namespace dspm {
 
 /// A path is a value. When frames part, so do copies of it, with disjoint sets.
 struct PathState {
-  Ray ray;            // the next segment
-  Rgb throughput;     // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
-  FrameSet frames;    // the frames in which this very path exists; shrinks, never grows
-  int bounces = 0;    // scatterings so far
-  float length = 0;   // of the segments so far, in world units
+  Ray ray;              // the next segment
+  Rgb throughput;       // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
+  FrameSet frames;      // the frames in which this very path exists; shrinks, never grows
+  int bounces = 0;      // scatterings so far
+  float length = 0;     // of the segments so far, in world units
   float eta_scale = 1;  // of the refractions so far: what throughput will get back on the way out
 };
 
-/// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at the
-/// vertex of bounce b takes those of b + 1.
+/// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at
+/// the vertex of bounce b takes those of b + 1.
 enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
 
 /// The paths still to be followed. Their sets are disjoint, so there are never more than frames.
@@ -39,28 +40,31 @@ class PathStack {
   int count_ = 0;
 };
 
-/// Calls fn(FrameSet, const SurfacePoint&, const Bsdf&) for each scattering that the part's frames find at its hit: one,
-/// unless the material differs between them.
+/// Calls fn(FrameSet, const SurfacePoint&, const Bsdf&) for each scattering that the part's frames find at its hit:
+/// one, unless the material differs between them.
 template <class Fn>
 void for_each_surface(const Scene& scene, const FrameHit& part, Fn&& fn) {
   const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
   const SurfacePoint point = scene.surface_point(part.hit);
-  scene.materials[static_cast<std::size_t>(shape.material)].for_each(
-      part.frames, [&](FrameSet frames, const Material& material) {
-        BsdfSlot slot;
-        fn(frames, point, material.bsdf(point, slot));
-      });
+  scene.materials[static_cast<std::size_t>(shape.material)].for_each(part.frames,
+                                                                     [&](FrameSet frames, const Material& material) {
+                                                                       BsdfSlot slot;
+                                                                       fn(frames, point, material.bsdf(point, slot));
+                                                                     });
 }
 
-/// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const Light&).
+/// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const
+/// Light&).
 template <class Fn>
 void for_each_emission(const Scene& scene, const FrameHit& part, const SurfacePoint& point, const Vec3& w, Fn&& fn) {
   const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
   if (shape.light < 0) return;
-  scene.lights[static_cast<std::size_t>(shape.light)].states.for_each(part.frames, [&](FrameSet frames, const Light& light) {
-    const Rgb radiance = light.emitted(point, w);
-    if (!is_black(radiance)) fn(frames, radiance, light);
-  });
+  scene.lights[static_cast<std::size_t>(shape.light)].states.for_each(part.frames,
+                                                                      [&](FrameSet frames, const Light& light) {
+                                                                        const Rgb radiance = light.emitted(point, w);
+                                                                        if (!is_black(radiance))
+                                                                          fn(frames, radiance, light);
+                                                                      });
 }
 
 /// Light from infinitely far for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
@@ -75,8 +79,8 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Vec3& direction,
   }
 }
 
-/// Keeps the flux right where the shading normal is not the geometric one: what a photon from wo carries on to wi, beyond
-/// f |cos(wi, ns)|. [Veach 1997, 5.3]
+/// Keeps the flux right where the shading normal is not the geometric one: what a photon from wo carries on to wi,
+/// beyond f |cos(wi, ns)|. [Veach 1997, 5.3]
 inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
   if (point.ns == point.ng) return 1;
   const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));

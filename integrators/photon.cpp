@@ -51,8 +51,7 @@ class PhotonTracer {
   }
 
   void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
-    if (part.hit.missed())
-      return balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
+    if (part.hit.missed()) return balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
       met_dynamic_ |= frames != frames_;
       PhotonPath branch = path;
@@ -77,7 +76,8 @@ class PhotonTracer {
     out_.stored.add(path.frames.count());
   }
 
-  void scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
+  void scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+               const PathRandom& random) {
     const double before = sum(path.throughput);
     const auto account = [&](double absorbed, double terminated) {
       balance(path.frames, [&](EnergyBalance& e) { e.absorbed += absorbed, e.terminated += terminated; });

@@ -1,5 +1,5 @@
-// Photons: traced from the lights for all frames at once, split where frames part, stored where a camera path could gather
-// them. [WG12 4.2]
+// Photons: traced from the lights for all frames at once, split where frames part, stored where a camera path could
+// gather them. [WG12 4.2]
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace dspm {
 
 struct Photon {
   Vec3 p;
-  Vec3 wi;  // towards where it came from, unit length
+  Vec3 wi;   // towards where it came from, unit length
   Rgb flux;  // in W; already holds |cos(wi, ns) / cos(wi, ng)| of its surface, so that a gather needs no cosine
   FrameSet frames;
 };
@@ -29,14 +29,15 @@ enum PhotonKinds : unsigned {
 struct PhotonSettings {
   std::uint64_t seed = 0;
   Stream stream = Stream::photon;
-  int max_depth = 8;           // a photon is stored at its first max_depth hits
-  float least_alpha = 0.25f;   // lobes smoother than this do not gather: nothing is stored for them alone
+  int max_depth = 8;             // a photon is stored at its first max_depth hits
+  float least_alpha = 0.25f;     // lobes smoother than this do not gather: nothing is stored for them alone
   unsigned kinds = kAllPhotons;  // those that are stored
 };
 
 /// What a range of photon paths left behind.
 struct PhotonTrace {
-  std::vector<Photon> photons;  // in the order (path index, branch); a frame's photons of one path in the order of bounces
+  std::vector<Photon>
+      photons;  // in the order (path index, branch); a frame's photons of one path in the order of bounces
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame

@@ -16,11 +16,13 @@ class PhotonMap {
 
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
-  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were tested.
+  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were
+  /// tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
     const Gathered* photons = photons_.data();
-    return grid_.for_each_within(p, radius2, [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
+    return grid_.for_each_within(p, radius2,
+                                 [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
   }
 
   /// What a gather needs of a photon besides its place.

@@ -2,8 +2,9 @@
 //
 // Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
 // lobe) and a global one are made once; every iteration then takes one more camera path a pixel, with direct light by
-// shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or through
-// final gather rays, which follow at most four smooth lobes. Biased: the maps' blur stays. Parameters: see make_photonmap below.
+// shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
+// through final gather rays, which follow at most four smooth lobes. Biased: the maps' blur stays. Parameters: see
+// make_photonmap below.
 #include "integrators/photonmap.h"
 
 #include "core/parallel.h"
@@ -39,7 +40,8 @@ class PhotonMapper final : public Integrator {
     statistics_.bytes = sums_.bytes();
     const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
     global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
-    caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene), settings.caustic_photons};
+    caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene),
+                    settings.caustic_photons};
   }
 
   int iterations() const override { return settings_.iterations; }
@@ -106,7 +108,8 @@ class PhotonMapper final : public Integrator {
     std::vector<GatherCounts> gathers;
     for (const TileCounts& c : counts) statistics_.camera.segments += c.paths.segments, gathers.push_back(c.gather);
     account(gathers, statistics_);
-    statistics_.bytes = std::max(statistics_.bytes, global_.bytes() + caustic_.bytes() + sums_.bytes() + bytes_of(tiles_));
+    statistics_.bytes =
+        std::max(statistics_.bytes, global_.bytes() + caustic_.bytes() + sums_.bytes() + bytes_of(tiles_));
   }
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
@@ -114,10 +117,12 @@ class PhotonMapper final : public Integrator {
   void final_gather(const HitPoint& hit, std::uint64_t iteration, TileCounts& counts, Add&& add) const {
     SurfacePoint point;
     point.p = hit.p, point.p_error = hit.p_error, point.ng = point.ns = hit.ng;
-    const int x = render_.crop.x0 + hit.pixel % render_.crop.width(), y = render_.crop.y0 + hit.pixel / render_.crop.width();
+    const int x = render_.crop.x0 + hit.pixel % render_.crop.width(),
+              y = render_.crop.y0 + hit.pixel / render_.crop.width();
     for (int ray = 0; ray < settings_.final_gather; ++ray) {
-      const PathRandom random(render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
-                              iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
+      const PathRandom random(
+          render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
+          iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
       const auto sample = sample_bsdf(*hit.bsdf, hit.wo, random, 0, Transport::radiance, hit.lobes);
       if (!sample) continue;
       PathState path;
@@ -157,7 +162,8 @@ class PhotonMapper final : public Integrator {
       HitPoint hit = from;
       hit.p = point.p, hit.wo = wo, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
       hit.throughput = path.throughput;
-      hit.frames = path.frames, hit.lobes = choice.lobes, hit.lambertian = false, hit.transmits = bsdf.transmits(choice.lobes);
+      hit.frames = path.frames, hit.lobes = choice.lobes, hit.lambertian = false,
+      hit.transmits = bsdf.transmits(choice.lobes);
       hit.bsdf = BsdfSlot::copy_of(bsdf);
       estimate_radiance(hit, global_, global_how_, counts.gather, add);
       return;
@@ -184,14 +190,20 @@ class PhotonMapper final : public Integrator {
 std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   PhotonMapSettings s;
   params.alias("photonsperiteration", "photons");
-  s.iterations = params.integer("iterations", render.default_iterations, "",
-                                "camera paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "camera paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
   s.photons = params.integer("photons", s.photons, "", "photon paths of the global map, traced once");
-  s.caustic_photons = params.integer("causticphotons", s.caustic_photons, "", "photon paths of the caustic map, traced once");
+  s.caustic_photons =
+      params.integer("causticphotons", s.caustic_photons, "", "photon paths of the caustic map, traced once");
   s.nearest = params.integer("nearest", s.nearest, "", "photons of an estimate; 0: all within the radius");
-  s.radius = params.number("radius", 0, "world units", "the largest search radius in the global map, or the fixed one; 0: 5% of the scene's radius");
-  s.caustic_radius = params.number("causticradius", 0, "world units", "the same for the caustic map; 0: 1.25% of the scene's radius");
-  s.final_gather = params.integer("finalgather", 0, "", "final gather rays for each camera path; 0: the global map is seen directly");
+  s.radius =
+      params.number("radius", 0, "world units",
+                    "the largest search radius in the global map, or the fixed one; 0: 5% of the scene's radius");
+  s.caustic_radius =
+      params.number("causticradius", 0, "world units", "the same for the caustic map; 0: 1.25% of the scene's radius");
+  s.final_gather = params.integer("finalgather", 0, "",
+                                  "final gather rays for each camera path; 0: the global map is seen directly");
   s.max_depth = params.integer("maxdepth", s.max_depth, "", "bounces, of camera paths and of photon paths each");
   s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
                                 "lobes at least this rough gather photons; smoother ones are followed");
@@ -202,7 +214,8 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.photons > 0, "photons", "there must be at least one photon");
   demand(s.caustic_photons > 0, "causticphotons", "there must be at least one photon");
-  demand(s.nearest == 0 || s.nearest >= 2, "nearest", "an estimate takes 0 (all within the radius) or at least 2 photons");
+  demand(s.nearest == 0 || s.nearest >= 2, "nearest",
+         "an estimate takes 0 (all within the radius) or at least 2 photons");
   demand(s.radius >= 0, "radius", "the radius must not be negative");
   demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
   demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");

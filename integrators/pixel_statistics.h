@@ -16,9 +16,9 @@ struct PassSums {
 
 /// Survives iterations. [HJ09, WG12 (1)-(5)]
 struct PixelStatistics {
-  double N = 0;   // photons accepted; a share alpha of those found
-  float R2 = 0;   // search radius squared; 0: no hit point yet
-  Rgb tau;        // flux within the search radius, weighted as phi
+  double N = 0;  // photons accepted; a share alpha of those found
+  float R2 = 0;  // search radius squared; 0: no hit point yet
+  Rgb tau;       // flux within the search radius, weighted as phi
 
   /// Accepts a share alpha of the M new photons and shrinks the disc so that their density stays. [WG12 (1), (2), (4)]
   void absorb(const PassSums& sums, float alpha) {

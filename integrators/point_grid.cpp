@@ -17,7 +17,8 @@ int cells_along(float extent, float cell) { return std::max(1, static_cast<int>(
 float affordable_cell(const Vec3& extent, float cell, double most) {
   const float largest = std::max(max_component(extent), 1e-30f);
   cell = std::max(cell, largest * 1e-4f);
-  while (static_cast<double>(cells_along(extent.x, cell)) * cells_along(extent.y, cell) * cells_along(extent.z, cell) > most)
+  while (static_cast<double>(cells_along(extent.x, cell)) * cells_along(extent.y, cell) * cells_along(extent.z, cell) >
+         most)
     cell *= 1.1f;
   return cell;
 }
@@ -39,7 +40,8 @@ void PointGrid::build(std::span<const Vec3> points, float cell_size) {
   if (points.empty()) return;
 
   const Vec3 extent = bounds_.extent();
-  const float cell = affordable_cell(extent, cell_size, std::max(kLeastCells, kCellsPerPoint * static_cast<double>(count)));
+  const float cell =
+      affordable_cell(extent, cell_size, std::max(kLeastCells, kCellsPerPoint * static_cast<double>(count)));
   inverse_cell_ = 1 / cell;
   nx_ = cells_along(extent.x, cell), ny_ = cells_along(extent.y, cell), nz_ = cells_along(extent.z, cell);
 

@@ -16,16 +16,17 @@ namespace dspm {
 /// Cells of one row (neighbours along x) lie behind one another in memory, so a query walks a few contiguous runs.
 class PointGrid {
  public:
-  /// Sorts `points` by cell; points of a cell stay in their order. Cells are `cell_size` wide, or wider where that would
-  /// make more than a few cells a point. `points` is not kept.
+  /// Sorts `points` by cell; points of a cell stay in their order. Cells are `cell_size` wide, or wider where that
+  /// would make more than a few cells a point. `points` is not kept.
   void build(std::span<const Vec3> points, float cell_size);
 
   /// Place i of the sorted order holds point order()[i].
   std::span<const std::uint32_t> order() const { return order_; }
   std::size_t bytes() const;
 
-  /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed here, is
-  /// at most `radius2`: which points those are depends neither on the cells nor on the other points. In ascending order of i within a row of cells and of rows. Returns how many points were tested.
+  /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed
+  /// here, is at most `radius2`: which points those are depends neither on the cells nor on the other points. In
+  /// ascending order of i within a row of cells and of rows. Returns how many points were tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const;
 
@@ -36,7 +37,8 @@ class PointGrid {
   Cell cell_of(const Vec3& p) const;  // clamped into the grid
   std::size_t index_of(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
+               static_cast<std::size_t>(nx_) +
+           static_cast<std::size_t>(x);
   }
 
   using Lanes = __m128;  // of points, tested together
@@ -47,7 +49,7 @@ class PointGrid {
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::vector<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
   std::vector<std::uint32_t> order_, cell_;
-  std::vector<float> x_, y_, z_;      // of the sorted points, and kLanes - 1 more so that the last can be loaded
+  std::vector<float> x_, y_, z_;  // of the sorted points, and kLanes - 1 more so that the last can be loaded
 };
 
 /// For each set of four lanes the byte shuffle that moves them to the front.
@@ -65,7 +67,8 @@ struct LaneShuffles {
 };
 inline constexpr LaneShuffles kLaneShuffles;
 
-/// Points within the radius, collected without a branch: about one in three is, in no order that a processor could guess.
+/// Points within the radius, collected without a branch: about one in three is, in no order that a processor could
+/// guess.
 class FoundPoints {
  public:
   /// Those of the points first .. first + 3 whose bits are set.

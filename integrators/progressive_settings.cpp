@@ -2,22 +2,30 @@
 
 namespace dspm {
 
-ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render, bool choose_estimator) {
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render,
+                                              bool choose_estimator) {
   ProgressiveSettings s;
   params.alias("photonsperiteration", "photons");
-  s.iterations = params.integer("iterations", render.default_iterations, "",
-                                "iterations to go; 0: until stopped. The default is the sampler's pixelsamples, else 256");
-  s.photons = params.integer("photons", s.photons, "", "photon paths an iteration; photonsperiteration is another name");
-  s.hit_point.radius = params.number("radius", 0, "world units", "initial search radius; 0: four pixel spacings at the hit point");
-  s.alpha = params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
+  s.iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "iterations to go; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons =
+      params.integer("photons", s.photons, "", "photon paths an iteration; photonsperiteration is another name");
+  s.hit_point.radius =
+      params.number("radius", 0, "world units", "initial search radius; 0: four pixel spacings at the hit point");
+  s.alpha =
+      params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
   const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
-  s.kz11 = choose_estimator && params.choice("estimator", "hj09", {"hj09", "kz11"},
-                         "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") == "kz11";
+  s.kz11 = choose_estimator &&
+           params.choice("estimator", "hj09", {"hj09", "kz11"},
+                         "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") ==
+               "kz11";
   const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones are followed");
-  if (params.flag("mixture", false, "false: paths split where frames differ in looks only; sharing them is not built yet"))
+  if (params.flag("mixture", false,
+                  "false: paths split where frames differ in looks only; sharing them is not built yet"))
     params.unsupported("mixture", "one path with a weight for each frame");
   params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {

@@ -7,8 +7,8 @@
 namespace dspm {
 
 struct ProgressiveSettings {
-  int iterations = 256;   // 0: until stopped
-  int photons = 300000;   // paths an iteration, in each frame
+  int iterations = 256;  // 0: until stopped
+  int photons = 300000;  // paths an iteration, in each frame
   float alpha = 0.7f;
   bool kz11 = false;
   PhotonSettings photon;

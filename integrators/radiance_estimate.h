@@ -8,15 +8,16 @@
 namespace dspm {
 
 struct RadianceEstimate {
-  int nearest = 100;     // photons; 0: all within the radius
-  float radius = 0;      // the largest to look in, or the fixed one; world units
+  int nearest = 100;         // photons; 0: all within the radius
+  float radius = 0;          // the largest to look in, or the fixed one; world units
   std::int64_t emitted = 0;  // photon paths in each frame
 };
 
 /// Calls fn(FrameSet, radiance times the hit point's throughput); the sets are disjoint and leave out frames without
 /// photons. Frames for which the same photons count share one call.
 template <class Fn>
-void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
+void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts,
+                       Fn&& fn);
 
 /// A photon found around a hit point.
 struct NearPhoton {
@@ -30,7 +31,8 @@ std::vector<NearPhoton> near_photons(const HitPoint& hit, const PhotonMap& map, 
                                      GatherCounts& counts, float& radius);
 
 template <class Fn>
-void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
+void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts,
+                       Fn&& fn) {
   float radius = how.radius;
   const std::vector<NearPhoton> photons = near_photons(hit, map, how, counts, radius);
   const auto sum = [&](FrameSet frames) {

@@ -20,7 +20,10 @@ enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
 class Sppm final : public Integrator {
  public:
   Sppm(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings), scene_(scene), render_(render), pixels_(static_cast<std::size_t>(render.crop.count())),
+      : settings_(settings),
+        scene_(scene),
+        render_(render),
+        pixels_(static_cast<std::size_t>(render.crop.count())),
         seen_(render.crop.count(), 1) {
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(1);
@@ -84,7 +87,8 @@ class Sppm final : public Integrator {
         PixelStatistics& pixel = pixels_[static_cast<std::size_t>(hit.pixel)];
         pixel.R2 = radius2(hit);
         PassSums sums;
-        gather(hit, map_, pixel.R2, counts_[tile], [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
+        gather(hit, map_, pixel.R2, counts_[tile],
+               [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
         sums.phi *= hit.throughput;
         pixel.absorb(sums, settings_.alpha);
       }
@@ -99,7 +103,8 @@ class Sppm final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
+    return pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) +
+           bytes_of(traces_);
   }
 
   ProgressiveSettings settings_;

@@ -13,23 +13,28 @@ struct SharedCount {
   std::uint64_t done = 0, separate = 0;
 
   void add(int frames) { ++done, separate += static_cast<std::uint64_t>(frames); }
-  SharedCount& operator+=(const SharedCount& o) { done += o.done, separate += o.separate; return *this; }
+  SharedCount& operator+=(const SharedCount& o) {
+    done += o.done, separate += o.separate;
+    return *this;
+  }
   /// The sharing factor; 1 where nothing was done.
   double factor() const { return done == 0 ? 1 : static_cast<double>(separate) / static_cast<double>(done); }
 };
 
 /// Paths of one kind (camera or photon), counted over all frames.
 struct PathCounts {
-  SharedCount segments;              // rays traced for paths
-  std::uint64_t paths = 0;           // started
-  std::uint64_t dynamic_paths = 0;   // met in at least one frame what is not there in all
+  SharedCount segments;             // rays traced for paths
+  std::uint64_t paths = 0;          // started
+  std::uint64_t dynamic_paths = 0;  // met in at least one frame what is not there in all
   std::uint64_t shadow_rays = 0;
 
   PathCounts& operator+=(const PathCounts& o) {
     segments += o.segments, paths += o.paths, dynamic_paths += o.dynamic_paths, shadow_rays += o.shadow_rays;
     return *this;
   }
-  double dynamic_share() const { return paths == 0 ? 0 : static_cast<double>(dynamic_paths) / static_cast<double>(paths); }
+  double dynamic_share() const {
+    return paths == 0 ? 0 : static_cast<double>(dynamic_paths) / static_cast<double>(paths);
+  }
 };
 
 /// Flux in W summed over the three channels, by frame: emitted = absorbed + escaped + terminated.
@@ -52,9 +57,9 @@ struct Statistics {
   std::vector<StepTime> steps;
   PathCounts camera, photon;
   SharedCount photons_stored;
-  SharedCount photon_tests;   // distance tests of the gather
-  SharedCount photons_found;  // that passed
-  std::uint64_t invalid = 0;  // non-finite contributions that were kept out
+  SharedCount photon_tests;           // distance tests of the gather
+  SharedCount photons_found;          // that passed
+  std::uint64_t invalid = 0;          // non-finite contributions that were kept out
   std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
   std::size_t bytes = 0;              // of the integrator's own buffers, at their largest
 };

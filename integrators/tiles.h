@@ -27,7 +27,8 @@ inline Vec2 film_point(const RenderSettings& render, int x, int y, const PathRan
   return Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f} + offset;
 }
 
-/// A pixel's number in the full image: the index of its camera paths, so that a crop equals the same pixels of the whole.
+/// A pixel's number in the full image: the index of its camera paths, so that a crop equals the same pixels of the
+/// whole.
 inline std::uint64_t camera_path_index(const RenderSettings& render, int x, int y) {
   return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(render.width) + static_cast<std::uint64_t>(x);
 }

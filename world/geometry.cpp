@@ -1,9 +1,9 @@
 #include "world/geometry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
-
-#include <fmt/format.h>
 
 #include "shapes/mesh_check.h"
 #include "shapes/mesh_repair.h"
@@ -45,8 +45,8 @@ std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"",
 /// One Shape directive: its geometry in its own space, state by state, and the materials of its parts.
 struct Geometry::Source {
   Timeline<ParamList> params;
-  std::vector<ShapeParts> parts;  // by state of `params`
-  std::vector<int> materials;     // by part
+  std::vector<ShapeParts> parts;                                  // by state of `params`
+  std::vector<int> materials;                                     // by part
   std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and part: shared by all places
 };
 
@@ -68,7 +68,8 @@ void Geometry::refuse_unknown_objects() {
   for (const ObjectDefinition& object : description_.objects) names.push_back(object.name);
   for (const ObjectUse& use : description_.instances)
     if (std::find(names.begin(), names.end(), use.name) == names.end())
-      diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name), did_you_mean(use.name, names));
+      diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name),
+                         did_you_mean(use.name, names));
 }
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {
@@ -104,8 +105,8 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
 }
 
-/// A mesh that bounds a body should be closed: what is wrong is said once for the whole sequence, and repaired in all of
-/// its frames alike where the scene asks for it.
+/// A mesh that bounds a body should be closed: what is wrong is said once for the whole sequence, and repaired in all
+/// of its frames alike where the scene asks for it.
 void Geometry::check(const ShapeUse& use, Source& source) {
   for (std::size_t p = 0; p < source.materials.size(); ++p) {
     ShapePart& first = source.parts.front()[p];
@@ -126,8 +127,9 @@ void Geometry::check(const ShapeUse& use, Source& source) {
     }
     if (!body || !check_meshes_) continue;
     for (const std::string& fault : describe(check_mesh(*mesh)))
-      diagnostics_.warning(use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
-                           first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
+      diagnostics_.warning(
+          use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
+          first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
   }
 }
 
@@ -152,12 +154,14 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   std::vector<int> uses_of_state(source.shapes.size(), 0);
   for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
   for (std::size_t part = 0; part < source.materials.size(); ++part) {
-    Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)], {}};
+    Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)],
+                    {}};
     for (std::size_t s = 0; s < places.states.size(); ++s) {
       const auto [state, matrix] = places.states[s];
       std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][part];
       Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
-      // What stays at one place goes into the world's space; what moves rigidly, or is there many times, is stored once.
+      // What stays at one place goes into the world's space; what moves rigidly, or is there many times, is stored
+      // once.
       if (alone && uses_of_state[static_cast<std::size_t>(state)] == 1 && shape->triangles()) {
         if (!to_world.is_identity()) shape = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
         to_world = Transform();

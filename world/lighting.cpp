@@ -1,8 +1,8 @@
 #include "world/lighting.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace dspm {
 namespace {
@@ -25,7 +25,8 @@ class LightMaker {
       : description_(description), geometry_(geometry), center_(center), radius_(radius), diagnostics_(diagnostics) {}
 
   std::optional<WorldLight> make(const LightUse& use) {
-    const auto* plugin = find_plugin(light_plugins(), "light", use.type, use.type_where, diagnostics_, unbuilt_lights());
+    const auto* plugin =
+        find_plugin(light_plugins(), "light", use.type, use.type_where, diagnostics_, unbuilt_lights());
     if (!plugin) return std::nullopt;
     const FrameInterval all{0, description_.frame_count};
     const FrameInterval frames =
@@ -57,7 +58,8 @@ class LightMaker {
 
   template <class At>
   Timeline<LightState> timeline(At&& at) const {
-    return Timeline<LightState>::of(description_.frame_count, at, [](const LightState& a, const LightState& b) { return a == b; });
+    return Timeline<LightState>::of(description_.frame_count, at,
+                                    [](const LightState& a, const LightState& b) { return a == b; });
   }
 
   std::optional<WorldLight> finish(const PluginUse& use, std::string name, const Plugin<MakeLight>& plugin,
@@ -106,7 +108,8 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   double total = 0;
   for (WorldLight& light : lights) {
     light.probability = mean_power(light);
-    if (!std::isfinite(light.probability)) diagnostics.error({}, fmt::format("the power of {} is not finite", light.name));
+    if (!std::isfinite(light.probability))
+      diagnostics.error({}, fmt::format("the power of {} is not finite", light.name));
     total += static_cast<double>(light.probability);
   }
   for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;

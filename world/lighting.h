@@ -13,7 +13,7 @@ struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
   float probability = 0;  // in proportion to the mean power over all frames
   bool infinite = false;
-  std::string name;       // for messages
+  std::string name;  // for messages
 };
 
 /// The directives' lights, then the geometry's emitters in their order.

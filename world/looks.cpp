@@ -1,8 +1,8 @@
 #include "world/looks.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace dspm {
 namespace {
@@ -23,13 +23,14 @@ Param param_of(ParamType type, std::string name, Param::Values values, const Sou
 
 Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
     : frame_count_(description.frame_count), main_directory_(description.main_directory()), diagnostics_(diagnostics) {
-  const bool changing = std::any_of(description.textures.begin(), description.textures.end(), [](const TextureUse& use) {
-    return use.params.is_keyed() || use.world_from_texture.is_keyed();
-  });
+  const bool changing =
+      std::any_of(description.textures.begin(), description.textures.end(),
+                  [](const TextureUse& use) { return use.params.is_keyed() || use.world_from_texture.is_keyed(); });
   textures_.resize(changing ? static_cast<std::size_t>(frame_count_) : 1);
   for (const TextureUse& use : description.textures) add_texture(use);
   for (const MaterialUse& use : description.materials) {
-    const std::string name = use.name.empty() ? fmt::format("material \"{}\"", use.type) : fmt::format("material \"{}\"", use.name);
+    const std::string name =
+        use.name.empty() ? fmt::format("material \"{}\"", use.type) : fmt::format("material \"{}\"", use.name);
     of_use_.push_back(add_material(use, name));
     if (!use.name.empty() && !by_name_.emplace(use.name, of_use_.back()).second)
       diagnostics.error(use.where, fmt::format("there is a material named \"{}\" already", use.name));
@@ -74,7 +75,8 @@ void Looks::add_texture_of(const TextureUse& use) {
 }
 
 int Looks::add_material(const PluginUse& use, std::string name) {
-  const auto* plugin = find_plugin(material_plugins(), "material", use.type, use.type_where, diagnostics_, unbuilt_materials());
+  const auto* plugin =
+      find_plugin(material_plugins(), "material", use.type, use.type_where, diagnostics_, unbuilt_materials());
   // With --lenient, what is not built becomes grey.
   if (!plugin) return diagnostics_.lenient() ? find({}) : -1;
   const Timeline<State> states = states_of(use.params, nullptr);
@@ -82,7 +84,8 @@ int Looks::add_material(const PluginUse& use, std::string name) {
   material.state_of = states.state_of;
   const int errors = diagnostics_.error_count();
   for (const State& state : states.states) {
-    ParamReader reader(state.params, fmt::format("material \"{}\"", use.type), use.where, diagnostics_, main_directory_);
+    ParamReader reader(state.params, fmt::format("material \"{}\"", use.type), use.where, diagnostics_,
+                       main_directory_);
     material.states.emplace_back(plugin->make(reader, MaterialContext{textures_at(state.frame)}));
     if (diagnostics_.error_count() > errors) return -1;
   }
@@ -97,7 +100,8 @@ int Looks::find(const MaterialRef& ref) {
     if (const auto found = by_name_.find(ref.name); found != by_name_.end()) return found->second;
     std::vector<std::string> names;
     for (const auto& [name, index] : by_name_) names.push_back(name);
-    diagnostics_.error(ref.where, fmt::format("there is no material named \"{}\"", ref.name), did_you_mean(ref.name, names));
+    diagnostics_.error(ref.where, fmt::format("there is no material named \"{}\"", ref.name),
+                       did_you_mean(ref.name, names));
     return -1;
   }
   if (default_ < 0) {
@@ -115,7 +119,8 @@ int Looks::add(const FileMaterial& file, const SourceLocation& where) {
     TextureUse texture;
     texture.type = "imagemap", texture.name = file.name, texture.is_spectrum = true;
     texture.where = texture.type_where = where;
-    texture.params.params.push_back(param_of(ParamType::text, "filename", std::vector{file.texture_file.string()}, where));
+    texture.params.params.push_back(
+        param_of(ParamType::text, "filename", std::vector{file.texture_file.string()}, where));
     add_texture(texture);
   }
   PluginUse use;

@@ -47,7 +47,9 @@ class Looks {
   void add_texture_of(const TextureUse& use);
   int add_material(const PluginUse& use, std::string name);
   Timeline<State> states_of(const ParamList& params, const Motion* motion) const;
-  TextureSet& textures_at(Frame frame) { return textures_[textures_.size() == 1 ? 0 : static_cast<std::size_t>(frame)]; }
+  TextureSet& textures_at(Frame frame) {
+    return textures_[textures_.size() == 1 ? 0 : static_cast<std::size_t>(frame)];
+  }
   const TextureSet& textures_at(Frame frame) const { return const_cast<Looks*>(this)->textures_at(frame); }
 
   int frame_count_;

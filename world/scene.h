@@ -1,5 +1,5 @@
-// The finished scene of one frame interval (the frames rendered together): all that an integrator may ask. Everything is const, and frames count from 0
-// at the first frame that is rendered.
+// The finished scene of one frame interval (the frames rendered together): all that an integrator may ask. Everything
+// is const, and frames count from 0 at the first frame that is rendered.
 #pragma once
 
 #include <memory>
@@ -62,7 +62,6 @@ class Scene {
   SurfacePoint surface_point(const RayHit& hit) const {
     return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);
   }
-
 };
 
 }  // namespace dspm

@@ -1,9 +1,9 @@
 #include "world/sharing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
-
-#include <fmt/format.h>
 
 namespace dspm {
 namespace {
@@ -49,18 +49,21 @@ std::string explain_block(const DynamicBlock& block, const Summary& s, std::size
   const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
   if (s.frames_present == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
   if (s.states == 1)
-    return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name, stored);
-  const std::string where = s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
-  const std::string how = s.geometries.size() < s.places
-                              ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
-                              : fmt::format("{} of its geometry over the frames", counted(s.states, "state"));
+    return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name,
+                       stored);
+  const std::string where =
+      s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
+  const std::string how =
+      s.geometries.size() < s.places
+          ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
+          : fmt::format("{} of its geometry over the frames", counted(s.states, "state"));
   return fmt::format("dynamic \"{}\": {}{} ({}). Paths that meet it split.", block.name, where, how, stored);
 }
 
 }  // namespace
 
-std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                         const std::vector<WorldLight>& lights,
+std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
+                                         const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames) {
   std::vector<std::string> lines;
@@ -83,8 +86,9 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   for (const WorldLight& light : lights) {
     const std::size_t n = states_in(light.states, frames);
     if (n > 1)
-      lines.push_back(fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
-                                  light.name, counted(n, "state")));
+      lines.push_back(
+          fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
+                      light.name, counted(n, "state")));
   }
   const std::size_t camera_states = states_in(camera, frames);
   lines.push_back(camera_states > 1

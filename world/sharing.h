@@ -13,8 +13,8 @@
 namespace dspm {
 
 /// A sentence a line about the scene of these frames of the file.
-std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
-                                         const std::vector<WorldLight>& lights,
+std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
+                                         const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames);
 

@@ -14,13 +14,15 @@ struct Timeline {
   std::vector<State> states;
   std::vector<int> state_of;  // by frame of the file; -1: not there
 
-  /// The states that `at(frame)` (an optional State) takes over `frames` frames, equal ones once, in order of first use.
+  /// The states that `at(frame)` (an optional State) takes over `frames` frames, equal ones once, in order of first
+  /// use.
   template <class At, class Same>
   static Timeline of(int frames, At&& at, Same&& same) {
     Timeline line;
     line.state_of.assign(static_cast<std::size_t>(frames), -1);
     for (Frame f = 0; f < frames; ++f)
-      if (std::optional<State> state = at(f)) line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
+      if (std::optional<State> state = at(f))
+        line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
     return line;
   }
   static Timeline constant(int frames, State state) {

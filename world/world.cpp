@@ -19,12 +19,15 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   fallback.type = "perspective";
   const CameraUse& use = description.camera ? *description.camera : fallback;
   Timeline<std::shared_ptr<const Camera>> cameras;
-  const auto* plugin = find_plugin(camera_plugins(), "camera", use.type, use.type_where, diagnostics, unbuilt_cameras());
+  const auto* plugin =
+      find_plugin(camera_plugins(), "camera", use.type, use.type_where, diagnostics, unbuilt_cameras());
   if (!plugin) return cameras;
   const bool keyed = use.params.is_keyed();
   const auto states = Timeline<State>::of(
       description.frame_count,
-      [&](Frame f) { return std::optional(State{keyed ? use.params.at(f) : use.params, use.camera_from_world.at(f)}); },
+      [&](Frame f) {
+        return std::optional(State{keyed ? use.params.at(f) : use.params, use.camera_from_world.at(f)});
+      },
       [](const State& a, const State& b) {
         return a.camera_from_world == b.camera_from_world && a.params.same_values(b.params);
       });
@@ -79,8 +82,8 @@ struct World::Parts {
     lights = make_lights(text, geometry, center, radius, diagnostics);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
-    accel = find_plugin(accel_plugins(), "accelerator", name, text.accelerator ? text.accelerator->type_where : SourceLocation{},
-                        diagnostics);
+    accel = find_plugin(accel_plugins(), "accelerator", name,
+                        text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
   }
 
   const SceneDescription& description;

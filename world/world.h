@@ -1,5 +1,5 @@
-// From the description (plain data) to objects: everything a scene file says about geometry, looks, light and camera, made
-// once for all frames of the file; the scenes of frame intervals are cut from it.
+// From the description (plain data) to objects: everything a scene file says about geometry, looks, light and camera,
+// made once for all frames of the file; the scenes of frame intervals are cut from it.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@
 namespace dspm {
 
 struct WorldOptions {
-  int width = 1, height = 1;      // of the full image, for the camera
-  std::string accel;              // a plugin's name; empty: what the scene says, else two-level
-  bool check_meshes = true;       // look for holes and self-intersections in meshes that bound a body
+  int width = 1, height = 1;  // of the full image, for the camera
+  std::string accel;          // a plugin's name; empty: what the scene says, else two-level
+  bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
 };
 
 class World {
@@ -27,8 +27,8 @@ class World {
   ~World();
 
   int frame_count() const;
-  /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of a world agree in what sampling
-  /// derives from the scene (light probabilities, bounding sphere).
+  /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
+  /// a world agree in what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
   /// What is shared between frames and what is not, and why: a sentence a line, for --explain.
   std::vector<std::string> explain(std::span<const Frame> frames) const;

@@ -1,7 +1,7 @@
 // Integrator "dsppm" "integer iterations" 400 "integer photons" 300000
 //
-// Dynamic stochastic progressive photon mapping [WG12]: all frames together. Camera and photon paths that meet nothing which
-// differs between frames are traced once; every frame converges to what sppm gives for it alone. Parameters: see
+// Dynamic stochastic progressive photon mapping [WG12]: all frames together. Camera and photon paths that meet nothing
+// which differs between frames are traced once; every frame converges to what sppm gives for it alone. Parameters: see
 // progressive_settings.cpp.
 #include "integrators/dsppm/dsppm.h"
 
@@ -17,8 +17,7 @@ enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
 class Dsppm final : public Integrator {
  public:
   Dsppm(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings), scene_(scene), render_(render),
-        seen_(render.crop.count(), scene.frame_count()) {
+      : settings_(settings), scene_(scene), render_(render), seen_(render.crop.count(), scene.frame_count()) {
     const EstimatorSettings of{render.crop.count(), scene.frame_count(), settings.alpha};
     estimator_ = settings.kz11 ? make_kz11(of) : make_hj09(of);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
@@ -34,8 +33,9 @@ class Dsppm final : public Integrator {
     trace_light_paths(static_cast<std::uint64_t>(iteration));
     {
       const StepTimer timer(statistics_.steps[kPhotonMap]);
-      map_.build(traces_, mean_search_radius(
-                              tiles_, [&](const HitPoint& hit) { return estimator_->search_radius2(hit); }, scene_.radius));
+      map_.build(traces_,
+                 mean_search_radius(
+                     tiles_, [&](const HitPoint& hit) { return estimator_->search_radius2(hit); }, scene_.radius));
     }
     update_statistics();
     ++statistics_.iterations;

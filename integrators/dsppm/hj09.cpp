@@ -1,4 +1,5 @@
-// Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point [WG12 4.3].
+// Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point
+// [WG12 4.3].
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -12,7 +13,8 @@ namespace {
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& settings)
-      : frames_(settings.frames), alpha_(settings.alpha),
+      : frames_(settings.frames),
+        alpha_(settings.alpha),
         statistics_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
 
   float search_radius2(const HitPoint& hit) const override {
@@ -70,12 +72,14 @@ class Hj09 final : public PixelEstimator {
 
   int frames_;
   float alpha_;
-  std::int64_t emitted_ = 0;  // photon paths so far, in each frame
+  std::int64_t emitted_ = 0;                 // photon paths so far, in each frame
   std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
 };
 
 }  // namespace
 
-std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings) { return std::make_unique<Hj09>(settings); }
+std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings) {
+  return std::make_unique<Hj09>(settings);
+}
 
 }  // namespace dspm

@@ -1,6 +1,6 @@
-// Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is then
-// linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums of
-// those frames that have them.
+// Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is
+// then linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums
+// of those frames that have them.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -13,7 +13,9 @@ namespace {
 class Kz11 final : public PixelEstimator {
  public:
   explicit Kz11(const EstimatorSettings& settings)
-      : frames_(settings.frames), alpha_(settings.alpha), shared_(static_cast<std::size_t>(settings.pixels)),
+      : frames_(settings.frames),
+        alpha_(settings.alpha),
+        shared_(static_cast<std::size_t>(settings.pixels)),
         own_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
 
   float search_radius2(const HitPoint& hit) const override {
@@ -75,6 +77,8 @@ class Kz11 final : public PixelEstimator {
 
 }  // namespace
 
-std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings) { return std::make_unique<Kz11>(settings); }
+std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings) {
+  return std::make_unique<Kz11>(settings);
+}
 
 }  // namespace dspm

@@ -1,5 +1,6 @@
-// Every integrator against path tracing, tile by tile. Both are rendered with several seeds, which gives each tile's mean its
-// standard error; what remains must be below kSigmas of the difference's error plus a stated bias of the photons' blur.
+// Every integrator against path tracing, tile by tile. Both are rendered with several seeds, which gives each tile's
+// mean its standard error; what remains must be below kSigmas of the difference's error plus a stated bias of the
+// photons' blur.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,8 @@ namespace {
 using testing::TestScene;
 
 constexpr int kSize = 24, kTile = 6, kTiles = (kSize / kTile) * (kSize / kTile), kSeeds = 6;
-// Student's t with 10 degrees of freedom at a level of 1% over 16 tiles x 28 comparisons (Bonferroni): t(0.01 / 448) = 7.0.
+// Student's t with 10 degrees of freedom at a level of 1% over 16 tiles x 28 comparisons (Bonferroni): t(0.01 / 448)
+// = 7.0.
 constexpr double kSigmas = 7.0;
 
 struct TileMeans {
@@ -96,11 +98,14 @@ TEST_P(AgainstPath, AllIntegratorsAgree) {
   expect_agreement(render(GetParam(), "\"sppm\" " + common, 6), path, 0.04);
   expect_agreement(render(GetParam(), "\"dsppm\" \"string estimator\" \"kz11\" " + common, 6), path, 0.04);
   expect_agreement(render(GetParam(), "\"dsppm\" \"string direct\" \"sampled\" " + common, 12), path, 0.04);
-  expect_agreement(render(GetParam(), R"("photonmap" "integer maxdepth" 16 "integer photons" 100000 "float radius" 0.08)", 12), path,
-                   0.06);
+  expect_agreement(
+      render(GetParam(), R"("photonmap" "integer maxdepth" 16 "integer photons" 100000 "float radius" 0.08)", 12), path,
+      0.06);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, AgainstPath, ::testing::Values(kDiffuse, kRoughMetal, kGlass, kCoat, kSmoothed, kRoughGlass, kGlossyMetalAndPoint));
+INSTANTIATE_TEST_SUITE_P(Scenes, AgainstPath,
+                         ::testing::Values(kDiffuse, kRoughMetal, kGlass, kCoat, kSmoothed, kRoughGlass,
+                                           kGlossyMetalAndPoint));
 
 }  // namespace
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// The main promise: frame j of a K-frame dsppm run is what sppm gives for frame j alone, after every iteration. Counts and
-// radii are equal, sums to 1e-5.
+// The main promise: frame j of a K-frame dsppm run is what sppm gives for frame j alone, after every iteration. Counts
+// and radii are equal, sums to 1e-5.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,9 @@ using testing::TestScene;
 constexpr int kIterations = 3;
 constexpr float kTolerance = 1e-5f;
 
-bool near(float a, float b, float scale) { return std::abs(a - b) <= kTolerance * std::max(scale, std::max(std::abs(a), std::abs(b))); }
+bool near(float a, float b, float scale) {
+  return std::abs(a - b) <= kTolerance * std::max(scale, std::max(std::abs(a), std::abs(b)));
+}
 
 bool same(const PixelStatistics& a, const PixelStatistics& b) {
   const float scale = std::max(max_component(a.tau), max_component(b.tau));
@@ -54,7 +56,8 @@ Comparison compare(TestScene& test) {
         const auto at = static_cast<std::size_t>(p);
         ++result.pixels;
         result.lit += !is_black(b.pixels[at]);
-        const bool equal = same(a.pixels[at], b.pixels[at]) && same(*dsppm->pixel_statistics(p, f), *alone.pixel_statistics(p, 0));
+        const bool equal =
+            same(a.pixels[at], b.pixels[at]) && same(*dsppm->pixel_statistics(p, f), *alone.pixel_statistics(p, 0));
         result.differing += !equal;
       }
     }
@@ -72,9 +75,10 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
     const unsigned seed = static_cast<unsigned>(1000 * frames + i);
     const std::string text =
         RandomScene(seed, frames)
-            .text(fmt::format("Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
-                              "\"integer seed\" {}",
-                              i % 3 == 2 ? "sampled" : "photons", i));
+            .text(fmt::format(
+                "Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
+                "\"integer seed\" {}",
+                i % 3 == 2 ? "sampled" : "photons", i));
     SCOPED_TRACE(text);
     TestScene test(text);
     const Comparison one = compare(test);

@@ -32,8 +32,8 @@ TEST(Energy, IsKeptInEveryFrame) {
   }
 }
 
-// A lamp of power P in a closed sphere of albedo a: the first hit absorbs (1 - a) P, the second (1 - a) a P, ... With at most
-// n hits the sum is (1 - a^(n-1)) P, and a^(n-1) P reaches the last hit, where it is cut off.
+// A lamp of power P in a closed sphere of albedo a: the first hit absorbs (1 - a) P, the second (1 - a) a P, ... With
+// at most n hits the sum is (1 - a^(n-1)) P, and a^(n-1) P reaches the last hit, where it is cut off.
 TEST(Energy, IsAbsorbedAsTheAlbedoSays) {
   TestScene test(testing::furnace(R"("dsppm" "integer photons" 100000 "integer maxdepth" 4)", 0.6f));
   const EnergyBalance e = balance_of(test, 0, 1);

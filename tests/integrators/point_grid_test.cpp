@@ -36,8 +36,8 @@ TEST(PointGrid, FindsWhatADoubleLoopFinds) {
       for (const Vec3& p : cloud(random, 40, extent * 1.5f, {-3.2f, 39.9f, 0.4f}))
         for (const float radius : {0.01f, 0.3f, 50.f}) {
           std::vector<std::uint32_t> found;
-          const std::uint64_t tested =
-              grid.for_each_within(p, radius * radius, [&](std::uint32_t i, float) { found.push_back(grid.order()[i]); });
+          const std::uint64_t tested = grid.for_each_within(
+              p, radius * radius, [&](std::uint32_t i, float) { found.push_back(grid.order()[i]); });
           std::sort(found.begin(), found.end());
           EXPECT_EQ(found, by_double_loop(points, p, radius));
           EXPECT_GE(tested, found.size());

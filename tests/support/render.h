@@ -17,13 +17,14 @@ namespace dspm::testing {
 /// A scene's text with everything made from it.
 class TestScene {
  public:
-  explicit TestScene(std::string text, Options options = {})
-      : options_(std::move(options)), description_(parse_text("test.dsc", std::move(text), {}, diagnostics_)) {
+  /// Files that the text names are looked for beside `name`.
+  explicit TestScene(std::string text, Options options = {}, const std::string& name = "test.dsc")
+      : options_(std::move(options)), description_(parse_text(name, std::move(text), {}, diagnostics_)) {
     diagnostics_.throw_if_errors();
     job_ = make_job(description_, options_, diagnostics_);
     diagnostics_.throw_if_errors();
-    world_ = std::make_unique<World>(description_, WorldOptions{job_.film.width, job_.film.height, options_.accel, true},
-                                     diagnostics_);
+    world_ = std::make_unique<World>(
+        description_, WorldOptions{job_.film.width, job_.film.height, options_.accel, true}, diagnostics_);
     diagnostics_.throw_if_errors();
   }
 

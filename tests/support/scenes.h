@@ -26,7 +26,8 @@ Shape "sphere" "float radius" 2
 
 /// A Cornell-like box with a lamp under the ceiling; `contents` stands in it. -1 <= x, y, z <= 1, open towards -z.
 inline std::string box(const std::string& options, const std::string& contents, int size = 32) {
-  return options + fmt::format(R"(
+  return options +
+         fmt::format(R"(
 LookAt 0 0 -3.6  0 0 0  0 1 0
 Camera "perspective" "float fov" 38
 PixelFilter "box"
@@ -48,7 +49,7 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-1 -1 -1 -1 1 -
 Material "diffuse" "rgb reflectance" [.15 .6 .1]
 Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [1 -1 -1 1 -1 1 1 1 1 1 1 -1]
 )",
-                               size, size) +
+                     size, size) +
          contents;
 }
 
