@@ -14,15 +14,6 @@ Bounds3 TrianglePacket::bounds() const {
   return all;
 }
 
-ShapesByKind by_kind(std::span<const PlacedShape> shapes, std::span<const int> which) {
-  ShapesByKind kinds;
-  for (const int s : which) {
-    const PlacedShape& placed = shapes[static_cast<std::size_t>(s)];
-    (placed.shape->triangles() && !placed.in_object_space() ? kinds.meshes : kinds.others).push_back(s);
-  }
-  return kinds;
-}
-
 PackedTriangles::PackedTriangles(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all) {
   struct Triangle {
     int shape, primitive;

@@ -73,11 +73,22 @@ struct alignas(64) TrianglePacket {
   Bounds3 bounds() const;
 };
 
-/// Which placed shapes are meshes that stand in world space, and which go their own ways.
+/// Numbers of placed shapes: meshes that stand in world space, and everything else.
 struct ShapesByKind {
   std::vector<int> meshes, others;
 };
-ShapesByKind by_kind(std::span<const PlacedShape> shapes, std::span<const int> which);
+
+/// Those for which wanted(PlacedShape) holds.
+template <class Wanted>
+ShapesByKind by_kind(std::span<const PlacedShape> shapes, const Wanted& wanted) {
+  ShapesByKind kinds;
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    if (!wanted(shapes[s])) continue;
+    const bool world_mesh = shapes[s].shape->triangles() && !shapes[s].in_object_space();
+    (world_mesh ? kinds.meshes : kinds.others).push_back(static_cast<int>(s));
+  }
+  return kinds;
+}
 
 /// The triangles of shapes[i] for all i in `which`, those side by side that are near each other.
 struct PackedTriangles {

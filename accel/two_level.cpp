@@ -3,15 +3,6 @@
 namespace dspm {
 namespace {
 
-ShapesByKind those_which(std::span<const PlacedShape> shapes, FrameSet all, bool stand_still) {
-  std::vector<int> numbers;
-  for (std::size_t s = 0; s < shapes.size(); ++s) {
-    const FrameSet there = shapes[s].frames & all;
-    if (!there.empty() && (there == all) == stand_still) numbers.push_back(static_cast<int>(s));
-  }
-  return by_kind(shapes, numbers);
-}
-
 HitPartition one_part(FrameSet frames, const RayHit& hit) {
   HitPartition parts;
   parts.add(frames, hit);
@@ -20,8 +11,16 @@ HitPartition one_part(FrameSet frames, const RayHit& hit) {
 
 }  // namespace
 
+ShapesByKind static_shapes(std::span<const PlacedShape> shapes, FrameSet all) {
+  return by_kind(shapes, [all](const PlacedShape& s) { return s.frames.contains(all); });
+}
+
+ShapesByKind dynamic_shapes(std::span<const PlacedShape> shapes, FrameSet all) {
+  return by_kind(shapes, [all](const PlacedShape& s) { return !s.frames.contains(all) && !(s.frames & all).empty(); });
+}
+
 TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all)
-    : static_(shapes, those_which(shapes, all, true), all), dynamic_(shapes, those_which(shapes, all, false), all) {}
+    : static_(shapes, static_shapes(shapes, all), all), dynamic_(shapes, dynamic_shapes(shapes, all), all) {}
 
 RayHit TwoLevel::nearest(const Ray& ray, FrameSet frames) const {
   NearestHit nearest(frames, ray.t_max);

@@ -9,6 +9,10 @@
 
 namespace dspm {
 
+/// Numbers of the placed shapes that are there in all of the frames, and in some.
+ShapesByKind static_shapes(std::span<const PlacedShape> shapes, FrameSet all);
+ShapesByKind dynamic_shapes(std::span<const PlacedShape> shapes, FrameSet all);
+
 class TwoLevel final : public Accel {
  public:
   TwoLevel(std::span<const PlacedShape> shapes, FrameSet all);
@@ -16,6 +20,9 @@ class TwoLevel final : public Accel {
   HitPartition partition(const Ray& ray, FrameSet frames) const override;
   FrameSet occluded(const Ray& ray, FrameSet frames) const override;
   std::size_t memory() const override { return static_.memory() + dynamic_.memory(); }
+
+  const StaticTree& static_tree() const { return static_; }
+  const DynamicTree& dynamic_tree() const { return dynamic_; }
 
  private:
   RayHit nearest(const Ray& ray, FrameSet frames) const;

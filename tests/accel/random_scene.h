@@ -93,7 +93,7 @@ class RandomScene {
     }
     for (int f = 0; f < count; ++f) data.faces.push_back(strip ? Face{f, f + 1, f + 2} : Face{3 * f, 3 * f + 1, 3 * f + 2});
     for (Face& face : data.faces)
-      if (random_.below(16) == 0) face[2] = face[random_.below(2)];
+      if (random_.below(16) == 0) face[2] = random_.below(2) == 0 ? face[0] : face[1];
     return TriangleMesh(std::move(data));
   }
 
