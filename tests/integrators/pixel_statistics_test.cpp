@@ -35,8 +35,8 @@ TEST(PixelStatistics, PhotonsWithoutEffectShrinkTheRadius) {
   EXPECT_EQ(s.radiance(1).r, 0);
 }
 
-// A uniform field of photons of density d and flux 1 gives radiance d / (emitted pi) * ... = d f at any radius: with M = d pi R^2
-// photons an iteration, tau / (Ne pi R^2) must stay d / photons, whatever the radius shrinks to.
+// A uniform field of photons of density d and flux 1 gives radiance d / (emitted pi) * ... = d f at any radius: with M
+// = d pi R^2 photons an iteration, tau / (Ne pi R^2) must stay d / photons, whatever the radius shrinks to.
 TEST(PixelStatistics, AUniformFieldKeepsItsRadiance) {
   PixelStatistics s;
   s.R2 = 1;
