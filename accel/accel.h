@@ -65,8 +65,8 @@ class Accel {
   virtual std::size_t memory() const = 0;
 };
 
-/// `shapes` and what they point to must outlive the tree; `all` are the frames of the interval: a shape that is there in
-/// all of them is static.
+/// `shapes` and what they point to must outlive the tree; `all` are the frames of the interval: a shape that is there
+/// in all of them is static.
 using MakeAccel = std::unique_ptr<Accel>(ParamReader&, std::span<const PlacedShape> shapes, FrameSet all);
 std::span<const Plugin<MakeAccel>> accel_plugins();
 

@@ -1,5 +1,5 @@
-// Builds a Bvh top down: a node's range of pieces is cut until there are 8 ranges, always the one that costs most, always
-// where the surface area heuristic in bins says. Which pieces end where depends on the pieces' order alone.
+// Builds a Bvh top down: a node's range of pieces is cut until there are 8 ranges, always the one that costs most,
+// always where the surface area heuristic in bins says. Which pieces end where depends on the pieces' order alone.
 #include <algorithm>
 #include <numeric>
 
@@ -115,7 +115,8 @@ class Builder {
     const Split split = free ? best_split(r) : Split{};
     auto middle = begin + r.count / 2;
     if (split.axis >= 0)
-      middle = std::partition(begin, end, [&](std::uint32_t p) { return bin_of(r, split.axis, pieces_[p]) < split.at; });
+      middle =
+          std::partition(begin, end, [&](std::uint32_t p) { return bin_of(r, split.axis, pieces_[p]) < split.at; });
     const auto count = static_cast<std::uint32_t>(middle - begin);
     return {range(r.first, count), range(r.first + count, r.count - count)};
   }

@@ -3,7 +3,9 @@
 namespace dspm {
 
 NearestHits::NearestHits(FrameSet frames, float t_max)
-    : frames_(frames), groups_((kMaxFrames + 3 - std::countl_zero(frames.bits())) / 4), limit_(t_max),
+    : frames_(frames),
+      groups_((kMaxFrames + 3 - std::countl_zero(frames.bits())) / 4),
+      limit_(t_max),
       used_(FrameSet::single(0)) {
   for (Frame f = 0; f < 4 * groups_; ++f) {
     nearest_[f] = frames.contains(f) ? t_max : -kInfinity;

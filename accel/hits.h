@@ -54,12 +54,12 @@ class NearestHits {
   void leave_slot(Frame frame);
 
   FrameSet frames_;
-  int groups_;       // of four frames each: up to the highest frame asked for
-  float limit_;      // the largest of the distances
-  FrameSet used_;    // slots in use; there are never more than frames
+  int groups_;                             // of four frames each: up to the highest frame asked for
+  float limit_;                            // the largest of the distances
+  FrameSet used_;                          // slots in use; there are never more than frames
   alignas(16) float nearest_[kMaxFrames];  // by frame; minus infinity where not asked for
   std::uint8_t slot_[kMaxFrames];          // by frame
-  union {  // by slot; uninitialised until used, as this is made for every ray
+  union {                                  // by slot; uninitialised until used, as this is made for every ray
     FrameSet slot_frames_[kMaxFrames];
   };
   union {

@@ -95,7 +95,8 @@ void StaticTree::build() {
   rtcAttachGeometry(scene_.get(), geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene_.get());
-  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::runtime_error("Embree could not build the static tree");
+  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree could not build the static tree");
 }
 
 void StaticTree::find(const Ray& ray, NearestHit& query) const {

@@ -37,7 +37,7 @@ class StaticTree {
   float reach_ = -1;                              // from where that margin is large enough
   std::atomic<std::ptrdiff_t> embree_bytes_ = 0;  // Embree's own threads count them
   std::unique_ptr<RTCDeviceTy, Release> device_;
-  std::unique_ptr<RTCSceneTy, Release> scene_;    // over the packets of meshes_
+  std::unique_ptr<RTCSceneTy, Release> scene_;  // over the packets of meshes_
 };
 
 }  // namespace dspm

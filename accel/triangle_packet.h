@@ -29,8 +29,8 @@ struct alignas(64) TrianglePacket {
     lanes |= 1u << lane;
   }
   /// Lanes of the triangles that the ray may meet at a distance in (0, limit]: those whose edge functions (computed as
-  /// the triangle test does) have no two opposite signs, and of whose corners not all are behind the ray or too far. Zero
-  /// is no sign: there the triangle test looks closer. It keeps distances between those of the corners.
+  /// the triangle test does) have no two opposite signs, and of whose corners not all are behind the ray or too far.
+  /// Zero is no sign: there the triangle test looks closer. It keeps distances between those of the corners.
   unsigned candidates(const TriangleRay& ray, float limit) const {
     const __m128 sx = _mm_set1_ps(ray.sx), sy = _mm_set1_ps(ray.sy), sz = _mm_set1_ps(ray.sz);
     __m128 x[3], y[3], z[3];

@@ -25,10 +25,9 @@ struct Entry {
   std::function<std::vector<ParamInfo>()> params;
 };
 
-template <class Make, class... Context>
-void add(std::vector<Entry>& entries, const char* kind, std::span<const Plugin<Make>> plugins,
-         const Context&... context) {
-  for (const Plugin<Make>& plugin : plugins)
+template <class AnyPlugin, class... Context>
+void add(std::vector<Entry>& entries, const char* kind, std::span<const AnyPlugin> plugins, const Context&... context) {
+  for (const AnyPlugin& plugin : plugins)
     entries.push_back({kind, std::string(plugin.name), std::string(plugin.sentence),
                        [&plugin, &context...] { return describe(plugin, context...); }});
 }

@@ -57,7 +57,7 @@ class Run {
         options_(options),
         messages_(messages),
         output_(job, options),
-        intervals_(cut_into_intervals(job.frames, frames_together(job.integrator))) {
+        intervals_(cut_into_intervals(job.frames, job.plugin->frames_together)) {
     report_.threads = thread_count();
   }
 
@@ -142,10 +142,9 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
   messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file,
                 job_.frames.size(), job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(),
                 job_.integrator, iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
-  const int photons = integrator.photons();
-  const std::string emitted = photons > 0 ? fmt::format("photons {}; ", photons) : "";
-  messages_.say("{}memory: trees {}, integrator {}, all {}", emitted, readable_bytes(scene.accel->memory()),
-                readable_bytes(integrator.statistics().bytes), readable_bytes(peak_memory()));
+  messages_.say("{}: {}", job_.integrator, integrator.settings());
+  messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
+                readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));
   progress_ = std::make_unique<Progress>(
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
@@ -161,7 +160,7 @@ void Run::write(std::span<const Frame> interval, const Integrator& integrator, C
 }
 
 void explain(const World& world, const Job& job) {
-  for (const std::span<const Frame> interval : cut_into_intervals(job.frames, frames_together(job.integrator)))
+  for (const std::span<const Frame> interval : cut_into_intervals(job.frames, job.plugin->frames_together))
     for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
 }
 

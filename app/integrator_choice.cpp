@@ -27,7 +27,7 @@ void set_integer(ParamList& list, std::string_view name, int value) {
 }
 
 /// The plugin for the scene's own directive.
-const Plugin<MakeIntegrator>* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
+const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
   const bool path_like = std::find(std::begin(kPathLike), std::end(kPathLike), use.type) != std::end(kPathLike);
   if (path_like) diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"path\"", use.type));
   return find_plugin(integrator_plugins(), "integrator", path_like ? "path" : use.type, use.type_where, diagnostics,

@@ -8,7 +8,7 @@
 namespace dspm {
 
 struct IntegratorChoice {
-  const Plugin<MakeIntegrator>* plugin = nullptr;  // null: after an error
+  const IntegratorPlugin* plugin = nullptr;  // null: after an error
   ParamList params;
   SourceLocation where;
 };
@@ -22,10 +22,10 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Op
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
 
 /// The plugin that the option names; UsageError where there is none.
-template <class Make>
-const Plugin<Make>* find_by_option(std::span<const Plugin<Make>> plugins, const char* option, const std::string& name) {
+template <class AnyPlugin>
+const AnyPlugin* find_by_option(std::span<const AnyPlugin> plugins, const char* option, const std::string& name) {
   Diagnostics diagnostics;
-  const Plugin<Make>* plugin = find_plugin(plugins, option, name, {}, diagnostics);
+  const AnyPlugin* plugin = find_plugin(plugins, option, name, {}, diagnostics);
   if (plugin != nullptr) return plugin;
   throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
 }

@@ -23,7 +23,7 @@ struct Job {
   float exposure = 1;  // image values over radiance
   RenderSettings settings;
   std::string integrator;
-  const Plugin<MakeIntegrator>* plugin = nullptr;
+  const IntegratorPlugin* plugin = nullptr;
   ParamList params;      // of the integrator
   SourceLocation where;  // of the Integrator directive
   std::string accel;     // a plugin's name; empty: the usual one

@@ -122,10 +122,21 @@ std::size_t peak_memory() {
 
 std::string readable_bytes(std::size_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
 
+namespace {
+
+/// Those of one interval: of the shortest and the longest where a time limit made them differ.
+std::string iterations_in_words(const std::vector<int>& of_intervals) {
+  if (of_intervals.empty()) return "0";
+  const auto [least, most] = std::minmax_element(of_intervals.begin(), of_intervals.end());
+  return *least == *most ? std::to_string(*most) : fmt::format("{} to {}", *least, *most);
+}
+
+}  // namespace
+
 std::string table_of(const Job& job, const RunReport& report) {
   const Statistics& s = report.statistics;
-  std::string text =
-      fmt::format("{} {}, {} iterations, {} threads\n\n", job.scene_file, job.integrator, s.iterations, report.threads);
+  std::string text = fmt::format("{} {}, {} frames, {} iterations, {} threads\n\n", job.scene_file, job.integrator,
+                                 job.frames.size(), iterations_in_words(report.iterations), report.threads);
   text += fmt::format("  {:<24}{:>16}{:>10}\n", "step", "seconds", "share");
   for (const StepTime& step : s.steps)
     text += fmt::format("  {:<24}{:>16.2f}{:>9.1f}%\n", step.name, step.seconds, 100 * step.seconds / report.seconds);

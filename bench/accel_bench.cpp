@@ -27,7 +27,8 @@ MeshData surface(int n, const std::function<Vec3(float u, float v)>& at) {
   MeshData mesh;
   const auto step = 1 / static_cast<float>(n);
   for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) mesh.vertices.push_back(at(static_cast<float>(i) * step, static_cast<float>(j) * step));
+    for (int i = 0; i <= n; ++i)
+      mesh.vertices.push_back(at(static_cast<float>(i) * step, static_cast<float>(j) * step));
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const int a = j * (n + 1) + i, b = a + n + 1;
@@ -49,8 +50,8 @@ struct Scene {
     place(*shapes.back(), Transform(), frames);
   }
   void place(const Shape& shape, const Transform& to_world, FrameSet frames) {
-    placed.push_back({.shape = &shape, .to_world = to_world, .frames = frames,
-                      .to_world_is_identity = to_world.is_identity()});
+    placed.push_back(
+        {.shape = &shape, .to_world = to_world, .frames = frames, .to_world_is_identity = to_world.is_identity()});
   }
 };
 
@@ -65,10 +66,12 @@ std::unique_ptr<Scene> water(int frame_count) {
     const auto height = [&](float x, float z) {
       return 0.05f * std::sin(5 * x + 3 * z - 4 * time) + 0.03f * std::sin(11 * z - 7 * x + 5 * time);
     };
-    scene->add(surface(100, [&](float u, float v) {
-      const float x = 3 * u - 1.5f, z = 3 * v - 1.5f;
-      return Vec3{x, height(x, z), z};
-    }), FrameSet::single(f));
+    scene->add(surface(100,
+                       [&](float u, float v) {
+                         const float x = 3 * u - 1.5f, z = 3 * v - 1.5f;
+                         return Vec3{x, height(x, z), z};
+                       }),
+               FrameSet::single(f));
   }
   return scene;
 }
@@ -77,7 +80,8 @@ std::unique_ptr<Scene> water(int frame_count) {
 MeshData body(float time) {
   return surface(71, [&](float u, float v) {
     const float theta = kPi * v, phi = 2 * kPi * u;
-    const float r = 0.5f + 0.1f * std::sin(3 * phi + time) * std::sin(4 * theta) + 0.02f * std::sin(20 * phi + 9 * theta);
+    const float r =
+        0.5f + 0.1f * std::sin(3 * phi + time) * std::sin(4 * theta) + 0.02f * std::sin(20 * phi + 9 * theta);
     return Vec3{0.5f * r * std::sin(theta) * std::cos(phi), r * std::cos(theta), r * std::sin(theta) * std::sin(phi)};
   });
 }
@@ -85,15 +89,20 @@ MeshData body(float time) {
 /// 80K triangles: a floor, and two rows of columns.
 void add_hall(Scene& scene) {
   scene.eye = {-3, 1.7f, -1.2f}, scene.look_at = {1, 0.8f, 0.1f};
-  scene.add(surface(100, [](float u, float v) {
-    return Vec3{10 * u - 5, 0.01f * std::sin(90 * u) * std::sin(70 * v), 4 * v - 2};
-  }), scene.all);
+  scene.add(surface(100,
+                    [](float u, float v) {
+                      return Vec3{10 * u - 5, 0.01f * std::sin(90 * u) * std::sin(70 * v), 4 * v - 2};
+                    }),
+            scene.all);
   for (int c = 0; c < 20; ++c) {
     const Vec3 foot{static_cast<float>(c / 2) - 4.5f, 0, c % 2 == 0 ? -1.6f : 1.6f};
-    scene.add(surface(39, [&](float u, float v) {
-      const float r = 0.15f + 0.02f * std::cos(32 * kPi * u) + 0.1f * std::exp(-20 * v), phi = 2 * kPi * u;
-      return foot + Vec3{r * std::cos(phi), 3 * v, r * std::sin(phi)};
-    }), scene.all);
+    scene.add(surface(39,
+                      [&](float u, float v) {
+                        const float r = 0.15f + 0.02f * std::cos(32 * kPi * u) + 0.1f * std::exp(-20 * v),
+                                    phi = 2 * kPi * u;
+                        return foot + Vec3{r * std::cos(phi), 3 * v, r * std::sin(phi)};
+                      }),
+              scene.all);
   }
 }
 
@@ -105,8 +114,8 @@ std::unique_ptr<Scene> running_body(int frame_count, bool deforming) {
   const Shape& rigid = *scene->shapes.back();
   for (Frame f = 0; f < frame_count; ++f) {
     const float share = static_cast<float>(f) / static_cast<float>(frame_count);
-    const Matrix4 at = Matrix4::translate(4 * share - 1.5f, 0.8f, 0.2f * std::sin(6 * share)) *
-                       Matrix4::rotate(200 * share, 0, 1, 0);
+    const Matrix4 at =
+        Matrix4::translate(4 * share - 1.5f, 0.8f, 0.2f * std::sin(6 * share)) * Matrix4::rotate(200 * share, 0, 1, 0);
     if (deforming) {
       scene->add(TriangleMesh(body(9 * share)).transformed(Transform(at)), FrameSet::single(f));
     } else {
@@ -206,7 +215,8 @@ void compare(const char* name, const Scene& scene) {
   const DynamicTree& moving = tree.dynamic_tree();
   std::vector<std::unique_ptr<DynamicTree>> of_frame;
   scene.all.for_each([&](Frame f) {
-    const ShapesByKind there = by_kind(scene.placed, [&](const PlacedShape& s) { return s.frames == FrameSet::single(f); });
+    const ShapesByKind there =
+        by_kind(scene.placed, [&](const PlacedShape& s) { return s.frames == FrameSet::single(f); });
     of_frame.push_back(std::make_unique<DynamicTree>(scene.placed, there, FrameSet::single(f)));
   });
 
@@ -235,8 +245,8 @@ void compare(const char* name, const Scene& scene) {
     }
     const std::vector<double> seconds = take_turns(queries, ways);
     const auto count = static_cast<double>(queries.size());
-    fmt::print("{:<16} {:>2} {} {:>6.1f} {:>6.2f} {:>8.3f} {:>15.2f} {:>13.2f} {:>9.2f}\n", name, scene.all.count(), kind,
-               static_cast<double>(frames) / count, static_cast<double>(parts) / count, count / seconds[0] * 1e-6,
+    fmt::print("{:<16} {:>2} {} {:>6.1f} {:>6.2f} {:>8.3f} {:>15.2f} {:>13.2f} {:>9.2f}\n", name, scene.all.count(),
+               kind, static_cast<double>(frames) / count, static_cast<double>(parts) / count, count / seconds[0] * 1e-6,
                seconds[1] / seconds[0], seconds[2] / seconds[0], seconds[3] / seconds[0]);
     queries = bounced(scene, tree, queries);
     if (queries.size() > kResolution * kResolution) queries.resize(kResolution * kResolution);

@@ -9,28 +9,12 @@
 #include <iterator>
 #include <numeric>
 
-#include "app/load.h"
+#include "bench/run.h"
 #include "core/parallel.h"
 
 namespace {
 
 using namespace dspm;
-
-struct Run {
-  std::unique_ptr<Scene> scene;
-  std::unique_ptr<Integrator> integrator;
-};
-
-Run start(const LoadedScene& loaded, const char* name, const std::vector<Frame>& frames) {
-  Job job = loaded.job;
-  for (const auto& plugin : integrator_plugins())
-    if (plugin.name == name) job.plugin = &plugin, job.integrator = name;
-  Diagnostics diagnostics;
-  Run run{loaded.world->scene(frames), nullptr};
-  run.integrator = job.make_integrator(*run.scene, diagnostics);
-  diagnostics.throw_if_errors();
-  return run;
-}
 
 /// Seconds of each step of one iteration.
 std::vector<double> iterate(Run& run, int iteration) {
@@ -61,11 +45,12 @@ void print_row(const std::string& step, std::vector<double> joint, std::vector<d
 
 double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
-void compare(const LoadedScene& loaded, int iterations) {
+void compare(const LoadedScene& loaded, const char* estimator, int iterations) {
   const std::vector<Frame>& frames = loaded.job.frames;
-  Run joint = start(loaded, "dsppm", frames);
+  const Job job = with_text(loaded.job, "estimator", estimator);
+  Run joint = start(loaded, job, "dsppm", frames);
   std::vector<Run> alone;
-  for (const Frame f : frames) alone.push_back(start(loaded, "sppm", {f}));
+  for (const Frame f : frames) alone.push_back(start(loaded, job, "sppm", {f}));
 
   constexpr std::size_t kSteps = 4;
   std::vector<std::vector<double>> joint_seconds(kSteps + 1), alone_seconds(kSteps + 1);
@@ -83,8 +68,8 @@ void compare(const LoadedScene& loaded, int iterations) {
   }
 
   const Statistics s = joint.integrator->statistics();
-  fmt::print("{} frames, {} photons an iteration, {} iterations, {} threads\n\n", frames.size(),
-             joint.integrator->photons(), iterations, thread_count());
+  fmt::print("{} frames, {}, {} iterations, {} threads\n\n", frames.size(), joint.integrator->settings(), iterations,
+             thread_count());
   fmt::print(
       "| step | dsppm, s | K x sppm, s | speedup | sharing factor | reached |\n| --- | --- | --- | --- | --- | --- "
       "|\n");
@@ -92,7 +77,7 @@ void compare(const LoadedScene& loaded, int iterations) {
                             s.photon_tests.factor(), 0};
   for (std::size_t step = 0; step <= kSteps; ++step)
     print_row(step < kSteps ? s.steps[step].name : "all", joint_seconds[step], alone_seconds[step], factors[step]);
-  fmt::print("\ndynamic photon paths {:.1f}%, dynamic hit point paths {:.1f}%\n", 100 * s.photon.dynamic_share(),
+  fmt::print("\ndynamic photon paths {:.1f}%, dynamic hit point paths {:.1f}%\n\n", 100 * s.photon.dynamic_share(),
              100 * s.camera.dynamic_share());
 }
 
@@ -119,7 +104,7 @@ int main(int argc, char** argv) {
     }
     Messages messages(false);
     const LoadedScene loaded(options, messages);
-    compare(loaded, iterations);
+    for (const char* estimator : {"hj09", "kz11"}) compare(loaded, estimator, iterations);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 1;

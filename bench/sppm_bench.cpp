@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "app/load.h"
+#include "bench/run.h"
 #include "core/parallel.h"
 
 namespace {
@@ -20,21 +20,14 @@ void measure(const std::string& path, const char* direct) {
   options.scenes = {path};
   Messages messages(true);
   const LoadedScene loaded(options, messages);
-  Job job = loaded.job;
-  Param param;
-  param.type = ParamType::text, param.name = "direct", param.values = std::vector<std::string>{direct};
-  job.params.params.push_back(param);
-  const auto scene = loaded.world->scene(job.frames);
-  Diagnostics diagnostics;
-  const auto integrator = job.make_integrator(*scene, diagnostics);
-  diagnostics.throw_if_errors();
+  const Run run = start(loaded, with_text(loaded.job, "direct", direct), "sppm", loaded.job.frames);
 
   Statistics before;
   for (int i = 0; i < kLast; ++i) {
-    if (i == kFirst) before = integrator->statistics();
-    integrator->iterate(i);
+    if (i == kFirst) before = run.integrator->statistics();
+    run.integrator->iterate(i);
   }
-  const Statistics after = integrator->statistics();
+  const Statistics after = run.integrator->statistics();
   double all = 0;
   std::string steps;
   for (std::size_t s = 0; s < after.steps.size(); ++s) {

@@ -19,20 +19,20 @@ struct Plugin {
   Make* make;
 };
 
-template <class Make>
-std::vector<std::string> names_of(std::span<const Plugin<Make>> plugins) {
+template <class AnyPlugin>
+std::vector<std::string> names_of(std::span<const AnyPlugin> plugins) {
   std::vector<std::string> names;
-  for (const Plugin<Make>& plugin : plugins) names.emplace_back(plugin.name);
+  for (const AnyPlugin& plugin : plugins) names.emplace_back(plugin.name);
   return names;
 }
 
 /// The plugin of that name, or null after an error at `where` which lists all that there are. `kind` is the word for
 /// them ("material"); `not_built` holds the names which pbrt knows and dspm does not have: those are unsupported.
-template <class Make>
-const Plugin<Make>* find_plugin(std::span<const Plugin<Make>> plugins, std::string_view kind, std::string_view name,
-                                const SourceLocation& where, Diagnostics& diagnostics,
-                                std::span<const std::string_view> not_built = {}) {
-  for (const Plugin<Make>& plugin : plugins)
+template <class AnyPlugin>
+const AnyPlugin* find_plugin(std::span<const AnyPlugin> plugins, std::string_view kind, std::string_view name,
+                             const SourceLocation& where, Diagnostics& diagnostics,
+                             std::span<const std::string_view> not_built = {}) {
+  for (const AnyPlugin& plugin : plugins)
     if (plugin.name == name) return &plugin;
 
   const std::vector<std::string> names = names_of(plugins);

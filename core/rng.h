@@ -10,7 +10,7 @@
 namespace dspm {
 
 /// What the numbers are for; streams are independent of one another.
-enum class Stream : std::uint64_t { camera, photon, light, final_gather, setup };
+enum class Stream : std::uint64_t { camera, photon, caustic_photon, final_gather, setup };
 
 /// A bijection of 64 bits whose every output bit depends on every input bit. [Steele et al. 2014, SplitMix64;
 /// Stafford's variant 13 of the murmur3 finaliser]

@@ -14,22 +14,6 @@ Vec3 at_height(float z, float r2, float u) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-std::vector<Distribution1D> row_distributions(int width, int height, std::span<const float> weights) {
-  std::vector<Distribution1D> rows;
-  const std::size_t n = static_cast<std::size_t>(width);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) rows.emplace_back(weights.subspan(y * n, n));
-  return rows;
-}
-
-Distribution1D across(const std::vector<Distribution1D>& rows) {
-  std::vector<float> totals;
-  for (const Distribution1D& row : rows) totals.push_back(row.total());
-  return Distribution1D(totals);
-}
-
-/// The bin of the coordinate x of [0, 1].
-int bin_of(float x, int count) { return std::clamp(static_cast<int>(x * static_cast<float>(count)), 0, count - 1); }
-
 }  // namespace
 
 Vec2 concentric_disk(Vec2 u) {
@@ -82,25 +66,6 @@ Distribution1D::Choice Distribution1D::choose(float u) const {
 float Distribution1D::probability(int index) const {
   const std::size_t i = static_cast<std::size_t>(index);
   return cdf_[i + 1] - cdf_[i];
-}
-
-Distribution2D::Distribution2D(int width, int height, std::span<const float> weights)
-    : rows_(row_distributions(width, height, weights)), columns_(across(rows_)) {}
-
-Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
-  const Distribution1D::Choice y = columns_.choose(u.y);
-  const Distribution1D& row = rows_[static_cast<std::size_t>(y.index)];
-  const Distribution1D::Choice x = row.choose(u.x);
-  const float width = static_cast<float>(row.size()), height = static_cast<float>(columns_.size());
-  const Vec2 p{(static_cast<float>(x.index) + x.rest) / width, (static_cast<float>(y.index) + y.rest) / height};
-  return {p, x.probability * y.probability * width * height};
-}
-
-float Distribution2D::pdf(Vec2 p) const {
-  const int y = bin_of(p.y, columns_.size());
-  const Distribution1D& row = rows_[static_cast<std::size_t>(y)];
-  const float cells = static_cast<float>(row.size()) * static_cast<float>(columns_.size());
-  return columns_.probability(y) * row.probability(bin_of(p.x, row.size())) * cells;
 }
 
 }  // namespace dspm

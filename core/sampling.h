@@ -52,22 +52,4 @@ class Distribution1D {
   float total_;
 };
 
-/// A density over [0, 1)^2 that is constant on each cell of a grid; row y of the weights lies at v = y / height.
-class Distribution2D {
- public:
-  struct Sample {
-    Vec2 p;
-    float pdf;  // per unit area of the square
-  };
-
-  Distribution2D(int width, int height, std::span<const float> weights);
-
-  Sample sample(Vec2 u) const;
-  float pdf(Vec2 p) const;
-
- private:
-  std::vector<Distribution1D> rows_;
-  Distribution1D columns_;  // chooses the row
-};
-
 }  // namespace dspm

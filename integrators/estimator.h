@@ -2,6 +2,7 @@
 // and frame shrinks its own radius) and kz11 (the radius depends on the iteration alone).
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -25,6 +26,12 @@ class PixelEstimator {
   virtual const PixelStatistics* statistics(int /*pixel*/, Frame) const { return nullptr; }
   virtual std::size_t bytes() const = 0;
 };
+
+/// How kz11's radius shrinks behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+inline double kz11_shrink(std::int64_t i, float alpha) {
+  const auto n = static_cast<double>(i);
+  return std::sqrt((n + static_cast<double>(alpha)) / (n + 1));
+}
 
 struct EstimatorSettings {
   int pixels = 0, frames = 1;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <span>
 
 #include "core/params.h"
@@ -31,8 +32,8 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Iterations that were asked for; 0: until stopped.
   virtual int iterations() const = 0;
-  /// Photon paths an iteration, in each frame; 0: it traces none.
-  virtual int photons() const { return 0; }
+  /// The settings that matter to its user, in words, for the log: "300000 photons, ...".
+  virtual std::string settings() const = 0;
   /// All frames take one step; iterations count from 0 and come in order.
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.
@@ -45,8 +46,9 @@ class Integrator {
 
 /// `scene` outlives the integrator.
 using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, const RenderSettings&);
-std::span<const Plugin<MakeIntegrator>> integrator_plugins();
-/// How many frames the integrator wants in one scene: 1 for those that know nothing of sharing.
-int frames_together(std::string_view integrator);
+struct IntegratorPlugin : Plugin<MakeIntegrator> {
+  int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that knows nothing of sharing
+};
+std::span<const IntegratorPlugin> integrator_plugins();
 
 }  // namespace dspm

@@ -7,6 +7,8 @@
 //   maxdepth    bounces                           5
 #include "integrators/path.h"
 
+#include <fmt/format.h>
+
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/seen_light.h"
@@ -19,8 +21,8 @@ constexpr int kTileSide = 16;
 
 struct TracedPath : PathState {
   Vec3 from;  // where the segment starts: the last surface's point
-  float pdf_w =
-      0;  // of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes
+  // Of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes.
+  float pdf_w = 0;
 };
 
 /// The balance heuristic's share of a technique with density `own` against one with `other`.
@@ -137,6 +139,9 @@ class Path final : public Integrator {
   }
 
   int iterations() const override { return iterations_; }
+  std::string settings() const override {
+    return fmt::format("one path a pixel and iteration, maxdepth {}", max_depth_);
+  }
 
   void iterate(int iteration) override {
     const StepTimer timer(statistics_.steps[0]);

@@ -7,6 +7,8 @@
 // make_photonmap below.
 #include "integrators/photonmap.h"
 
+#include <fmt/format.h>
+
 #include "core/parallel.h"
 #include "integrators/path_step.h"
 #include "integrators/radiance_estimate.h"
@@ -45,7 +47,10 @@ class PhotonMapper final : public Integrator {
   }
 
   int iterations() const override { return settings_.iterations; }
-  int photons() const override { return settings_.photons; }
+  std::string settings() const override {
+    return fmt::format("{} photons in the global map, {} in the caustic map, {} final gather rays", settings_.photons,
+                       settings_.caustic_photons, settings_.final_gather);
+  }
 
   void iterate(int iteration) override {
     if (statistics_.iterations == 0) make_maps();
@@ -80,7 +85,8 @@ class PhotonMapper final : public Integrator {
     // A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
     PhotonSettings global{render_.seed, Stream::photon, settings_.max_depth, settings_.least_alpha,
                           settings_.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
-    PhotonSettings caustic{render_.seed, Stream::light, settings_.max_depth, settings_.least_alpha, kCausticPhotons};
+    PhotonSettings caustic{render_.seed, Stream::caustic_photon, settings_.max_depth, settings_.least_alpha,
+                           kCausticPhotons};
     make_map(global_, global, settings_.photons, global_how_.radius);
     make_map(caustic_, caustic, settings_.caustic_photons, caustic_how_.radius);
   }

@@ -1,9 +1,10 @@
 #include "integrators/progressive_settings.h"
 
+#include <fmt/format.h>
+
 namespace dspm {
 
-ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render,
-                                              bool choose_estimator) {
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render) {
   ProgressiveSettings s;
   params.alias("photonsperiteration", "photons");
   s.iterations =
@@ -16,10 +17,9 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.alpha =
       params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
   const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
-  s.kz11 = choose_estimator &&
-           params.choice("estimator", "hj09", {"hj09", "kz11"},
+  s.kz11 = params.choice("estimator", "kz11", {"hj09", "kz11"},
                          "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") ==
-               "kz11";
+           "kz11";
   const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
@@ -45,6 +45,13 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.hit_point.sample_direct = sampled;
   return s;
+}
+
+std::string in_words(const ProgressiveSettings& s) {
+  const float radius = s.hit_point.radius;
+  return fmt::format("{} photons an iteration, initial radius {}, estimator {}, gathering from GGX alpha {} on",
+                     s.photons, radius > 0 ? fmt::format("{}", radius) : "by the pixels' footprint",
+                     s.kz11 ? "kz11" : "hj09", s.photon.least_alpha);
 }
 
 }  // namespace dspm

@@ -10,12 +10,15 @@ struct ProgressiveSettings {
   int iterations = 256;  // 0: until stopped
   int photons = 300000;  // paths an iteration, in each frame
   float alpha = 0.7f;
-  bool kz11 = false;
+  bool kz11 = true;  // the estimator; else hj09
   PhotonSettings photon;
   HitPointSettings hit_point;
 };
 
-/// Reads them and calls finish(). An integrator that knows but one estimator does not let the scene choose it.
-ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render, bool choose_estimator);
+/// For the log.
+std::string in_words(const ProgressiveSettings& settings);
+
+/// Reads them and calls finish().
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
 
 }  // namespace dspm

@@ -1,13 +1,14 @@
 // Integrator "sppm" "integer iterations" 64 "integer photons" 300000
 //
-// Stochastic progressive photon mapping [HJ09] of a single frame: the honest baseline. It knows nothing of sharing: the
-// driver gives it a scene of one frame at a time, and every pixel has one radius and one hit point. Parameters: see
-// progressive_settings.cpp.
+// Stochastic progressive photon mapping of a single frame, as [HJ09] or with [KZ11]'s radii: the honest baseline. It
+// knows nothing of sharing: the driver gives it a scene of one frame at a time, and every pixel has one radius and one
+// hit point. Parameters: see progressive_settings.cpp.
 #include "integrators/sppm.h"
 
 #include <cassert>
 
 #include "core/parallel.h"
+#include "integrators/estimator.h"
 #include "integrators/pixel_statistics.h"
 #include "integrators/progressive_settings.h"
 #include "integrators/seen_light.h"
@@ -23,7 +24,8 @@ class Sppm final : public Integrator {
       : settings_(settings),
         scene_(scene),
         render_(render),
-        pixels_(static_cast<std::size_t>(render.crop.count())),
+        pixels_(settings.kz11 ? 0 : static_cast<std::size_t>(render.crop.count())),
+        radiance_sums_(settings.kz11 ? static_cast<std::size_t>(render.crop.count()) : 0),
         seen_(render.crop.count(), 1) {
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(1);
@@ -32,7 +34,7 @@ class Sppm final : public Integrator {
   }
 
   int iterations() const override { return settings_.iterations; }
-  int photons() const override { return settings_.photons; }
+  std::string settings() const override { return in_words(settings_); }
 
   void iterate(int iteration) override {
     const auto number = static_cast<std::uint64_t>(iteration);
@@ -54,26 +56,35 @@ class Sppm final : public Integrator {
       update_statistics();
     }
     emitted_ += settings_.photons;
-    ++statistics_.iterations;
+    scale_ *= kz11_shrink(++statistics_.iterations, settings_.alpha);
     count();
   }
 
   Image estimate(Frame) const override {
     Image image(render_.crop.width(), render_.crop.height());
-    for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel)
-      image.pixels[pixel] = seen_.mean(static_cast<int>(pixel), 0, statistics_.iterations) +
-                            pixels_[pixel].radiance(static_cast<double>(emitted_));
+    for (std::size_t pixel = 0; pixel < image.pixels.size(); ++pixel)
+      image.pixels[pixel] = seen_.mean(static_cast<int>(pixel), 0, statistics_.iterations) + radiance(pixel);
     return image;
   }
 
   const PixelStatistics* pixel_statistics(int pixel, Frame) const override {
-    return &pixels_[static_cast<std::size_t>(pixel)];
+    return settings_.kz11 ? nullptr : &pixels_[static_cast<std::size_t>(pixel)];
   }
 
   Statistics statistics() const override { return statistics_; }
 
  private:
+  Rgb radiance(std::size_t pixel) const {
+    const auto emitted = static_cast<double>(emitted_);
+    if (!settings_.kz11) return pixels_[pixel].radiance(emitted);
+    return emitted > 0 ? radiance_sums_[pixel] * static_cast<float>(1 / emitted) : Rgb();
+  }
+
   float radius2(const HitPoint& hit) const {
+    if (settings_.kz11) {
+      const float radius = hit.radius * static_cast<float>(scale_);
+      return radius * radius;
+    }
     const float R2 = pixels_[static_cast<std::size_t>(hit.pixel)].R2;
     return R2 > 0 ? R2 : hit.radius * hit.radius;
   }
@@ -84,15 +95,22 @@ class Sppm final : public Integrator {
       const auto tile = static_cast<std::size_t>(t);
       for (const SeenLight& light : tiles_[tile].seen) seen_.add(light);
       for (const HitPoint& hit : tiles_[tile].hit_points) {
-        PixelStatistics& pixel = pixels_[static_cast<std::size_t>(hit.pixel)];
-        pixel.R2 = radius2(hit);
+        const float R2 = radius2(hit);
         PassSums sums;
-        gather(hit, map_, pixel.R2, counts_[tile],
-               [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
+        gather(hit, map_, R2, counts_[tile], [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
         sums.phi *= hit.throughput;
-        pixel.absorb(sums, settings_.alpha);
+        absorb(static_cast<std::size_t>(hit.pixel), sums, R2);
       }
     });
+  }
+
+  void absorb(std::size_t pixel, const PassSums& sums, float R2) {
+    if (settings_.kz11) {
+      radiance_sums_[pixel] += sums.phi / (kPi * R2);
+    } else {
+      pixels_[pixel].R2 = R2;
+      pixels_[pixel].absorb(sums, settings_.alpha);
+    }
   }
 
   void count() {
@@ -103,14 +121,16 @@ class Sppm final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixels_.capacity() * sizeof(PixelStatistics) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) +
+    return pixels_.capacity() * sizeof(PixelStatistics) + radiance_sums_.capacity() * sizeof(Rgb) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) +
            bytes_of(traces_);
   }
 
   ProgressiveSettings settings_;
   const Scene& scene_;
   RenderSettings render_;
-  std::vector<PixelStatistics> pixels_;
+  std::vector<PixelStatistics> pixels_;  // of hj09
+  std::vector<Rgb> radiance_sums_;       // of kz11
+  double scale_ = 1;                     // kz11's radii over the initial ones
   SeenLightSums seen_;
   std::int64_t emitted_ = 0;
   std::vector<HitPointTile> tiles_;
@@ -123,7 +143,7 @@ class Sppm final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render, false);
+  const ProgressiveSettings settings = read_progressive_settings(params, render);
   return std::make_unique<Sppm>(settings, scene, render);
 }
 

@@ -25,7 +25,7 @@ struct BsdfSample {
   Rgb weight;     // f |cos(wi, ns)| / pdf_w; for a specular lobe: its share of the light over the chance of its choice
   float pdf_w;    // by solid angle, over the lobes asked for; 0 where specular
   bool specular;  // the direction was the only possible one: pdf_w and evaluate know nothing of it
-  // What refraction did to radiance, (eta_i/eta_t)^2, and will undo on the way out: for roulette to leave out of account.
+  // What refraction did to radiance, (eta_i/eta_t)^2, and will undo on the way out: roulette leaves it out of account.
   float eta_scale = 1;
 };
 
@@ -35,8 +35,8 @@ class Bsdf {
   /// The lobes whose roughness is at least `least_alpha`: GGX alpha, 0 for specular, diffuse always belongs to them.
   virtual LobeSet lobes(float least_alpha) const = 0;
   LobeSet all_lobes() const { return lobes(0); }
-  /// f(wo, wi) in 1/sr, without the cosine, summed over `lobes`; specular lobes add nothing. Reflection and transmission
-  /// are told apart by the geometric normal; where it and ns disagree about the side of wi there is no light.
+  /// f(wo, wi) in 1/sr, without the cosine, summed over `lobes`; specular lobes add nothing. Reflection and
+  /// transmission are told apart by the geometric normal; where it and ns disagree about the side of wi there is no light.
   virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
@@ -55,8 +55,8 @@ class Bsdf {
   ~Bsdf() = default;
 };
 
-/// Room for any Bsdf in place, so that a hit needs no allocation. Copying copies bytes, which is sound on the compilers we
-/// build with because a Bsdf owns nothing and has no virtual base.
+/// Room for any Bsdf in place, so that a hit needs no allocation. Copying copies bytes, which is sound on the compilers
+/// we build with because a Bsdf owns nothing and has no virtual base.
 class BsdfSlot {
  public:
   static constexpr std::size_t kSize = 96;

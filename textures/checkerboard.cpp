@@ -1,8 +1,7 @@
 // Two textures in alternating squares of unit side in the plane of the mapping, or in cubes of unit side in the
 // texture's own space.
 //
-//   Texture "floor" "spectrum" "checkerboard" "float uscale" 8 "float vscale" 8 "rgb tex1" [.8 .8 .8] "rgb tex2" [0 0
-//   0]
+//   Texture "floor" "spectrum" "checkerboard" "float uscale" 8 "float vscale" 8 "rgb tex1" [.8 .8 .8]
 //
 //   | dimension | 2 | 2: squares, 3: cubes                                     |
 //   | tex1      | 1 | in the square or cube whose lower corner is the origin   |

@@ -2,14 +2,15 @@
 //
 //   Texture "label" "spectrum" "imagemap" "string filename" "label.png" "string wrap" "clamp"
 //
-//   | filename      |            | PNG, JPEG, OpenEXR or Radiance HDR; "water.%03d.png" is numbered as the frames | |
-//   wrap          | "repeat"   | what lies outside of 0..1: repeat, clamp or black | | filter        | "bilinear" | or
-//   point; trilinear and ewa are taken as bilinear                                     | | scale         | 1          |
-//   multiplies the picture                                                                | | invert        | false | 1
-//   - the scaled picture, not below 0                                                   | | encoding      | "" | sRGB,
-//   linear or "gamma 2.2"; by default sRGB for PNG and JPEG, else linear             | and the mapping's parameters,
-//   see mapping.h. (0, 0) is the picture's lower left corner. A texture of numbers takes the mean of red, green and
-//   blue.
+//   | filename | required   | PNG, JPEG, OpenEXR or Radiance HDR; "water.%03d.png" is numbered as the frames |
+//   | wrap     | "repeat"   | what lies outside of 0..1: repeat, clamp or black |
+//   | filter   | "bilinear" | or point; trilinear and ewa are taken as bilinear |
+//   | scale    | 1          | multiplies the picture |
+//   | invert   | false      | 1 - the scaled picture, not below 0 |
+//   | encoding | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for PNG and JPEG, else linear |
+//   and the mapping's parameters, see mapping.h.
+//
+// (0, 0) is the picture's lower left corner. A texture of numbers takes the mean of red, green and blue.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -25,19 +25,8 @@ struct Timeline {
         line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
     return line;
   }
-  static Timeline constant(int frames, State state) {
-    Timeline line;
-    line.states.push_back(std::move(state));
-    line.state_of.assign(static_cast<std::size_t>(frames), 0);
-    return line;
-  }
 
   int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
-  bool changes() const {
-    for (const int s : state_of)
-      if (s != state_of.front()) return true;
-    return false;
-  }
 
  private:
   template <class Same>

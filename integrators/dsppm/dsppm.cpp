@@ -26,7 +26,7 @@ class Dsppm final : public Integrator {
   }
 
   int iterations() const override { return settings_.iterations; }
-  int photons() const override { return settings_.photons; }
+  std::string settings() const override { return in_words(settings_); }
 
   void iterate(int iteration) override {
     trace_camera_paths(static_cast<std::uint64_t>(iteration));
@@ -102,7 +102,7 @@ class Dsppm final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> make_dsppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const ProgressiveSettings settings = read_progressive_settings(params, render, true);
+  const ProgressiveSettings settings = read_progressive_settings(params, render);
   return std::make_unique<Dsppm>(settings, scene, render);
 }
 

@@ -46,16 +46,14 @@ class Kz11 final : public PixelEstimator {
     with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)] * per_area; });
   }
 
-  // s'^2 = s^2 (i + alpha) / (i + 1), the i-th iteration counted from 1. [KZ11]
   void end_iteration(std::int64_t photons) override {
     photons_ = photons;
-    ++iterations_;
-    scale_ *= std::sqrt((iterations_ + static_cast<double>(alpha_)) / (iterations_ + 1));
+    scale_ *= kz11_shrink(++iterations_, alpha_);
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
     if (iterations_ == 0) return {};
-    const double emitted = iterations_ * static_cast<double>(photons_);
+    const auto emitted = static_cast<double>(iterations_ * photons_);
     return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
   }
 
@@ -68,7 +66,7 @@ class Kz11 final : public PixelEstimator {
 
   int frames_;
   float alpha_;
-  double iterations_ = 0;
+  std::int64_t iterations_ = 0;
   std::int64_t photons_ = 0;  // emitted an iteration: the same in all
   double scale_ = 1;          // s_i
   std::vector<Rgb> shared_;   // by pixel: radiance times photons, what counts in all frames

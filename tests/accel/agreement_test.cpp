@@ -54,7 +54,9 @@ void expect_partition(const HitPartition& parts, FrameSet frames) {
 
 void expect_agreement(const Accel& tree, const Accel& loop, const Ray& ray, FrameSet frames) {
   const HitPartition expected = loop.partition(ray, frames), found = tree.partition(ray, frames);
-  EXPECT_TRUE(same(expected, found)) << to_text(ray) << "\nexpected\n" << to_text(expected) << "found\n" << to_text(found);
+  EXPECT_TRUE(same(expected, found)) << to_text(ray) << "\nexpected\n"
+                                     << to_text(expected) << "found\n"
+                                     << to_text(found);
   expect_partition(found, frames);
   const FrameSet blocked = loop.occluded(ray, frames), found_blocked = tree.occluded(ray, frames);
   EXPECT_EQ(blocked.bits(), found_blocked.bits()) << to_text(ray);

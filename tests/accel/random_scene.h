@@ -73,7 +73,8 @@ class RandomScene {
   }
 
   float coordinate(float r) {
-    return on_grid_ ? 0.25f * static_cast<float>(random_.below(static_cast<int>(8 * r) + 1)) - r : random_.uniform(-r, r);
+    return on_grid_ ? 0.25f * static_cast<float>(random_.below(static_cast<int>(8 * r) + 1)) - r
+                    : random_.uniform(-r, r);
   }
   Vec3 point(float r) {
     const Vec3 p{coordinate(r), coordinate(r), coordinate(r)};
@@ -91,7 +92,8 @@ class RandomScene {
       data.vertices.push_back(point(extent));
       if (flat) data.vertices.back()[axis] = center_[axis];
     }
-    for (int f = 0; f < count; ++f) data.faces.push_back(strip ? Face{f, f + 1, f + 2} : Face{3 * f, 3 * f + 1, 3 * f + 2});
+    for (int f = 0; f < count; ++f)
+      data.faces.push_back(strip ? Face{f, f + 1, f + 2} : Face{3 * f, 3 * f + 1, 3 * f + 2});
     for (Face& face : data.faces)
       if (random_.below(16) == 0) face[2] = random_.below(2) == 0 ? face[0] : face[1];
     return TriangleMesh(std::move(data));
@@ -105,7 +107,8 @@ class RandomScene {
   /// A sphere or a disk.
   const Shape& round() {
     Diagnostics diagnostics;
-    const ParamList list{{{ParamType::number, "radius", 0, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
+    const ParamList list{
+        {{ParamType::number, "radius", 0, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
     ParamReader reader(list, "shape", {}, diagnostics);
     auto parts = random_.below(2) == 0 ? make_sphere(reader) : make_disk(reader);
     shapes_.push_back(std::move(parts.front().shape));

@@ -19,7 +19,7 @@ TEST(CommandLine, RendersEveryFrameToItsFile) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err.find("3 frames of 12 x 8 pixels, dsppm, 2 iterations"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("photons 200"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("200 photons"), std::string::npos) << outcome.err;
   for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"}) {
     const Image image = read_image(directory / name);
     EXPECT_EQ(image.width, 12);
@@ -52,7 +52,8 @@ TEST(CommandLine, FramesKeepTheirNumbersAndTheirPixels) {
   for (const char* pair : {"2", "3"}) {
     const Image all = read_image(directory / (std::string("tiny.000") + pair + ".exr"));
     const Image some = read_image(directory / (std::string("some-00") + pair + ".exr"));
-    EXPECT_EQ(all, some);
+    ASSERT_EQ(all.pixels.size(), some.pixels.size());
+    for (std::size_t p = 0; p < all.pixels.size(); ++p) expect_close(all.pixels[p], some.pixels[p]);
   }
 }
 

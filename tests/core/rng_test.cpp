@@ -181,8 +181,8 @@ TEST(Rng, StaysBelowOne) {
 }
 
 TEST(Rng, IsAFunction) {
-  constexpr PathRandom random(7, Stream::light, 5, 2);
-  static_assert(random.number(1, 3) == PathRandom(7, Stream::light, 5, 2).number(1, 3));
+  constexpr PathRandom random(7, Stream::caustic_photon, 5, 2);
+  static_assert(random.number(1, 3) == PathRandom(7, Stream::caustic_photon, 5, 2).number(1, 3));
   static_assert(random.pair(1, 3).x == random.number(1, 3));
   EXPECT_NE(random.number(1, 3), random.number(3, 1));
 }

@@ -164,25 +164,5 @@ TEST(Distribution1D, WithoutAnyWeightAllAreAlike) {
   EXPECT_EQ(distribution.choose(.6f).index, 2);
 }
 
-TEST(Distribution2D, DensityIsNormalisedAndIsWhatSamplesFollow) {
-  const std::vector<float> weights{1, 0, 2, 0, 0, 0, 3, 4, 6};
-  const Distribution2D distribution(3, 3, weights);
-  double integral = 0;
-  for (int y = 0; y < 3; ++y)
-    for (int x = 0; x < 3; ++x) {
-      const float pdf = distribution.pdf({(static_cast<float>(x) + .5f) / 3, (static_cast<float>(y) + .5f) / 3});
-      EXPECT_NEAR(pdf, weights[static_cast<std::size_t>(3 * y + x)] / 16 * 9, 1e-5f);
-      integral += static_cast<double>(pdf) / 9;
-    }
-  EXPECT_NEAR(integral, 1, 1e-6);
-  // The mean of f / pdf over the samples is the integral of f over where the density is not zero.
-  EXPECT_NEAR(mean([&](Vec2 u) { return 1 / distribution.sample(u).pdf; }), 5. / 9, 2e-3);
-  EXPECT_NEAR(mean([&](Vec2 u) { return distribution.sample(u).p.x; }), (4. * 1 / 6 + 4 * .5 + 8. * 5 / 6) / 16, 2e-3);
-  for (const Vec2 u : {Vec2{.1f, .1f}, Vec2{.7f, .3f}, Vec2{.2f, .9f}}) {
-    const Distribution2D::Sample s = distribution.sample(u);
-    EXPECT_NEAR(distribution.pdf(s.p), s.pdf, 1e-5f);
-  }
-}
-
 }  // namespace
 }  // namespace dspm

@@ -95,9 +95,11 @@ TEST_P(AgainstPath, AllIntegratorsAgree) {
   const TileMeans path = render(GetParam(), R"("path" "integer maxdepth" 16)", 150);
   // Radius 0.05 of a box of 2: the blur leaks over edges, more where photons of a neighbouring wall lie within it.
   const std::string common = R"("integer maxdepth" 16 "integer photons" 30000 "float radius" 0.05 )";
-  expect_agreement(render(GetParam(), "\"sppm\" " + common, 6), path, 0.04);
+  expect_agreement(render(GetParam(), "\"sppm\" \"string estimator\" \"hj09\" " + common, 6), path, 0.04);
   expect_agreement(render(GetParam(), "\"dsppm\" \"string estimator\" \"kz11\" " + common, 6), path, 0.04);
-  expect_agreement(render(GetParam(), "\"dsppm\" \"string direct\" \"sampled\" " + common, 12), path, 0.04);
+  expect_agreement(
+      render(GetParam(), "\"dsppm\" \"string estimator\" \"hj09\" \"string direct\" \"sampled\" " + common, 12), path,
+      0.04);
   expect_agreement(
       render(GetParam(), R"("photonmap" "integer maxdepth" 16 "integer photons" 100000 "float radius" 0.08)", 12), path,
       0.06);

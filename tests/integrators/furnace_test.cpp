@@ -34,8 +34,9 @@ INSTANTIATE_TEST_SUITE_P(
     Integrators, Furnace,
     ::testing::Values(
         Case{R"("path" "integer maxdepth" 40)", 60, 0.01},
+        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 40000 "string estimator" "hj09")", 6, 0.01},
         Case{R"("sppm" "integer maxdepth" 40 "integer photons" 40000)", 6, 0.01},
-        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 40000)", 6, 0.01},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 40000 "string estimator" "hj09")", 6, 0.01},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 40000 "string estimator" "kz11")", 6, 0.01},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 40000 "string direct" "sampled")", 20, 0.02},
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 200000 "float radius" 0.2)", 20, 0.02}));

@@ -14,8 +14,9 @@ using testing::RandomScene;
 using testing::TestScene;
 
 constexpr const char* kVariants[] = {
-    R"("dsppm" "integer photons" 4000)",
+    R"("dsppm" "integer photons" 4000 "string estimator" "hj09")",
     R"("dsppm" "integer photons" 4000 "string estimator" "kz11" "string direct" "sampled")",
+    R"("sppm" "integer photons" 4000 "string estimator" "hj09")",
     R"("sppm" "integer photons" 4000)",
     R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20)",
     R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20 "integer finalgather" 4)",
@@ -25,7 +26,7 @@ constexpr const char* kVariants[] = {
 std::vector<Image> render(TestScene& test, int iterations, std::vector<std::size_t>* bytes = nullptr) {
   std::vector<Image> images;
   std::vector<std::vector<Frame>> groups{test.all_frames()};
-  if (frames_together(test.job().integrator) == 1) {
+  if (test.job().plugin->frames_together == 1) {
     groups.clear();
     for (const Frame f : test.all_frames()) groups.push_back({f});
   }

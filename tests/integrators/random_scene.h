@@ -1,4 +1,4 @@
-// Random small scenes with every plugin, still and moving, for differential tests of integrators.
+// Random small scenes of every plugin, still and moving, for differential tests of integrators.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "tests/integrators/scene_files.h"
+
 namespace dspm::testing {
 
 class RandomScene {
@@ -14,13 +16,10 @@ class RandomScene {
   RandomScene(unsigned seed, int frames) : random_(seed), frames_(frames) {}
 
   std::string text(const std::string& integrator) {
-    std::string s = fmt::format("Frames {}\n{}\n", frames_, integrator);
-    s += "LookAt 0 0.2 -4.2  0 0 0  0 1 0\n" + camera() +
-         "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20\n";
-    s += "WorldBegin\nTexture \"checks\" \"spectrum\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 3 "
-         "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n";
-    s += room() + light();
-    for (int i = 0; i < 2; ++i) s += "AttributeBegin\n" + place() + material(false) + shape("") + "AttributeEnd\n";
+    std::string s = fmt::format("Frames {}\n{}\n", frames_, integrator) + camera() +
+                    "Film \"rgb\" \"integer xresolution\" 24 \"integer yresolution\" 20\n" + filter() + "WorldBegin\n" +
+                    textures() + room() + light() + table();
+    for (int i = 0; i < 2; ++i) s += "AttributeBegin\n" + place() + material() + still_shape() + "AttributeEnd\n";
     for (int i = 0; i < 3; ++i) s += dynamic(i);
     return s;
   }
@@ -28,20 +27,60 @@ class RandomScene {
  private:
   float real(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  int last() const { return std::max(2, frames_); }
+  /// A parameter with that value in the first frame, and the other in the last.
+  std::string keyed(const std::string& name, const std::string& first, const std::string& other) const {
+    return fmt::format(" \"{0}@1\" {1} \"{0}@{3}\" {2} ", name, first, other, last());
+  }
 
   std::string camera() {
     const std::string lens = whole(0, 1) ? " \"float lensradius\" 0.05 \"float focaldistance\" 4" : "";
-    if (whole(0, 4) == 0)
-      return fmt::format("Camera \"perspective\" \"float fov@1\" 38 \"float fov@{}\" 44{}\n", std::max(2, frames_),
-                         lens);
-    return fmt::format("Camera \"perspective\" \"float fov\" 40{}\n", lens);
+    const std::string look = "LookAt 0 0.2 -4.2  0 0 0  0 1 0\n";
+    switch (whole(0, 8)) {
+      case 0: return look + "Camera \"perspective\"" + keyed("float fov", "38", "44") + lens + "\n";
+      case 1: return look + "Camera \"orthographic\" \"float screenwindow\" [-1.6 1.6 -1.3 1.3]" + lens + "\n";
+      case 2:
+        return fmt::format("Keyframe 1 LookAt 0 0.2 -4.2 0 0 0 0 1 0 Keyframe {} LookAt 0.5 0.4 -4 0 0 0 0 1 0 ",
+                           last()) +
+               "KeyframeEnd Camera \"perspective\" \"float fov\" 40" + lens + "\n";
+      default: return look + "Camera \"perspective\" \"float fov\" 40" + lens + "\n";
+    }
+  }
+
+  std::string filter() {
+    switch (whole(0, 3)) {
+      case 0: return "PixelFilter \"box\"\n";
+      case 1: return "PixelFilter \"triangle\" \"float xradius\" 1.5\n";
+      case 2: return "PixelFilter \"gaussian\"\n";
+      default: return "";
+    }
+  }
+
+  std::string textures() {
+    return "Texture \"paint\" \"spectrum\" \"constant\"" + keyed("rgb value", "[.8 .2 .1]", "[.1 .3 .8]") + "\n" +
+           "Texture \"picture\" \"spectrum\" \"imagemap\" \"string filename\" " + files()["picture.png"] + "\n" +
+           "Texture \"pages\" \"spectrum\" \"imagemap\" \"string filename\" " + files()["page.%02d.png"] + "\n" +
+           "Texture \"faded\" \"spectrum\" \"scale\" \"texture tex\" \"picture\" \"float scale\" .7\n"
+           "Texture \"spots\" \"float\" \"checkerboard\" \"float uscale\" 4 \"float vscale\" 4\n"
+           "Texture \"worn\" \"spectrum\" \"mix\" \"texture tex1\" \"paint\" \"texture tex2\" \"faded\" "
+           "\"texture amount\" \"spots\"\n"
+           "Texture \"grain\" \"float\" \"checkerboard\" \"float tex1\" .02 \"float tex2\" .3\n"
+           "Texture \"checks\" \"spectrum\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 3 "
+           "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n";
+  }
+
+  std::string any_texture() {
+    const char* names[] = {"paint", "picture", "pages", "faded", "worn", "checks"};
+    return names[whole(0, 5)];
   }
 
   std::string room() {
     return "Material \"diffuse\" \"rgb reflectance\" [.7 .7 .7]\n"
            "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [-1.5 -1.2 -1.5 -1.5 -1.2 1.5 1.5 "
            "-1.2 1.5 1.5 -1.2 -1.5]\n"
-           "Material \"diffuse\" \"texture reflectance\" \"checks\"\n"
+           "Material \"diffuse\" \"texture reflectance\" \"" +
+           (whole(0, 1) ? "checks" : any_texture()) +
+           "\"\n"
            "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 1 0 1 1 0 1] "
            "\"point3 P\" [-1.5 -1.2 1.5 -1.5 1.5 1.5 1.5 1.5 1.5 1.5 -1.2 1.5]\n"
            "Material \"conductor\" \"float roughness\" 0.4\n"
@@ -50,54 +89,70 @@ class RandomScene {
   }
 
   std::string light() {
-    const std::string keyed = fmt::format("\"float scale@1\" 1 \"float scale@{}\" 3", std::max(2, frames_));
-    switch (whole(0, 5)) {
+    switch (whole(0, 7)) {
       case 0: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [0.4 1.2 -1]\n";
       case 1:
         return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " +
-               keyed + "\n";
+               keyed("float scale", "1", "3") + "\n";
       case 2: return "LightSource \"distant\" \"rgb L\" [2 2 2] \"point3 from\" [1 2 -1] \"point3 to\" [0 0 0]\n";
       case 3: return "LightSource \"infinite\" \"rgb L\" [.5 .6 .8]\n";
-      case 4:
+      case 4: return "LightSource \"infinite\" \"string filename\" " + files()["square.exr"] + "\n";
+      case 5: return "LightSource \"infinite\" \"string filename\" " + files()["sky.exr"] + "\n";
+      case 6:
         return fmt::format(
             "DynamicBegin \"lamp\" Keyframe 1 Translate -0.5 1.3 0 Keyframe {} Translate 0.6 1.3 0 KeyframeEnd "
             "AreaLightSource \"diffuse\" \"rgb L\" [20 18 15] Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 0.3 "
             "DynamicEnd\n",
-            std::max(2, frames_));
+            last());
       default:
         return "AttributeBegin Translate 0 1.45 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [15 14 12]\n"
-               "Shape \"disk\" \"float radius\" 0.5 AttributeEnd\n";
+               "\"bool twosided\" true Shape \"disk\" \"float radius\" 0.5 AttributeEnd\n";
     }
+  }
+
+  /// An object that is placed twice.
+  std::string table() {
+    if (whole(0, 2) > 0) return "";
+    return "ObjectBegin \"table\" Material \"coateddiffuse\" Shape \"disk\" \"float radius\" 0.2 "
+           "Shape \"cylinder\" \"float radius\" 0.05 \"float zmin\" -0.3 \"float zmax\" 0 ObjectEnd\n"
+           "AttributeBegin Translate -0.9 -0.9 0 Rotate -90 1 0 0 ObjectInstance \"table\" AttributeEnd\n"
+           "AttributeBegin Translate 0.8 -0.9 0.3 Rotate -90 1 0 0 ObjectInstance \"table\" AttributeEnd\n";
   }
 
   std::string place() { return fmt::format("Translate {} {} {}\n", real(-1, 1), real(-0.9f, 0.6f), real(-0.8f, 0.9f)); }
 
-  std::string material(bool keyed) {
-    switch (whole(0, keyed ? 7 : 6)) {
+  std::string material() {
+    const auto rough = [&](float low, float high) {
+      return whole(0, 3) == 0 ? std::string(" \"texture roughness\" \"grain\"")
+                              : fmt::format(" \"float roughness\" {}", real(low, high));
+    };
+    switch (whole(0, 10)) {
       case 0: return "Material \"diffuse\" \"rgb reflectance\" [.6 .2 .3]\n";
       case 1: return "Material \"conductor\"\n";
-      case 2: return fmt::format("Material \"conductor\" \"float roughness\" {}\n", real(0.01f, 0.5f));
+      case 2: return "Material \"conductor\"" + rough(0.01f, 0.5f) + "\n";
       case 3: return "Material \"dielectric\"\n";
-      case 4: return fmt::format("Material \"dielectric\" \"float roughness\" {}\n", real(0.02f, 0.4f));
+      case 4: return "Material \"dielectric\"" + rough(0.02f, 0.4f) + "\n";
       case 5: return "Material \"thindielectric\"\n";
-      case 6:
-        return fmt::format("Material \"coateddiffuse\" \"float roughness\" {}\n",
-                           whole(0, 1) ? 0.f : real(0.05f, 0.4f));
-      default:
-        return fmt::format("Material \"diffuse\" \"rgb reflectance@1\" [.8 .1 .1] \"rgb reflectance@{}\" [.1 .2 .9]\n",
-                           std::max(2, frames_));
+      case 6: return "Material \"coateddiffuse\"\n";
+      case 7: return "Material \"coateddiffuse\"" + rough(0.05f, 0.4f) + "\n";
+      case 8: return "Material \"dielectric\"" + keyed("float eta", "1.3", "1.6") + "\n";
+      case 9: return "Material \"diffuse\" \"texture reflectance\" \"" + any_texture() + "\"\n";
+      default: return "Material \"diffuse\"" + keyed("rgb reflectance", "[.8 .1 .1]", "[.1 .2 .9]") + "\n";
     }
   }
 
-  std::string shape(const std::string& key) {
-    switch (whole(0, 4)) {
-      case 0: return fmt::format("Shape \"cylinder\" \"float radius\" 0.3 \"float zmin\" -0.3 \"float zmax\" 0.4\n");
+  std::string still_shape() {
+    switch (whole(0, 6)) {
+      case 0: return "Shape \"cylinder\" \"float radius\" 0.3 \"float zmin\" -0.3 \"float zmax\" 0.4\n";
       case 1: return "Rotate 40 1 1 0 Shape \"disk\" \"float radius\" 0.5\n";
       case 2:
         return "Shape \"loopsubdiv\" \"integer levels\" 2 \"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 "
                "5 0 3 5] "
                "\"point3 P\" [.6 0 0 -.6 0 0 0 .6 0 0 -.6 0 0 0 .6 0 0 -.6]\n";
-      default: return fmt::format("Shape \"sphere\" {}\n", key.empty() ? "\"float radius\" 0.4" : key);
+      case 3: return "Shape \"plymesh\" \"string filename\" " + files()["blob.001.ply"] + "\n";
+      case 4: return "Shape \"objmesh\" \"string filename\" " + files()["box.obj"] + "\n";
+      case 5: return "Shape \"sphere\" \"float radius\" 0.4 \"float zmin\" -0.2 \"float phimax\" 250\n";
+      default: return "Shape \"sphere\" \"float radius\" 0.4\n";
     }
   }
 
@@ -111,9 +166,17 @@ class RandomScene {
                        whole(0, 180));
     else
       s += from;
-    s += material(true);
-    const std::string key = fmt::format("\"float radius@1\" 0.3 \"float radius@{}\" 0.5", std::max(2, frames_));
-    return s + shape(frames_ > 1 && whole(0, 1) ? key : "") + "DynamicEnd\n";
+    s += material();
+    switch (frames_ > 1 ? whole(0, 3) : 3) {
+      case 0: return s + "Shape \"sphere\"" + keyed("float radius", "0.3", "0.5") + "DynamicEnd\n";
+      case 1: return s + "Shape \"plymesh\" \"string filename\" " + files()["blob.%03d.ply"] + " DynamicEnd\n";
+      default: return s + still_shape() + "DynamicEnd\n";
+    }
+  }
+
+  static const SceneFiles& files() {
+    static const SceneFiles all;
+    return all;
   }
 
   std::mt19937 random_;

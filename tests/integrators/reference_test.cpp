@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <sstream>
 
 #include "image/compare.h"
 #include "image/shrink.h"
@@ -26,16 +26,21 @@ struct Settings {
   float brightest = kInfinity;  // blocks are left out where the reference has a brighter pixel, as a lamp's
 };
 
-/// The scene with other settings: all that stands before WorldBegin but the camera is replaced.
+/// The scene with other settings: of what stands before WorldBegin, the camera and its transform are kept. Each directive
+/// there begins a line, and its parameters are on indented ones.
 std::string with_settings(const std::string& text, const Settings& settings) {
   const std::size_t world = text.find("WorldBegin");
-  const std::string head = std::regex_replace(text.substr(0, world), std::regex("#[^\n]*"), "");
-  const std::regex directive(
-      R"re((Integrator|Sampler|PixelFilter|Accelerator|Film)\s+"\w+"(\s+"[^"]*"\s*\[[^\]]*\])*)re");
+  std::istringstream head(text.substr(0, world));
+  std::string kept;
+  bool keep = false;
+  for (std::string line; std::getline(head, line);) {
+    if (!line.empty() && line[0] != ' ') keep = line.starts_with("Camera") || line.starts_with("Transform");
+    if (keep) kept += line + "\n";
+  }
   return fmt::format(
              "Integrator {}\nPixelFilter \"box\"\nFilm \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {}\n",
              settings.integrator, settings.width, settings.height) +
-         std::regex_replace(head, directive, "") + text.substr(world);
+         kept + text.substr(world);
 }
 
 struct Block {
