@@ -16,6 +16,7 @@ namespace dspm {
 struct Piece {
   Bounds3 bounds;
   FrameSet frames;
+  int size = 1;  // how much of a leaf it fills
 };
 
 struct Bvh {
@@ -53,7 +54,7 @@ struct Bvh {
   }
 };
 
-/// A leaf holds up to `leaf_size` pieces, for the price of one. `frames`: all frames that rays may ask for.
+/// A leaf holds pieces of sizes up to `leaf_size` in all, for the price of one. `frames`: all that rays may ask for.
 Bvh build_bvh(std::span<const Piece> pieces, int leaf_size, FrameSet frames);
 
 }  // namespace dspm

@@ -16,6 +16,7 @@ constexpr float kShareOfFullRays = 0.5f;
 
 struct Range {
   std::uint32_t first = 0, count = 0;
+  std::int64_t size = 0;  // of all pieces
   Bounds3 bounds, centers;
   FrameSet frames;
   float cost = 0;  // expected, of leaves without any node above them
@@ -24,7 +25,7 @@ struct Range {
 class Builder {
  public:
   Builder(std::span<const Piece> pieces, int leaf_size, FrameSet frames)
-      : pieces_(pieces), leaf_size_(static_cast<std::uint32_t>(leaf_size)), all_frames_(frames) {
+      : pieces_(pieces), leaf_size_(leaf_size), all_frames_(frames) {
     bvh_.order.resize(pieces.size());
     std::iota(bvh_.order.begin(), bvh_.order.end(), 0u);
   }
@@ -39,9 +40,9 @@ class Builder {
   struct Bin {
     Bounds3 bounds;
     FrameSet frames;
-    std::uint32_t count = 0;
+    std::int64_t size = 0;
 
-    void add(const Bin& o) { bounds.add(o.bounds), frames |= o.frames, count += o.count; }
+    void add(const Bin& o) { bounds.add(o.bounds), frames |= o.frames, size += o.size; }
   };
   using Bins = std::array<Bin, kBins>;
   /// Pieces below bin `at` go to the left; axis 3 is time: the lowest frame.
@@ -52,21 +53,23 @@ class Builder {
 
   const Piece& piece(std::uint32_t place) const { return pieces_[bvh_.order[place]]; }
 
-  float cost(const Bounds3& bounds, FrameSet frames, std::uint32_t count) const {
+  float cost(const Bounds3& bounds, FrameSet frames, std::int64_t size) const {
     const float share = static_cast<float>(frames.count()) / static_cast<float>(std::max(1, all_frames_.count()));
     const float chance = bounds.half_area() * (kShareOfFullRays + (1 - kShareOfFullRays) * share);
-    return chance * static_cast<float>((count + leaf_size_ - 1) / leaf_size_);
+    return chance * static_cast<float>((size + leaf_size_ - 1) / leaf_size_);
   }
-  float cost(const Bin& bin) const { return bin.count == 0 ? 0.f : cost(bin.bounds, bin.frames, bin.count); }
+  float cost(const Bin& bin) const { return cost(bin.bounds, bin.frames, bin.size); }
 
   Range range(std::uint32_t first, std::uint32_t count) const {
-    Range r{first, count, {}, {}, {}, 0};
+    Range r;
+    r.first = first, r.count = count;
     for (std::uint32_t i = first; i < first + count; ++i) {
       r.bounds.add(piece(i).bounds);
       r.centers.add(piece(i).bounds.center());
       r.frames |= piece(i).frames;
+      r.size += piece(i).size;
     }
-    r.cost = cost(r.bounds, r.frames, count);
+    r.cost = cost(r.bounds, r.frames, r.size);
     return r;
   }
 
@@ -89,7 +92,7 @@ class Builder {
       Bins bins;
       for (std::uint32_t i = r.first; i < r.first + r.count; ++i) {
         const Piece& p = piece(i);
-        bins[static_cast<std::size_t>(bin_of(r, axis, p))].add({p.bounds, p.frames, 1});
+        bins[static_cast<std::size_t>(bin_of(r, axis, p))].add({p.bounds, p.frames, p.size});
       }
       consider(bins, axis, best);
     }
@@ -101,11 +104,11 @@ class Builder {
     Bin right, left;
     for (std::size_t at = kBins - 1; at > 0; --at) {
       right.add(bins[at]);
-      right_cost[at] = right.count == 0 ? kInfinity : cost(right);
+      right_cost[at] = right.size == 0 ? kInfinity : cost(right);
     }
     for (std::size_t at = 1; at < kBins; ++at) {
       left.add(bins[at - 1]);
-      const float both = left.count == 0 ? kInfinity : cost(left) + right_cost[at];
+      const float both = left.size == 0 ? kInfinity : cost(left) + right_cost[at];
       if (both < best.cost) best = {both, axis, static_cast<int>(at)};
     }
   }
@@ -127,11 +130,11 @@ class Builder {
     std::size_t size = 1;
     while (size < children.size()) {
       const auto weight = [&](const Range& r) {
-        return r.count <= leaf_size_ ? -1.f : free ? r.cost : static_cast<float>(r.count);
+        return r.size <= leaf_size_ ? -1.f : free ? r.cost : static_cast<float>(r.count);
       };
       const auto widest = std::max_element(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(size),
                                            [&](const Range& a, const Range& b) { return weight(a) < weight(b); });
-      if (widest->count <= leaf_size_) break;
+      if (widest->size <= leaf_size_) break;
       const auto [left, right] = cut(*widest, free);
       *widest = left;
       children[size++] = right;
@@ -143,7 +146,7 @@ class Builder {
     for (std::size_t i = 0; i < children.size(); ++i) set_box(bvh_.nodes.back(), i, children[i].bounds);
     for (std::size_t i = 0; i < size; ++i) {
       const Range& r = children[i];
-      const std::uint32_t child = r.count <= leaf_size_ ? add_leaf(r) : add_node(r, level + 1);
+      const std::uint32_t child = r.size <= leaf_size_ ? add_leaf(r) : add_node(r, level + 1);
       bvh_.nodes[number].child[i] = child;
       bvh_.node_frames[number][i] = r.frames;
     }
@@ -163,7 +166,7 @@ class Builder {
   }
 
   std::span<const Piece> pieces_;
-  std::uint32_t leaf_size_;
+  int leaf_size_;
   FrameSet all_frames_;
   Bvh bvh_;
 };

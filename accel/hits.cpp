@@ -31,6 +31,14 @@ float NearestHits::limit(FrameSet frames) const {
   return largest;
 }
 
+float NearestHits::largest() const {
+  alignas(16) float four[4];
+  __m128 most = _mm_load_ps(nearest_);
+  for (int group = 1; group < groups_; ++group) most = _mm_max_ps(most, _mm_load_ps(nearest_ + 4 * group));
+  _mm_store_ps(four, most);
+  return std::max(std::max(four[0], four[1]), std::max(four[2], four[3]));
+}
+
 void NearestHits::leave_slot(Frame frame) {
   const Frame slot = slot_[frame];
   slot_frames_[slot] -= FrameSet::single(frame);
@@ -39,8 +47,10 @@ void NearestHits::leave_slot(Frame frame) {
 
 void NearestHits::offer(const RayHit& hit, FrameSet frames) {
   FrameSet taken;
-  (not_nearer_than(hit.t) & frames).for_each([&](Frame f) {
-    if (nearest_[f] == hit.t && !hit.nearer_than(slot_hit_[slot_[f]])) return;
+  float farthest = -kInfinity;  // of the distances that this hit replaces
+  (frames.count() == 1 ? frames : not_nearer_than(hit.t) & frames).for_each([&](Frame f) {
+    if (nearest_[f] < hit.t || (nearest_[f] == hit.t && !hit.nearer_than(slot_hit_[slot_[f]]))) return;
+    farthest = std::max(farthest, nearest_[f]);
     leave_slot(f);
     taken |= FrameSet::single(f);
   });
@@ -54,7 +64,7 @@ void NearestHits::offer(const RayHit& hit, FrameSet frames) {
     nearest_[f] = hit.t;
     slot_[f] = static_cast<std::uint8_t>(slot);
   });
-  limit_ = limit(frames_);
+  if (farthest == limit_) limit_ = largest();
 }
 
 HitPartition NearestHits::partition() const {

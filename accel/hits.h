@@ -51,6 +51,7 @@ class NearestHits {
  private:
   /// The frames whose nearest hit so far has distance t or more.
   FrameSet not_nearer_than(float t) const;
+  float largest() const;
   void leave_slot(Frame frame);
 
   FrameSet frames_;

@@ -1,5 +1,5 @@
-// Up to four triangles side by side: what a leaf of triangles is. Four lanes decide at once which of the triangles the
-// ray's line may meet; those few are then tested one by one by the routine that decides (meet.h), so no second version
+// Up to eight triangles side by side: what a leaf of triangles is. Lanes decide together which of the triangles the
+// ray may meet; those few are then tested one by one by the routine that decides (meet.h), so no second version
 // of the triangle test exists that could disagree with it.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace dspm {
 
 struct alignas(64) TrianglePacket {
-  static constexpr int kSize = 4;
+  static constexpr int kSize = 8;
 
   float vertex[3][3][kSize];  // by corner, axis, lane
   int shape[kSize];
@@ -32,12 +32,16 @@ struct alignas(64) TrianglePacket {
   /// the triangle test does) have no two opposite signs, and of whose corners not all are behind the ray or too far.
   /// Zero is no sign: there the triangle test looks closer. It keeps distances between those of the corners.
   unsigned candidates(const TriangleRay& ray, float limit) const {
+    const unsigned low = lanes & four_candidates(0, ray, limit);
+    return lanes < 16 ? low : low | (lanes & four_candidates(4, ray, limit) << 4);
+  }
+  unsigned four_candidates(int first, const TriangleRay& ray, float limit) const {
     const __m128 sx = _mm_set1_ps(ray.sx), sy = _mm_set1_ps(ray.sy), sz = _mm_set1_ps(ray.sz);
     __m128 x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
-      z[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kz]), _mm_set1_ps(ray.origin[ray.kz]));
-      x[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kx]), _mm_set1_ps(ray.origin[ray.kx]));
-      y[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.ky]), _mm_set1_ps(ray.origin[ray.ky]));
+      z[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kz] + first), _mm_set1_ps(ray.origin[ray.kz]));
+      x[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.kx] + first), _mm_set1_ps(ray.origin[ray.kx]));
+      y[i] = _mm_sub_ps(_mm_load_ps(vertex[i][ray.ky] + first), _mm_set1_ps(ray.origin[ray.ky]));
       x[i] = _mm_sub_ps(x[i], _mm_mul_ps(sx, z[i]));
       y[i] = _mm_sub_ps(y[i], _mm_mul_ps(sy, z[i]));
       z[i] = _mm_mul_ps(sz, z[i]);
@@ -50,7 +54,7 @@ struct alignas(64) TrianglePacket {
     const __m128 edges[3] = {u, v, w}, zero = _mm_setzero_ps();
     const __m128 outside = _mm_and_ps(_mm_cmplt_ps(least(edges), zero), _mm_cmpgt_ps(most(edges), zero));
     const __m128 apart = _mm_or_ps(_mm_cmple_ps(most(z), zero), _mm_cmpgt_ps(least(z), _mm_set1_ps(limit)));
-    return lanes & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
+    return 15u & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
   }
 
   Vec3 corner(int i, std::size_t lane) const { return {vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; }
