@@ -2,11 +2,9 @@
 //   frame by frame   a query for each of the frames alone, on the same trees
 //   tree a frame     the static tree once, then for each frame a tree of its own over what is there in that frame
 //   restarts         WG12's scheme: the nearest hit of any frame, and again from the ray's origin for the frames left
-// The ways take turns on a thousand rays at a time, and of several turns the fastest counts. The last table compares
-// plain static rays with Embree's own triangles.
+// The ways take turns on a thousand rays at a time, and of several turns the fastest counts.
 //
 //   accel_bench [K ...]       by default 8 16 32 64
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
