@@ -3,6 +3,8 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "app/catalogue.h"
 #include "app/driver.h"
@@ -36,6 +38,8 @@ int run_and_report(const std::vector<std::string>& arguments) {
   } catch (const SceneError& error) {
     fmt::print(stderr, "{}", error.what());
   } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "dspm: out of memory\n");
+  } catch (const std::length_error&) {  // so much that no allocation is even tried
     fmt::print(stderr, "dspm: out of memory\n");
   } catch (const std::exception& error) {
     fmt::print(stderr, "dspm: {}\n", error.what());

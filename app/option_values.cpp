@@ -79,7 +79,7 @@ std::vector<Frame> parse_frames(std::string_view text) {
   return frames;
 }
 
-double parse_duration(std::string_view text) {
+double parse_duration(const char* option, std::string_view text) {
   double seconds = 0;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t end = std::min(rest.find_first_of("smh"), rest.size());
@@ -92,16 +92,16 @@ double parse_duration(std::string_view text) {
     seconds += unit * *value;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  if (!(seconds > 0)) throw UsageError(fmt::format("\"{}\" is no duration; expected such as 30s, 10m or 1h30m", text));
+  if (!(seconds > 0)) throw UsageError(fmt::format("{} {}: expected a time such as 30s, 10m or 1h30m", option, text));
   return seconds;
 }
 
-Interval parse_interval(std::string_view text) {
+Interval parse_interval(const char* option, std::string_view text) {
   if (const auto iterations = number<int>(text)) {
-    if (*iterations < 1) throw UsageError(fmt::format("\"{}\": expected a positive number of iterations", text));
+    if (*iterations < 1) throw UsageError(fmt::format("{} {}: expected at least 1 iteration", option, text));
     return {.iterations = *iterations};
   }
-  return {.seconds = parse_duration(text)};
+  return {.seconds = parse_duration(option, text)};
 }
 
 std::array<double, 4> parse_crop_window(std::string_view text) {

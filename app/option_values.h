@@ -13,9 +13,9 @@ namespace dspm {
 /// "1-8,12": ascending frames without repetition, counted from 0 where the text counts from 1.
 std::vector<Frame> parse_frames(std::string_view text);
 /// "30s", "1h30m", "1.5h"; a bare number is seconds.
-double parse_duration(std::string_view text);
+double parse_duration(const char* option, std::string_view text);
 /// A duration with a unit, or a bare number of iterations.
-Interval parse_interval(std::string_view text);
+Interval parse_interval(const char* option, std::string_view text);
 std::array<double, 4> parse_crop_window(std::string_view text);
 std::array<int, 4> parse_pixel_bounds(std::string_view text);
 

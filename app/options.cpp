@@ -60,7 +60,7 @@ void add_work(CLI::App& app, Options& o) {
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths a pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
-           [&](const std::string& text) { o.time_limit = parse_duration(text); });
+           [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
   add_text(app, "--frames", "LIST", "render these frames only: 1-8,12",
            [&](const std::string& text) { o.frames = parse_frames(text); });
   add_text(app, "--cropwindow", "WINDOW", "render this part of the image only: x0,x1,y0,y1 in 0..1",
@@ -77,7 +77,7 @@ void add_output(CLI::App& app, Options& o) {
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")->type_name("FILE");
   add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
-           [&](const std::string& text) { o.write_every = parse_interval(text); });
+           [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
   app.add_flag("--stats{table}", o.stats, "a table of times and counts at the end; in FILE: for programs");
 }

@@ -19,11 +19,17 @@ std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, cons
   return std::array<T, 4>{values[0], values[1], values[2], values[3]};
 }
 
-void check(ParamReader& reader, const FilmSettings& film) {
+/// A side that is no side becomes `fallback`, so that one error is not followed by others.
+void check_side(ParamReader& reader, const char* name, int& side, int fallback) {
   constexpr int kMaxSide = 1 << 16;
-  for (const auto& [name, size] : {std::pair("xresolution", film.width), std::pair("yresolution", film.height)}) {
-    if (size < 1 || size > kMaxSide) reader.error(name, "the resolution must be between 1 and 65536");
-  }
+  if (side >= 1 && side <= kMaxSide) return;
+  reader.error(name, "the resolution must be between 1 and 65536");
+  side = fallback;
+}
+
+void check(ParamReader& reader, FilmSettings& film) {
+  check_side(reader, "xresolution", film.width, FilmSettings().width);
+  check_side(reader, "yresolution", film.height, FilmSettings().height);
   const std::string extension = std::filesystem::path(film.filename).extension().string();
   if (extension != ".exr" && extension != ".png") {
     reader.error("filename", "images are written as .exr or .png, not as \"" + film.filename + "\"");
@@ -31,7 +37,7 @@ void check(ParamReader& reader, const FilmSettings& film) {
   if (film.crop_window && film.pixel_bounds) {
     reader.warning("cropwindow", "the crop window is used, the pixel bounds are not");
   }
-  if (film.width > 0 && film.height > 0 && crop_of(film).empty()) {
+  if (crop_of(film).empty()) {
     reader.error(film.crop_window ? "cropwindow" : "pixelbounds", "nothing is left of the image");
   }
   if (!(film.iso > 0)) reader.error("iso", "the ISO speed must be above 0");

@@ -47,6 +47,10 @@ bool SceneBuilder::apply_transform(const Directive& directive) {
 }
 
 bool SceneBuilder::is_usable(const Directive& directive, const Matrix4& matrix) {
+  if (!fits_float(matrix)) {
+    diagnostics_.error(directive.where, fmt::format("{} with a number that is too large", directive.info->name));
+    return false;
+  }
   if (!is_regular(matrix)) {
     diagnostics_.error(directive.where, fmt::format("{} is singular", directive.info->name),
                        std::string(reason_singular(directive)));

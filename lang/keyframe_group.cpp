@@ -16,12 +16,14 @@ TransformOp matrix_op(const Matrix4& matrix) {
   return op;
 }
 
-bool is_regular(const Matrix4& matrix) {
+bool fits_float(const Matrix4& matrix) {
   for (const auto& row : matrix.m)
     for (const double v : row)
       if (!(std::abs(v) <= std::numeric_limits<float>::max())) return false;
-  return matrix.inverse().has_value();
+  return true;
 }
+
+bool is_regular(const Matrix4& matrix) { return fits_float(matrix) && matrix.inverse().has_value(); }
 
 void KeyframeGroup::begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics) {
   if (!keys_.empty() && frame <= keys_.back().frame) {

@@ -40,5 +40,7 @@ TransformOp matrix_op(const Matrix4& matrix);
 
 /// Can be inverted, and has finite floats.
 bool is_regular(const Matrix4& matrix);
+/// Its numbers are finite as floats, too.
+bool fits_float(const Matrix4& matrix);
 
 }  // namespace dspm

@@ -61,6 +61,9 @@ class SceneReader {
 
   void finish() {
     if (!scene_.files.empty() && !is_full()) builder_.finish();
+    if (diagnostics_.error_count() > 0) return;
+    for (const auto& [name, value] : options_.defines)
+      if (!is_used(name)) diagnostics_.warning({}, fmt::format("-D {}: the scene has no ${}", name, name));
   }
 
   SceneDescription take_scene() { return std::move(scene_); }
@@ -70,6 +73,10 @@ class SceneReader {
     std::string name, identity;
   };
 
+  bool is_used(const std::string& define) const {
+    return std::any_of(scene_.files.begin(), scene_.files.end(),
+                       [&](const auto& file) { return refers_to(file->text, define); });
+  }
   bool is_full() const { return diagnostics_.error_count() >= kErrorsShown; }
 
   const SourceFile& own(std::string name, std::string text) {

@@ -38,6 +38,15 @@ std::size_t find_dollar(std::string_view text, std::size_t from, bool& in_string
 
 }  // namespace
 
+bool refers_to(std::string_view text, std::string_view define) {
+  const std::string reference = fmt::format("${}", define);
+  for (std::size_t at = 0; (at = text.find(reference, at)) != text.npos;) {
+    at += reference.size();
+    if (at == text.size() || !is_name_character(text[at])) return true;
+  }
+  return false;
+}
+
 SourceText::SourceText(const SourceFile& file) : file_(file), text_(file.text) {
   line_starts_.push_back(0);
   const char *begin = text_.data(), *end = begin + text_.size();
@@ -69,7 +78,7 @@ void SourceText::replace(const Defines& defines, Diagnostics& diagnostics) {
       diagnostics.error(locate_original(i, end), fmt::format("${} has no value", name),
                         guess.empty() ? "values are given on the command line: -D name=value" : guess);
     }
-    const std::string_view value = found == defines.end() ? "0" : std::string_view(found->second);
+    const std::string_view value = found == defines.end() ? "1" : std::string_view(found->second);
     replaced_.append(original_text.substr(done, i - done));
     replacements_.push_back({replaced_.size(), replaced_.size() + value.size(), i, end});
     replaced_.append(value);

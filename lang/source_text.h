@@ -25,6 +25,9 @@ class SyntaxError : public std::runtime_error {
   std::string old_word;  // what older versions of pbrt know instead, see old_pbrt.h; mostly empty
 };
 
+/// The text has $define somewhere.
+bool refers_to(std::string_view text, std::string_view define);
+
 class SourceText {
  public:
   /// Keeps a reference to `file`. Every undefined `$name` is an error.

@@ -6,9 +6,15 @@
 namespace dspm {
 
 Roughness::Roughness(ParamReader& reader, const MaterialContext& context) {
-  const auto both = reader.number_or_texture("roughness", 0, "", "of the surface in both directions; 0 is smooth");
+  const auto read = [&](std::string_view name, float fallback, std::string_view sentence) {
+    const auto roughness = reader.number_or_texture(name, fallback, "", sentence);
+    if (roughness.value < 0)
+      reader.error(name, fmt::format("parameter \"{}\" of {} must not be negative", name, reader.subject()));
+    return roughness;
+  };
+  const auto both = read("roughness", 0, "of the surface in both directions; 0 is smooth");
   const auto one = [&](std::string_view name, std::string_view sentence) {
-    const auto own = reader.number_or_texture(name, both.value, "", sentence);
+    const auto own = read(name, both.value, sentence);
     return texture_of(reader.has(name) ? own : both, context.textures, reader.diagnostics());
   };
   u_ = one("uroughness", "along the first tangent; as roughness where not given");

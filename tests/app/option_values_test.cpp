@@ -17,28 +17,28 @@ TEST(ParseFrames, RefusesWhatIsNoListOfFrames) {
 }
 
 TEST(ParseDuration, AddsItsParts) {
-  EXPECT_DOUBLE_EQ(parse_duration("30s"), 30);
-  EXPECT_DOUBLE_EQ(parse_duration("10m"), 600);
-  EXPECT_DOUBLE_EQ(parse_duration("2h"), 7200);
-  EXPECT_DOUBLE_EQ(parse_duration("1h30m"), 5400);
-  EXPECT_DOUBLE_EQ(parse_duration("1h30m10s"), 5410);
-  EXPECT_DOUBLE_EQ(parse_duration("1.5h"), 5400);
-  EXPECT_DOUBLE_EQ(parse_duration("0.25s"), 0.25);
-  EXPECT_DOUBLE_EQ(parse_duration("90"), 90);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "30s"), 30);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "10m"), 600);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "2h"), 7200);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "1h30m"), 5400);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "1h30m10s"), 5410);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "1.5h"), 5400);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "0.25s"), 0.25);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "90"), 90);
 }
 
 TEST(ParseDuration, RefusesWhatIsNone) {
   for (const char* text : {"", "0s", "0", "-3s", "m", "10x", "1h30", "10m x", "1e400s", "nan", "inf", "s30"})
-    EXPECT_THROW(parse_duration(text), UsageError) << text;
+    EXPECT_THROW(parse_duration("--time-limit", text), UsageError) << text;
 }
 
 TEST(ParseInterval, IsATimeOrACount) {
-  EXPECT_EQ(parse_interval("20").iterations, 20);
-  EXPECT_EQ(parse_interval("20").seconds, 0);
-  EXPECT_EQ(parse_interval("20s").iterations, 0);
-  EXPECT_DOUBLE_EQ(parse_interval("1m20s").seconds, 80);
-  EXPECT_THROW(parse_interval("0"), UsageError);
-  EXPECT_THROW(parse_interval("-4"), UsageError);
+  EXPECT_EQ(parse_interval("--write-every", "20").iterations, 20);
+  EXPECT_EQ(parse_interval("--write-every", "20").seconds, 0);
+  EXPECT_EQ(parse_interval("--write-every", "20s").iterations, 0);
+  EXPECT_DOUBLE_EQ(parse_interval("--write-every", "1m20s").seconds, 80);
+  EXPECT_THROW(parse_interval("--write-every", "0"), UsageError);
+  EXPECT_THROW(parse_interval("--write-every", "-4"), UsageError);
 }
 
 TEST(ParseCropWindow, TakesFourNumbersInOrder) {

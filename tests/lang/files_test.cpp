@@ -67,6 +67,13 @@ TEST_F(Files, AreLookedForBesideTheNamingFileThenBesideTheMainFile) {
   EXPECT_EQ(scene.shapes.at(1).type, "main");
 }
 
+TEST_F(Files, ADefineThatNothingUsesIsTold) {
+  put("main.dsc", "WorldBegin\nInclude \"a.dsc\"\nShape \"$kind\"");
+  put("a.dsc", "Scale $size $size $size");
+  EXPECT_EQ(parse({"main.dsc"}, {{"kind", "b"}, {"size", "2"}, {"siz", "3"}}),
+            "warning: -D siz: the scene has no $siz\n");
+}
+
 TEST_F(Files, ImportLeavesNothingInForce) {
   put("main.dsc", "WorldBegin\nMaterial \"diffuse\"\nTranslate 1 0 0\nImport \"a.dsc\"\nShape \"after\"");
   put("a.dsc",

@@ -69,6 +69,12 @@ TEST(Parameters, RoughnessIsTheSquareOfAlphaUnlessToldOtherwise) {
   EXPECT_EQ(least_lobes("dielectric", {number("roughness", 1.1e-6f)}, 1e-6f), 3);
 }
 
+TEST(Parameters, NegativeRoughnessIsRefused) {
+  for (const char* type : {"conductor", "dielectric", "coateddiffuse"})
+    for (const char* name : {"roughness", "uroughness", "vroughness"})
+      EXPECT_TRUE(contains(said(type, {number(name, -0.1f)}), "must not be negative")) << type << ' ' << name;
+}
+
 TEST(Parameters, TexturesAreLookedUp) {
   TextureSet textures;
   textures.add<Rgb>("red", std::make_shared<ConstantTexture<Rgb>>(Rgb(2, 0.5f, 0)));
