@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace dspm {
 
 Roughness::Roughness(ParamReader& reader, const MaterialContext& context) {
@@ -14,7 +16,7 @@ Roughness::Roughness(ParamReader& reader, const MaterialContext& context) {
   };
   const auto both = read("roughness", 0, "of the surface in both directions; 0 is smooth");
   const auto one = [&](std::string_view name, std::string_view sentence) {
-    const auto own = read(name, both.value, sentence);
+    const auto own = read(name, std::max(both.value, 0.f), sentence);
     return texture_of(reader.has(name) ? own : both, context.textures, reader.diagnostics());
   };
   u_ = one("uroughness", "along the first tangent; as roughness where not given");
