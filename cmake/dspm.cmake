@@ -39,7 +39,7 @@ function(dspm_test name)
     set(ARG_LABEL quick)
   endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
+    set(ARG_TIMEOUT 1200)  # seconds: enough under ThreadSanitizer
   endif()
   set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
   if(ARG_DATA)  # ctest lets a skipped test hide a failed one, so this is only for binaries that need the data throughout
