@@ -54,6 +54,31 @@ double seconds_of(char unit) {
   }
 }
 
+/// 1 for "" and "B", 1e9 for "G" and "GB", 2^30 for "Gi" and "GiB", in any letter case; 0 for what is none.
+double bytes_of(std::string_view unit) {
+  if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.remove_suffix(1);
+  if (unit.empty()) return 1;
+  const std::size_t power = std::string_view("KMGT").find(static_cast<char>(std::toupper(unit.front())));
+  const bool binary = unit.size() == 2 && (unit[1] == 'i' || unit[1] == 'I');
+  if (power == std::string_view::npos || (unit.size() > 1 && !binary)) return 0;
+  return std::pow(binary ? 1024. : 1000., static_cast<double>(power) + 1);
+}
+
+/// Frames of the file: "12", "1-8" or "1-32:4".
+struct FrameRange {
+  int first, last, step;
+};
+
+std::optional<FrameRange> frame_range(std::string_view text) {
+  const std::size_t dash = text.find('-'), colon = dash == text.npos ? dash : text.find(':', dash);
+  const auto first = number<int>(text.substr(0, dash));
+  const auto last = dash == text.npos ? first : number<int>(text.substr(dash + 1, colon - dash - 1));
+  const auto step = colon == text.npos ? 1 : number<int>(text.substr(colon + 1));
+  if (!first || !last || !step || *first < 1 || *last < *first || *last > kMaxFrameNumber || *step < 1)
+    return std::nullopt;
+  return FrameRange{*first, *last, *step};
+}
+
 /// `-Seed=3` to `seed`: what is compared.
 std::string plain_name(std::string_view argument) {
   std::string name;
@@ -67,12 +92,10 @@ std::string plain_name(std::string_view argument) {
 std::vector<Frame> parse_frames(std::string_view text) {
   std::vector<Frame> frames;
   for (const std::string_view part : split(text, ',')) {
-    const std::size_t dash = part.find('-');
-    const auto first = number<int>(part.substr(0, dash));
-    const auto last = dash == part.npos ? first : number<int>(part.substr(dash + 1));
-    if (!first || !last || *first < 1 || *last < *first || *last > kMaxFrameNumber)
-      throw UsageError(fmt::format("--frames {}: expected frames from 1 on, such as 1-8,12", text));
-    for (int frame = *first; frame <= *last; ++frame) frames.push_back(frame - 1);
+    const auto range = frame_range(part);
+    if (!range) throw UsageError(fmt::format("--frames {}: expected frames from 1 on, such as 1-8,12 or 1-32:4", text));
+    for (std::int64_t frame = range->first; frame <= range->last; frame += range->step)
+      frames.push_back(static_cast<Frame>(frame - 1));
   }
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
@@ -102,6 +125,14 @@ Interval parse_interval(const char* option, std::string_view text) {
     return {.iterations = *iterations};
   }
   return {.seconds = parse_duration(option, text)};
+}
+
+std::size_t parse_bytes(const char* option, std::string_view text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  const double bytes = number<double>(text.substr(0, end)).value_or(0) * bytes_of(text.substr(end));
+  if (!(bytes >= 1 && bytes < 1e18))
+    throw UsageError(fmt::format("{} {}: expected memory such as 2G or 800M", option, text));
+  return static_cast<std::size_t>(bytes);
 }
 
 std::array<double, 4> parse_crop_window(std::string_view text) {

@@ -61,7 +61,9 @@ void add_work(CLI::App& app, Options& o) {
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
-  add_text(app, "--frames", "LIST", "render these frames only: 1-8,12",
+  add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; changes no image",
+           [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
+  add_text(app, "--frames", "LIST", "render these frames only: 1-8,12, or every fourth: 1-32:4",
            [&](const std::string& text) { o.frames = parse_frames(text); });
   add_text(app, "--cropwindow", "WINDOW", "render this part of the image only: x0,x1,y0,y1 in 0..1",
            [&](const std::string& text) { o.crop_window = parse_crop_window(text); });

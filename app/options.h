@@ -39,6 +39,7 @@ struct Options {
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons;
   double time_limit = 0;                             // seconds; 0: none
+  std::size_t memory = 0;                            // bytes that a run may take; 0: no bound
   std::vector<Frame> frames;                         // of the file, ascending; empty: all
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 in parts of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels

@@ -11,8 +11,15 @@ TEST(ParseFrames, CountsFromZeroInOrderWithoutRepetition) {
   EXPECT_EQ(parse_frames("5,2-3,3,1"), (std::vector<Frame>{0, 1, 2, 4}));
 }
 
+TEST(ParseFrames, ARangeMayHaveAStep) {
+  EXPECT_EQ(parse_frames("1-32:8"), (std::vector<Frame>{0, 8, 16, 24}));
+  EXPECT_EQ(parse_frames("2-6:2,3"), (std::vector<Frame>{1, 2, 3, 5}));
+  EXPECT_EQ(parse_frames("5-7:2000000000"), (std::vector<Frame>{4}));
+}
+
 TEST(ParseFrames, RefusesWhatIsNoListOfFrames) {
-  for (const char* text : {"", "0", "-1", "3-1", "1-", "1,,2", "a", "1 2", "1-2-3", "99999999999", "1-999999999"})
+  for (const char* text : {"", "0", "-1", "3-1", "1-", "1,,2", "a", "1 2", "1-2-3", "99999999999", "1-999999999",
+                           "1-9:", "1-9:0", "1-9:-2", "9:2", "1:2-9", "1-9:2:2"})
     EXPECT_THROW(parse_frames(text), UsageError) << text;
 }
 
@@ -39,6 +46,22 @@ TEST(ParseInterval, IsATimeOrACount) {
   EXPECT_DOUBLE_EQ(parse_interval("--write-every", "1m20s").seconds, 80);
   EXPECT_THROW(parse_interval("--write-every", "0"), UsageError);
   EXPECT_THROW(parse_interval("--write-every", "-4"), UsageError);
+}
+
+TEST(ParseBytes, KnowsThousandsAnd1024s) {
+  EXPECT_EQ(parse_bytes("--memory", "4096"), 4096u);
+  EXPECT_EQ(parse_bytes("--memory", "512B"), 512u);
+  EXPECT_EQ(parse_bytes("--memory", "2G"), 2'000'000'000u);
+  EXPECT_EQ(parse_bytes("--memory", "2gb"), 2'000'000'000u);
+  EXPECT_EQ(parse_bytes("--memory", "2Gi"), 2u << 30);
+  EXPECT_EQ(parse_bytes("--memory", "1.5MiB"), 3u << 19);
+  EXPECT_EQ(parse_bytes("--memory", "800k"), 800'000u);
+  EXPECT_EQ(parse_bytes("--memory", "1T"), 1'000'000'000'000u);
+}
+
+TEST(ParseBytes, RefusesWhatIsNone) {
+  for (const char* text : {"", "G", "0", "0G", "-2G", "2X", "2GG", "2 G", "2iB", "0.1", "1e9", "1..5G", "99999999T"})
+    EXPECT_THROW(parse_bytes("--memory", text), UsageError) << text;
 }
 
 TEST(ParseCropWindow, TakesFourNumbersInOrder) {
