@@ -1,0 +1,13 @@
+// Meshes into files: binary PLY, as small as it can be, whole or not at all. The scenes read them by Shape "plymesh".
+#pragma once
+
+#include <filesystem>
+
+#include "shapes/triangle_mesh.h"
+
+namespace dspm {
+
+/// Vertices, normals and texture coordinates where there are any, and faces.
+void write_ply(const std::filesystem::path& file, const MeshData& mesh);
+
+}  // namespace dspm

@@ -1,0 +1,11 @@
+// What the generator makes. Each subject is a file of its own, which says how the thing is built and in which files and
+// units it ends; main.cpp lists them all.
+#pragma once
+
+#include <filesystem>
+
+namespace dspm {
+
+void make_hall(const std::filesystem::path& directory);
+
+}  // namespace dspm
