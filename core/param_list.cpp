@@ -1,7 +1,9 @@
 // Parameters as plain data: their types' words, and what keys and numbered files mean at one frame.
 #include <algorithm>
 #include <array>
+#include <cinttypes>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "core/params.h"
@@ -42,10 +44,10 @@ const std::string* numbered_file_name(const Param& param) {
   return numbered ? &texts->front() : nullptr;
 }
 
-std::string with_number(const std::string& name, int number) {
+std::string with_number(const std::string& name, std::int64_t number) {
   const NumberField field = *number_field(name);
   std::array<char, 128> digits{};
-  std::snprintf(digits.data(), digits.size(), "%0*d", field.width, number);
+  std::snprintf(digits.data(), digits.size(), "%0*" PRId64, field.width, number);
   return name.substr(0, field.begin) + digits.data() + name.substr(field.begin + field.length);
 }
 
@@ -86,19 +88,25 @@ Param at_key(std::vector<const Param*> keys, int key) {
   return result;
 }
 
-/// Puts the number of the frame's file in, and takes "first" away, which has then been used.
-void number_files(std::vector<Param>& params, Frame frame) {
-  const auto named = std::find_if(params.begin(), params.end(), [](const Param& p) { return numbered_file_name(p); });
-  if (named == params.end()) return;
-  int first = 1;
-  std::string name = *numbered_file_name(*named);
-  const auto shift = std::find_if(params.begin(), params.end(), [](const Param& p) {
+/// The integer `name`, which is taken out of the list: it has then been used.
+std::int64_t take_integer(std::vector<Param>& params, std::string_view name, int fallback) {
+  const auto found = std::find_if(params.begin(), params.end(), [&](const Param& p) {
     const auto* integers = std::get_if<std::vector<int>>(&p.values);
-    return p.name == "first" && integers && integers->size() == 1;
+    return p.name == name && integers && integers->size() == 1;
   });
-  if (shift != params.end()) first = std::get<std::vector<int>>(shift->values).front();
-  named->values = std::vector<std::string>{with_number(name, frame + first)};
-  if (shift != params.end()) params.erase(shift);
+  if (found == params.end()) return fallback;
+  const int value = std::get<std::vector<int>>(found->values).front();
+  params.erase(found);
+  return value;
+}
+
+/// Puts the number of the frame's file in.
+void number_files(std::vector<Param>& params, Frame frame) {
+  const auto is_named = [](const Param& p) { return numbered_file_name(p) != nullptr; };
+  if (std::none_of(params.begin(), params.end(), is_named)) return;
+  const std::int64_t first = take_integer(params, "first", 1), step = take_integer(params, "step", 1);
+  Param& named = *std::find_if(params.begin(), params.end(), is_named);
+  named.values = std::vector<std::string>{with_number(*numbered_file_name(named), first + frame * step)};
 }
 
 }  // namespace

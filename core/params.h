@@ -63,8 +63,8 @@ struct ParamList {
   /// Has keyed parameters, or a file name with a frame number in it.
   bool is_keyed() const;
   /// The list without keys: what holds at frame `frame` (from 0). Numbers, points and colours are interpolated
-  /// linearly, all else holds until the next key; `%03d` in a "filename" becomes the file's number (frame + "first", 1
-  /// by default).
+  /// linearly, all else holds until the next key; `%03d` in a "filename" becomes the file's number ("first" +
+  /// frame * "step", 1 each by default).
   ParamList at(Frame frame) const;
   /// Equal types, names and values; where they stand does not matter.
   bool same_values(const ParamList& other) const;

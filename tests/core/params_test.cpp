@@ -95,6 +95,16 @@ TEST(ParamList, FileNamesAreNumberedAsTheFrames) {
   EXPECT_EQ(text_at(shifted, "filename", 11), "w11.ply");
   EXPECT_EQ(shifted.at(0).find("first"), nullptr);
 
+  const auto stepped = [](int first, int step) {
+    return ParamList{{text("filename", "w%02d.ply"), param(ParamType::integer, "step", std::vector<int>{step}),
+                      param(ParamType::integer, "first", std::vector<int>{first})}};
+  };
+  EXPECT_EQ(text_at(stepped(0, 24), "filename", 0), "w00.ply");
+  EXPECT_EQ(text_at(stepped(0, 24), "filename", 3), "w72.ply");
+  EXPECT_EQ(text_at(stepped(9, -2), "filename", 3), "w03.ply");
+  EXPECT_EQ(text_at(stepped(1, 2000000000), "filename", 2), "w4000000001.ply");
+  EXPECT_EQ(stepped(0, 24).at(0).params.size(), 1u);
+
   for (const char* plain : {"water.ply", "100%.ply", "%s.ply", "%3d.ply", "%"})
     EXPECT_FALSE((ParamList{{text("filename", plain)}}.is_keyed())) << plain;
 }
