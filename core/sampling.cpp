@@ -14,14 +14,27 @@ Vec3 at_height(float z, float r2, float u) {
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
+struct SinCos {
+  float sin, cos;
+};
+
+/// For angles up to pi/4, to the last digits of a float: Taylor's series up to x^9 and x^8. Several times faster than the
+/// library's, which is ready for any angle.
+SinCos sin_cos_of_octant(float x) {
+  const float x2 = x * x;
+  return {x * (1 - x2 * (1 / 6.f) * (1 - x2 * (1 / 20.f) * (1 - x2 * (1 / 42.f) * (1 - x2 * (1 / 72.f))))),
+          1 - x2 * 0.5f * (1 - x2 * (1 / 12.f) * (1 - x2 * (1 / 30.f) * (1 - x2 * (1 / 56.f))))};
+}
+
 }  // namespace
 
 Vec2 concentric_disk(Vec2 u) {
   const float x = 2 * u.x - 1, y = 2 * u.y - 1;
   if (x == 0 && y == 0) return {};
   const bool wide = std::abs(x) > std::abs(y);
-  const float r = wide ? x : y, phi = wide ? kPi / 4 * (y / x) : kPi / 2 - kPi / 4 * (x / y);
-  return {r * std::cos(phi), r * std::sin(phi)};
+  const float r = wide ? x : y, other = wide ? y : x;
+  const SinCos angle = sin_cos_of_octant(kPi / 4 * (other / r));  // from the axis of r
+  return wide ? Vec2{r * angle.cos, r * angle.sin} : Vec2{r * angle.sin, r * angle.cos};
 }
 
 Vec3 cosine_hemisphere(Vec2 u) {

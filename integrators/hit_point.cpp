@@ -69,7 +69,7 @@ class HitPointTracer {
   void scatter(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
     if (path.bounces >= settings_.max_depth) return;
     const int bounce = path.bounces;
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(bounce, kSplit));
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
     path.throughput *= 1 / choice.chance;
     if (choice.rough) return end(path, point, bsdf, wo, choice.lobes, random);
     // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from

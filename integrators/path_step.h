@@ -32,8 +32,10 @@ template <class Path = PathState>
 class PathStack {
  public:
   bool empty() const { return count_ == 0; }
-  void push(const Path& path) { paths_[static_cast<std::size_t>(count_++)] = path; }
+  /// The path's copy in the stack, to be changed in place until the next push or pop.
+  Path& push(const Path& path) { return paths_[static_cast<std::size_t>(count_++)] = path; }
   Path pop() { return paths_[static_cast<std::size_t>(--count_)]; }
+  void drop() { --count_; }
 
  private:
   std::array<Path, kMaxFrames> paths_;
@@ -94,10 +96,12 @@ struct LobeChoice {
   bool rough;
 };
 
-inline LobeChoice choose_lobes(const Bsdf& bsdf, const Vec3& wo, float least_alpha, float u) {
+inline LobeChoice choose_lobes(const Bsdf& bsdf, const Vec3& wo, float least_alpha, const PathRandom& random,
+                               int bounce) {
   const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
-  const float rough_chance = rough == 0 ? 0 : smooth == 0 ? 1 : bsdf.share(wo, rough);
-  if (u < rough_chance) return {rough, rough_chance, true};
+  if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
+  const float rough_chance = bsdf.share(wo, rough);
+  if (random.number(bounce, kSplit) < rough_chance) return {rough, rough_chance, true};
   return {smooth, 1 - rough_chance, false};
 }
 

@@ -54,11 +54,11 @@ class PhotonTracer {
     if (part.hit.missed()) return balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
     for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
       met_dynamic_ |= frames != frames_;
-      PhotonPath branch = path;
+      PhotonPath& branch = stack_.push(path);
       branch.frames = frames;
       const Vec3 wo = -path.ray.direction;
       store(branch, point, bsdf, wo);
-      scatter(branch, point, bsdf, wo, random);
+      if (!scatter(branch, point, bsdf, wo, random)) stack_.drop();
     });
   }
 
@@ -76,17 +76,19 @@ class PhotonTracer {
     out_.stored.add(path.frames.count());
   }
 
-  void scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+  /// Whether the path goes on.
+  bool scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
                const PathRandom& random) {
     const double before = sum(path.throughput);
     const auto account = [&](double absorbed, double terminated) {
       balance(path.frames, [&](EnergyBalance& e) { e.absorbed += absorbed, e.terminated += terminated; });
+      return false;
     };
     const int bounce = path.bounces;
     if (bounce + 1 >= settings_.max_depth) return account(0, before);
 
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(bounce, kSplit));
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
     path.kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
     if (path.kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons)) return account(0, before);
 
@@ -103,7 +105,7 @@ class PhotonTracer {
     const float p = std::min(1.f, max_component(path.throughput) / largest);
     const bool alive = p > 0 && survives(path, p, random.number(bounce, kRoulette));
     account(before - scattered, alive ? scattered - sum(path.throughput) : scattered);
-    if (alive) stack_.push(path);
+    return alive;
   }
 
   void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }

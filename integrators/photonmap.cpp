@@ -162,7 +162,7 @@ class PhotonMapper final : public Integrator {
   void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const HitPoint& from,
                      const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
     const Vec3 wo = -path.ray.direction;
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random.number(path.bounces, kSplit));
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
     path.throughput *= 1 / choice.chance;
     if (choice.rough) {
       HitPoint hit = from;

@@ -91,15 +91,18 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
   s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
   s.ng = unit_normal(p0, p1, p2);
   s.ns = shading_normal(primitive, b, s.ng);
-  s.dpdu = tangent(primitive, s.ng);
-  const auto t = corner_uvs(primitive);
-  s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
+  if (data_.uvs.empty()) {  // then they are pbrt's: (0,0), (1,0), (1,1)
+    s.dpdu = p1 - p0;
+    s.uv = {b.y + b.z, b.z};
+  } else {
+    const auto t = corner_uvs(primitive);
+    s.dpdu = tangent(primitive, t, s.ng);
+    s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
+  }
   return s;
 }
 
-// Without texture coordinates, pbrt's: (0,0), (1,0), (1,1).
 std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
-  if (data_.uvs.empty()) return {{{0, 0}, {1, 0}, {1, 1}}};
   std::array<Vec2, 3> result;
   for (int corner = 0; corner < 3; ++corner)
     result[static_cast<std::size_t>(corner)] = data_.uvs[static_cast<std::size_t>(index(face, corner))];
@@ -107,8 +110,7 @@ std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
 }
 
 // Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent where the texture coordinates are degenerate.
-Vec3 TriangleMesh::tangent(int face, const Vec3& ng) const {
-  const auto t = corner_uvs(face);
+Vec3 TriangleMesh::tangent(int face, const std::array<Vec2, 3>& t, const Vec3& ng) const {
   const Vec2 uv02 = t[0] - t[2], uv12 = t[1] - t[2];
   const Vec3 p02 = vertex(face, 0) - vertex(face, 2), p12 = vertex(face, 1) - vertex(face, 2);
   const float determinant = uv02.x * uv12.y - uv02.y * uv12.x;
