@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/rgb_lanes.h"
 #include "integrators/hit_point.h"
 #include "integrators/photon_map.h"
 
@@ -15,18 +16,20 @@ struct GatherCounts {
   std::uint64_t invalid = 0;
 };
 
-/// Calls fn(frames, flux times f, distance squared) for every photon within sqrt(radius2) that counts for the hit point
-/// in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass. Throughput
-/// is left to the caller.
+/// Calls fn(frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that counts for the
+/// hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass.
+/// Throughput is left to the caller.
 template <class Fn>
 void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCounts& counts, Fn&& fn) {
   SharedCount within;
   std::uint64_t tested = 0;
   if (hit.lambertian) {  // apart from the rest: the loop that most of a gather's time goes to
+    const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
     tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
-      if (!frames.empty() && dot(photon.wi, hit.ng) > 0) fn(frames, photon.flux, distance2);
+      if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
+        fn(frames, photon.flux_lanes(), distance2);
     });
   } else {
     tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
@@ -35,7 +38,7 @@ void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCoun
       if (frames.empty() || !(hit.transmits || dot(photon.wi, hit.ng) > 0)) return;
       const Rgb flux = photon.flux * hit.bsdf->evaluate(hit.wo, photon.wi, Transport::radiance, hit.lobes);
       counts.invalid += !is_finite(flux);
-      fn(frames, is_finite(flux) ? flux : Rgb(), distance2);
+      fn(frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
     });
   }
   counts.found += within;

@@ -24,8 +24,8 @@ std::vector<NearPhoton> near_photons(const HitPoint& hit, const PhotonMap& map, 
   radius = how.nearest > 0 ? std::min(hit.radius, how.radius) : how.radius;
   while (true) {
     photons.clear();
-    gather(hit, map, radius * radius, counts, [&](FrameSet frames, const Rgb& flux, float distance2) {
-      photons.push_back({distance2, frames, flux});
+    gather(hit, map, radius * radius, counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
+      photons.push_back({distance2, frames, flux.rgb()});
     });
     if (how.nearest == 0 || radius >= how.radius || enough_for_all(photons, hit.frames, how.nearest)) break;
     radius = std::min(2 * radius, how.radius);

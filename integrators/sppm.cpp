@@ -97,8 +97,9 @@ class Sppm final : public Integrator {
       for (const HitPoint& hit : tiles_[tile].hit_points) {
         const float R2 = radius2(hit);
         PassSums sums;
-        gather(hit, map_, R2, counts_[tile], [&](FrameSet, const Rgb& flux, float) { ++sums.M, sums.phi += flux; });
-        sums.phi *= hit.throughput;
+        RgbLanes phi;
+        gather(hit, map_, R2, counts_[tile], [&](FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+        sums.phi = phi.rgb() * hit.throughput;
         absorb(static_cast<std::size_t>(hit.pixel), sums, R2);
       }
     });

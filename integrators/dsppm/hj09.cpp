@@ -37,7 +37,8 @@ class Hj09 final : public PixelEstimator {
 
     PassSums shared;
     std::array<PassSums, kMaxFrames> sums;
-    gather(hit, map, largest2, counts, [&](FrameSet frames, const Rgb& flux, float distance2) {
+    gather(hit, map, largest2, counts, [&](FrameSet frames, RgbLanes lanes, float distance2) {
+      const Rgb flux = lanes.rgb();
       if (frames == hit.frames && distance2 <= smallest2) {
         ++shared.M, shared.phi += flux;
         return;

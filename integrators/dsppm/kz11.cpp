@@ -26,10 +26,10 @@ class Kz11 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = search_radius2(hit);
     const Rgb per_area = hit.throughput / (kPi * radius2);
-    Rgb shared;
-    std::array<Rgb, kMaxFrames> own;
+    RgbLanes shared;
+    std::array<RgbLanes, kMaxFrames> own;
     FrameSet with_own;
-    gather(hit, map, radius2, counts, [&](FrameSet frames, const Rgb& flux, float) {
+    gather(hit, map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
       if (frames == hit.frames) {
         shared += flux;
         return;
@@ -37,13 +37,13 @@ class Kz11 final : public PixelEstimator {
       with_own |= frames;
       frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += flux; });
     });
-    const Rgb sum = shared * per_area;
+    const Rgb sum = shared.rgb() * per_area;
     if (hit.frames == FrameSet::first(frames_)) {
       shared_[static_cast<std::size_t>(hit.pixel)] += sum;
     } else {
       hit.frames.for_each([&](Frame f) { own_[index(hit.pixel, f)] += sum; });
     }
-    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)] * per_area; });
+    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)].rgb() * per_area; });
   }
 
   void end_iteration(std::int64_t photons) override {
