@@ -1,4 +1,4 @@
-// How gathered photons become a pixel's radiance, in each of the frames rendered together. Two ways: hj09 (each pixel
+// How gathered photons and what camera paths saw themselves become a pixel's radiance, in each of the frames rendered together. Two ways: hj09 (each pixel
 // and frame shrinks its own radius) and kz11 (the radius depends on the iteration alone).
 #pragma once
 
@@ -17,10 +17,13 @@ class PixelEstimator {
   virtual float search_radius2(const HitPoint& hit) const = 0;
   /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the
   /// same time; a pixel's hit points of one iteration hold disjoint frames.
-  virtual void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) = 0;
-  /// Once an iteration, after all gathers: `photons` paths were emitted in each frame.
-  virtual void end_iteration(std::int64_t photons) = 0;
-  /// Radiance by photons after the iterations so far.
+  virtual void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                         GatherCounts& counts) = 0;
+  /// Light that needs no photons. Likewise for different pixels at the same time.
+  virtual void see(const SeenLight& light) = 0;
+  /// Once an iteration, after all gathers.
+  virtual void end_iteration() = 0;
+  /// Radiance after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Null where nothing but sums is kept.
   virtual const PixelStatistics* statistics(int /*pixel*/, Frame) const { return nullptr; }
@@ -35,6 +38,7 @@ inline double kz11_shrink(std::int64_t i, float alpha) {
 
 struct EstimatorSettings {
   int pixels = 0, frames = 1;
+  std::int64_t photons = 1;  // paths emitted an iteration in each frame
   float alpha = 0.7f;
 };
 

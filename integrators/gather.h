@@ -20,10 +20,11 @@ struct GatherCounts {
 /// hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass.
 /// Throughput is left to the caller.
 template <class Fn>
-void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCounts& counts, Fn&& fn) {
+void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+            GatherCounts& counts, Fn&& fn) {
   SharedCount within;
   std::uint64_t tested = 0;
-  if (hit.lambertian) {  // apart from the rest: the loop that most of a gather's time goes to
+  if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
     const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
     tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
@@ -35,8 +36,9 @@ void gather(const HitPoint& hit, const PhotonMap& map, float radius2, GatherCoun
     tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
-      if (frames.empty() || !(hit.transmits || dot(photon.wi, hit.ng) > 0)) return;
-      const Rgb flux = photon.flux * hit.bsdf->evaluate(hit.wo, photon.wi, Transport::radiance, hit.lobes);
+      if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
+      const Rgb flux =
+          photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
       counts.invalid += !is_finite(flux);
       fn(frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
     });

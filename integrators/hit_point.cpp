@@ -91,13 +91,14 @@ class HitPointTracer {
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(lobes);
     if (constant && is_black(*constant)) return;
     HitPoint& hit = out_.hit_points.emplace_back();
-    hit.p = point.p, hit.p_error = point.p_error, hit.wo = wo;
+    hit.p = point.p;
     hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = constant ? path.throughput * *constant : path.throughput;
     hit.frames = path.frames, hit.pixel = pixel_;
     hit.radius = radius(path.length);
-    hit.lobes = lobes, hit.lambertian = constant.has_value(), hit.transmits = bsdf.transmits(lobes);
-    if (!constant) hit.bsdf = BsdfSlot::copy_of(bsdf);
+    if (constant) return;
+    hit.scattering = static_cast<int>(out_.scatterings.size());
+    out_.scatterings.push_back({BsdfSlot::copy_of(bsdf), wo, point.p_error, lobes, bsdf.transmits(lobes)});
   }
 
   template <class Weight>
@@ -134,6 +135,7 @@ class HitPointTracer {
 
 void clear(HitPointTile& tile) {
   tile.hit_points.clear();
+  tile.scatterings.clear();
   tile.seen.clear();
   tile.paths = {}, tile.invalid = 0;
 }
@@ -147,7 +149,8 @@ void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
-    sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.seen.capacity() * sizeof(SeenLight);
+    sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.scatterings.capacity() * sizeof(Scattering) +
+           tile.seen.capacity() * sizeof(SeenLight);
   return sum;
 }
 

@@ -8,17 +8,22 @@
 namespace dspm {
 
 struct HitPoint {
-  Vec3 p, p_error;
-  Vec3 ng;         // on wo's side
-  Vec3 wo;         // back along the camera path
-  Rgb throughput;  // of the path, over the chance that it ended here
+  Vec3 p;
+  Vec3 ng;         // on the camera path's side
+  Rgb throughput;  // of the path, over the chance that it ended here; times f where there is no `scattering`
   FrameSet frames;
-  float radius;     // to start with: the scene's, or from the pixel's footprint
-  int pixel;        // within the crop, row by row
-  LobeSet lobes;    // that gather here
-  bool lambertian;  // f is constant: throughput holds it, and bsdf is not to be asked (unless it is to be kept)
-  bool transmits;   // photons on the other side of the surface count as well
+  float radius;         // to start with: the scene's, or from the pixel's footprint
+  int pixel;            // within the crop, row by row
+  int scattering = -1;  // index in the tile; negative where f is constant
+};
+
+/// What a hit point needs besides where f is not constant: most hit points do without, so it is kept apart.
+struct Scattering {
   BsdfSlot bsdf;
+  Vec3 wo;  // back along the camera path
+  Vec3 p_error;
+  LobeSet lobes;   // that gather here
+  bool transmits;  // photons on the other side of the surface count as well
 };
 
 /// Light that a camera path saw itself: emission, or sampled direct light; radiance times throughput.
@@ -33,15 +38,21 @@ struct HitPointSettings {
   float least_alpha = 0.25f;   // lobes at least this rough gather, smoother ones are followed
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
-  bool keep_bsdf = false;      // no hit point is `lambertian`
+  bool keep_bsdf = false;      // every hit point has its `scattering`
 };
 
 /// The hit points of one tile of pixels.
 struct HitPointTile {
   std::vector<HitPoint> hit_points;  // at most one for a pixel and frame
+  std::vector<Scattering> scatterings;
   std::vector<SeenLight> seen;
   PathCounts paths;
   std::uint64_t invalid = 0;  // non-finite contributions that were kept out
+
+  /// Null where f is constant.
+  const Scattering* scattering_of(const HitPoint& hit) const {
+    return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
+  }
 };
 
 /// The mean over all hit points of the root of what `radius2_of` says: what the photon map's cells should be like.

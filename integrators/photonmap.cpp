@@ -104,11 +104,12 @@ class PhotonMapper final : public Integrator {
       for (const SeenLight& light : tiles_[tile].seen) sums_.add(light);
       for (const HitPoint& hit : tiles_[tile].hit_points) {
         const auto add = [&](FrameSet frames, const Rgb& radiance) { sums_.add({hit.pixel, frames, radiance}); };
-        estimate_radiance(hit, caustic_, caustic_how_, counts[tile].gather, add);
+        const Scattering* scattering = tiles_[tile].scattering_of(hit);
+        estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
         if (settings_.final_gather == 0)
-          estimate_radiance(hit, global_, global_how_, counts[tile].gather, add);
+          estimate_radiance(hit, scattering, global_, global_how_, counts[tile].gather, add);
         else
-          final_gather(hit, iteration, counts[tile], add);
+          final_gather(hit, *scattering, iteration, counts[tile], add);
       }
     });
     std::vector<GatherCounts> gathers;
@@ -120,16 +121,18 @@ class PhotonMapper final : public Integrator {
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
   template <class Add>
-  void final_gather(const HitPoint& hit, std::uint64_t iteration, TileCounts& counts, Add&& add) const {
+  void final_gather(const HitPoint& hit, const Scattering& scattering, std::uint64_t iteration, TileCounts& counts,
+                    Add&& add) const {
     SurfacePoint point;
-    point.p = hit.p, point.p_error = hit.p_error, point.ng = point.ns = hit.ng;
+    point.p = hit.p, point.p_error = scattering.p_error, point.ng = point.ns = hit.ng;
     const int x = render_.crop.x0 + hit.pixel % render_.crop.width(),
               y = render_.crop.y0 + hit.pixel / render_.crop.width();
     for (int ray = 0; ray < settings_.final_gather; ++ray) {
       const PathRandom random(
           render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
           iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
-      const auto sample = sample_bsdf(*hit.bsdf, hit.wo, random, 0, Transport::radiance, hit.lobes);
+      const auto sample =
+          sample_bsdf(*scattering.bsdf, scattering.wo, random, 0, Transport::radiance, scattering.lobes);
       if (!sample) continue;
       PathState path;
       path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
@@ -166,12 +169,11 @@ class PhotonMapper final : public Integrator {
     path.throughput *= 1 / choice.chance;
     if (choice.rough) {
       HitPoint hit = from;
-      hit.p = point.p, hit.wo = wo, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
-      hit.throughput = path.throughput;
-      hit.frames = path.frames, hit.lobes = choice.lobes, hit.lambertian = false,
-      hit.transmits = bsdf.transmits(choice.lobes);
-      hit.bsdf = BsdfSlot::copy_of(bsdf);
-      estimate_radiance(hit, global_, global_how_, counts.gather, add);
+      hit.p = point.p, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
+      hit.throughput = path.throughput, hit.frames = path.frames;
+      const Scattering scattering{BsdfSlot::copy_of(bsdf), wo, point.p_error, choice.lobes,
+                                  bsdf.transmits(choice.lobes)};
+      estimate_radiance(hit, &scattering, global_, global_how_, counts.gather, add);
       return;
     }
     if (path.bounces >= kGatherBounces) return;

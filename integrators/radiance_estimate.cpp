@@ -18,13 +18,13 @@ bool enough_for_all(const std::vector<NearPhoton>& photons, FrameSet frames, int
 }  // namespace
 
 // The radius doubles until it holds enough, so the k nearest are exact whatever it started with.
-std::vector<NearPhoton> near_photons(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how,
-                                     GatherCounts& counts, float& radius) {
+std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                                     const RadianceEstimate& how, GatherCounts& counts, float& radius) {
   std::vector<NearPhoton> photons;
   radius = how.nearest > 0 ? std::min(hit.radius, how.radius) : how.radius;
   while (true) {
     photons.clear();
-    gather(hit, map, radius * radius, counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
+    gather(hit, scattering, map, radius * radius, counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
       photons.push_back({distance2, frames, flux.rgb()});
     });
     if (how.nearest == 0 || radius >= how.radius || enough_for_all(photons, hit.frames, how.nearest)) break;

@@ -16,8 +16,8 @@ struct RadianceEstimate {
 /// Calls fn(FrameSet, radiance times the hit point's throughput); the sets are disjoint and leave out frames without
 /// photons. Frames for which the same photons count share one call.
 template <class Fn>
-void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts,
-                       Fn&& fn);
+void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                       const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
 
 /// A photon found around a hit point.
 struct NearPhoton {
@@ -27,14 +27,14 @@ struct NearPhoton {
 };
 
 /// The photons around `hit`, nearest first, out to where every frame has `how.nearest` of them or the radius ends.
-std::vector<NearPhoton> near_photons(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how,
-                                     GatherCounts& counts, float& radius);
+std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                                     const RadianceEstimate& how, GatherCounts& counts, float& radius);
 
 template <class Fn>
-void estimate_radiance(const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how, GatherCounts& counts,
-                       Fn&& fn) {
+void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                       const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
   float radius = how.radius;
-  const std::vector<NearPhoton> photons = near_photons(hit, map, how, counts, radius);
+  const std::vector<NearPhoton> photons = near_photons(hit, scattering, map, how, counts, radius);
   const auto sum = [&](FrameSet frames) {
     Rgb flux;
     int found = 0;

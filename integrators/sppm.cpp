@@ -26,7 +26,7 @@ class Sppm final : public Integrator {
         render_(render),
         pixels_(settings.kz11 ? 0 : static_cast<std::size_t>(render.crop.count())),
         radiance_sums_(settings.kz11 ? static_cast<std::size_t>(render.crop.count()) : 0),
-        seen_(render.crop.count(), 1) {
+        seen_(settings.kz11 ? 0 : render.crop.count(), 1) {
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(1);
     statistics_.bytes = bytes();
@@ -62,8 +62,7 @@ class Sppm final : public Integrator {
 
   Image estimate(Frame) const override {
     Image image(render_.crop.width(), render_.crop.height());
-    for (std::size_t pixel = 0; pixel < image.pixels.size(); ++pixel)
-      image.pixels[pixel] = seen_.mean(static_cast<int>(pixel), 0, statistics_.iterations) + radiance(pixel);
+    for (std::size_t pixel = 0; pixel < image.pixels.size(); ++pixel) image.pixels[pixel] = radiance(pixel);
     return image;
   }
 
@@ -76,7 +75,8 @@ class Sppm final : public Integrator {
  private:
   Rgb radiance(std::size_t pixel) const {
     const auto emitted = static_cast<double>(emitted_);
-    if (!settings_.kz11) return pixels_[pixel].radiance(emitted);
+    if (!settings_.kz11)
+      return seen_.mean(static_cast<int>(pixel), 0, statistics_.iterations) + pixels_[pixel].radiance(emitted);
     return emitted > 0 ? radiance_sums_[pixel] * static_cast<float>(1 / emitted) : Rgb();
   }
 
@@ -93,16 +93,25 @@ class Sppm final : public Integrator {
     counts_.assign(tiles_.size(), {});
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
-      for (const SeenLight& light : tiles_[tile].seen) seen_.add(light);
+      for (const SeenLight& light : tiles_[tile].seen) see(light);
       for (const HitPoint& hit : tiles_[tile].hit_points) {
         const float R2 = radius2(hit);
         PassSums sums;
         RgbLanes phi;
-        gather(hit, map_, R2, counts_[tile], [&](FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+        gather(hit, tiles_[tile].scattering_of(hit), map_, R2, counts_[tile],
+               [&](FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
         sums.phi = phi.rgb() * hit.throughput;
         absorb(static_cast<std::size_t>(hit.pixel), sums, R2);
       }
     });
+  }
+
+  // kz11: every iteration emits as many photons, so what was seen is weighted by them and needs no sums of its own.
+  void see(const SeenLight& light) {
+    if (settings_.kz11)
+      radiance_sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(settings_.photons);
+    else
+      seen_.add(light);
   }
 
   void absorb(std::size_t pixel, const PassSums& sums, float R2) {
@@ -122,8 +131,8 @@ class Sppm final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixels_.capacity() * sizeof(PixelStatistics) + radiance_sums_.capacity() * sizeof(Rgb) + seen_.bytes() + map_.bytes() + bytes_of(tiles_) +
-           bytes_of(traces_);
+    return pixels_.capacity() * sizeof(PixelStatistics) + radiance_sums_.capacity() * sizeof(Rgb) + seen_.bytes() +
+           map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
   }
 
   ProgressiveSettings settings_;
@@ -132,7 +141,7 @@ class Sppm final : public Integrator {
   std::vector<PixelStatistics> pixels_;  // of hj09
   std::vector<Rgb> radiance_sums_;       // of kz11
   double scale_ = 1;                     // kz11's radii over the initial ones
-  SeenLightSums seen_;
+  SeenLightSums seen_;                   // of hj09
   std::int64_t emitted_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;

@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "integrators/progressive_settings.h"
-#include "integrators/seen_light.h"
 
 namespace dspm {
 namespace {
@@ -17,8 +16,8 @@ enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
 class Dsppm final : public Integrator {
  public:
   Dsppm(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings), scene_(scene), render_(render), seen_(render.crop.count(), scene.frame_count()) {
-    const EstimatorSettings of{render.crop.count(), scene.frame_count(), settings.alpha};
+      : settings_(settings), scene_(scene), render_(render) {
+    const EstimatorSettings of{render.crop.count(), scene.frame_count(), settings.photons, settings.alpha};
     estimator_ = settings.kz11 ? make_kz11(of) : make_hj09(of);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
@@ -44,8 +43,7 @@ class Dsppm final : public Integrator {
   Image estimate(Frame frame) const override {
     Image image(render_.crop.width(), render_.crop.height());
     for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] =
-          seen_.mean(pixel, frame, statistics_.iterations) + estimator_->radiance(pixel, frame);
+      image.pixels[static_cast<std::size_t>(pixel)] = estimator_->radiance(pixel, frame);
     return image;
   }
 
@@ -75,23 +73,21 @@ class Dsppm final : public Integrator {
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
-      const auto tile = static_cast<std::size_t>(t);
-      for (const SeenLight& light : tiles_[tile].seen) seen_.add(light);
-      for (const HitPoint& hit : tiles_[tile].hit_points) estimator_->gather_at(hit, map_, counts[tile]);
+      const HitPointTile& tile = tiles_[static_cast<std::size_t>(t)];
+      for (const SeenLight& light : tile.seen) estimator_->see(light);
+      for (const HitPoint& hit : tile.hit_points)
+        estimator_->gather_at(hit, tile.scattering_of(hit), map_, counts[static_cast<std::size_t>(t)]);
     });
-    estimator_->end_iteration(settings_.photons);
+    estimator_->end_iteration();
     account(counts, statistics_);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
-  std::size_t bytes() const {
-    return estimator_->bytes() + seen_.bytes() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
-  }
+  std::size_t bytes() const { return estimator_->bytes() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_); }
 
   ProgressiveSettings settings_;
   const Scene& scene_;
   RenderSettings render_;
-  SeenLightSums seen_;
   std::unique_ptr<PixelEstimator> estimator_;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;

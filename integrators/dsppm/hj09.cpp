@@ -6,6 +6,7 @@
 
 #include "integrators/estimator.h"
 #include "integrators/pixel_statistics.h"
+#include "integrators/seen_light.h"
 
 namespace dspm {
 namespace {
@@ -14,7 +15,9 @@ class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& settings)
       : frames_(settings.frames),
+        photons_(settings.photons),
         alpha_(settings.alpha),
+        seen_(settings.pixels, settings.frames),
         statistics_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
 
   float search_radius2(const HitPoint& hit) const override {
@@ -26,7 +29,8 @@ class Hj09 final : public PixelEstimator {
     return largest2;
   }
 
-  void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                 GatherCounts& counts) override {
     PixelStatistics* pixel = &statistics_[index(hit.pixel, 0)];
     // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
     float largest2 = 0, smallest2 = kInfinity;
@@ -37,7 +41,7 @@ class Hj09 final : public PixelEstimator {
 
     PassSums shared;
     std::array<PassSums, kMaxFrames> sums;
-    gather(hit, map, largest2, counts, [&](FrameSet frames, RgbLanes lanes, float distance2) {
+    gather(hit, scattering, map, largest2, counts, [&](FrameSet frames, RgbLanes lanes, float distance2) {
       const Rgb flux = lanes.rgb();
       if (frames == hit.frames && distance2 <= smallest2) {
         ++shared.M, shared.phi += flux;
@@ -56,15 +60,17 @@ class Hj09 final : public PixelEstimator {
     });
   }
 
-  void end_iteration(std::int64_t photons) override { emitted_ += photons; }
+  void see(const SeenLight& light) override { seen_.add(light); }
+  void end_iteration() override { ++iterations_; }
 
   Rgb radiance(int pixel, Frame frame) const override {
-    return statistics_[index(pixel, frame)].radiance(static_cast<double>(emitted_));
+    const auto emitted = static_cast<double>(iterations_ * photons_);
+    return seen_.mean(pixel, frame, static_cast<int>(iterations_)) + statistics_[index(pixel, frame)].radiance(emitted);
   }
 
   const PixelStatistics* statistics(int pixel, Frame frame) const override { return &statistics_[index(pixel, frame)]; }
 
-  std::size_t bytes() const override { return statistics_.capacity() * sizeof(PixelStatistics); }
+  std::size_t bytes() const override { return statistics_.capacity() * sizeof(PixelStatistics) + seen_.bytes(); }
 
  private:
   std::size_t index(int pixel, Frame frame) const {
@@ -72,8 +78,10 @@ class Hj09 final : public PixelEstimator {
   }
 
   int frames_;
+  std::int64_t photons_;  // paths an iteration, in each frame
   float alpha_;
-  std::int64_t emitted_ = 0;                 // photon paths so far, in each frame
+  std::int64_t iterations_ = 0;
+  SeenLightSums seen_;
   std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
 };
 

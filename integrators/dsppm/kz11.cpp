@@ -14,6 +14,7 @@ class Kz11 final : public PixelEstimator {
  public:
   explicit Kz11(const EstimatorSettings& settings)
       : frames_(settings.frames),
+        photons_(settings.photons),
         alpha_(settings.alpha),
         shared_(static_cast<std::size_t>(settings.pixels)),
         own_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
@@ -23,13 +24,14 @@ class Kz11 final : public PixelEstimator {
     return radius * radius;
   }
 
-  void gather_at(const HitPoint& hit, const PhotonMap& map, GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                 GatherCounts& counts) override {
     const float radius2 = search_radius2(hit);
     const Rgb per_area = hit.throughput / (kPi * radius2);
     RgbLanes shared;
     std::array<RgbLanes, kMaxFrames> own;
     FrameSet with_own;
-    gather(hit, map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
+    gather(hit, scattering, map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
       if (frames == hit.frames) {
         shared += flux;
         return;
@@ -37,19 +39,16 @@ class Kz11 final : public PixelEstimator {
       with_own |= frames;
       frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += flux; });
     });
-    const Rgb sum = shared.rgb() * per_area;
-    if (hit.frames == FrameSet::first(frames_)) {
-      shared_[static_cast<std::size_t>(hit.pixel)] += sum;
-    } else {
-      hit.frames.for_each([&](Frame f) { own_[index(hit.pixel, f)] += sum; });
-    }
+    add(hit.pixel, hit.frames, shared.rgb() * per_area);
     with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)].rgb() * per_area; });
   }
 
-  void end_iteration(std::int64_t photons) override {
-    photons_ = photons;
-    scale_ *= kz11_shrink(++iterations_, alpha_);
+  // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.
+  void see(const SeenLight& light) override {
+    add(light.pixel, light.frames, light.radiance * static_cast<float>(photons_));
   }
+
+  void end_iteration() override { scale_ *= kz11_shrink(++iterations_, alpha_); }
 
   Rgb radiance(int pixel, Frame frame) const override {
     if (iterations_ == 0) return {};
@@ -60,17 +59,25 @@ class Kz11 final : public PixelEstimator {
   std::size_t bytes() const override { return (shared_.capacity() + own_.capacity()) * sizeof(Rgb); }
 
  private:
+  void add(int pixel, FrameSet frames, const Rgb& radiance_times_photons) {
+    if (frames == FrameSet::first(frames_)) {
+      shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;
+    } else {
+      frames.for_each([&](Frame f) { own_[index(pixel, f)] += radiance_times_photons; });
+    }
+  }
+
   std::size_t index(int pixel, Frame frame) const {
     return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
   }
 
   int frames_;
+  std::int64_t photons_;  // emitted an iteration: the same in all
   float alpha_;
   std::int64_t iterations_ = 0;
-  std::int64_t photons_ = 0;  // emitted an iteration: the same in all
-  double scale_ = 1;          // s_i
-  std::vector<Rgb> shared_;   // by pixel: radiance times photons, what counts in all frames
-  std::vector<Rgb> own_;      // by pixel and frame: the rest
+  double scale_ = 1;         // s_i
+  std::vector<Rgb> shared_;  // by pixel: radiance times photons, what counts in all frames
+  std::vector<Rgb> own_;     // by pixel and frame: the rest
 };
 
 }  // namespace
