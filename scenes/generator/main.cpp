@@ -20,6 +20,9 @@ struct Subject {
 
 constexpr Subject kSubjects[] = {
     {"hall", "the cathedral of horse.dsc and figure9/", make_hall},
+    {"mirror_ball", "the mirror ball of disco.dsc", make_mirror_ball},
+    {"glass_ball", "the glass ball of disco.dsc, in 24 frames", make_glass_ball},
+    {"water", "the water of water.dsc, in 25 frames", make_water},
 };
 
 std::string subject_list() {

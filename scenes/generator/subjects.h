@@ -7,5 +7,8 @@
 namespace dspm {
 
 void make_hall(const std::filesystem::path& directory);
+void make_mirror_ball(const std::filesystem::path& directory);
+void make_glass_ball(const std::filesystem::path& directory);
+void make_water(const std::filesystem::path& directory);
 
 }  // namespace dspm
