@@ -24,8 +24,8 @@ TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all)
 
 RayHit TwoLevel::nearest(const Ray& ray, FrameSet frames) const {
   NearestHit nearest(frames, ray.t_max);
-  static_.find(ray, nearest);
   if (!dynamic_.empty()) dynamic_.find(ray, nearest);
+  static_.find(ray, nearest);
   return nearest.hit();
 }
 
