@@ -1,0 +1,112 @@
+#include "bench/measure/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dspm {
+namespace {
+
+/// All frames of a scene at work: together, or one by one where the integrator knows a frame at a time.
+class Renderer {
+ public:
+  Renderer(const LoadedScene& loaded, const Method& method) {
+    const auto plugins = integrator_plugins();
+    const auto plugin = std::find_if(plugins.begin(), plugins.end(),
+                                     [&](const IntegratorPlugin& p) { return p.name == method.integrator; });
+    const std::vector<Frame>& frames = loaded.job.frames;
+    if (plugin->frames_together > 1) {
+      runs_.push_back(start(loaded, method.job, method.integrator, frames));
+    } else {
+      for (const Frame f : frames) runs_.push_back(start(loaded, method.job, method.integrator, {f}));
+    }
+  }
+
+  void iterate() {
+    for (Run& run : runs_) run.integrator->iterate(iterations_);
+    ++iterations_;
+  }
+  int iterations() const { return iterations_; }
+  double seconds() const {
+    double sum = 0;
+    for (const Run& run : runs_) sum += dspm::seconds(run.integrator->statistics());
+    return sum;
+  }
+  Images images() const {
+    Images all;
+    for (const Run& run : runs_)
+      for (Frame f = 0; f < run.scene->frame_count(); ++f) all.push_back(run.integrator->estimate(f));
+    return all;
+  }
+
+ private:
+  std::vector<Run> runs_;
+  int iterations_ = 0;
+};
+
+double error_of(const Image& image, const Image& truth) {
+  double mean = 0, sum = 0;
+  for (const Rgb& pixel : truth.pixels) mean += luminance(pixel);
+  const double floor = 0.01 * mean / static_cast<double>(truth.pixels.size());
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+    const double a = luminance(image.pixels[p]), b = luminance(truth.pixels[p]);
+    if (a != b) sum += std::min(1., std::abs(a - b) / (b + floor));
+  }
+  return sum / static_cast<double>(image.pixels.size());
+}
+
+/// Between a and b on a curve y = c x^e; `at` lies between a.x and b.x.
+double power_law(double ax, double ay, double bx, double by, double at) {
+  return ay * std::pow(by / ay, std::log(at / ax) / std::log(bx / ax));
+}
+
+}  // namespace
+
+double error_of(const Images& images, const Images& truth) {
+  double sum = 0;
+  for (std::size_t f = 0; f < truth.size(); ++f) sum += error_of(images[f], truth[f]);
+  return sum / static_cast<double>(truth.size());
+}
+
+std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method, const Images& truth, double limit) {
+  Renderer renderer(loaded, method);
+  std::vector<ErrorPoint> curve;
+  for (int next = 1; renderer.seconds() < limit;) {
+    renderer.iterate();
+    if (renderer.iterations() != next && renderer.seconds() < limit) continue;
+    curve.push_back({renderer.iterations(), renderer.seconds(), error_of(renderer.images(), truth)});
+    next = 2 * renderer.iterations();
+  }
+  return curve;
+}
+
+Images render_for(const LoadedScene& loaded, const Method& method, double limit) {
+  Renderer renderer(loaded, method);
+  while (renderer.seconds() < limit) renderer.iterate();
+  return renderer.images();
+}
+
+Images mean_of(const Images& a, const Images& b) {
+  Images mean = a;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    for (std::size_t p = 0; p < a[f].pixels.size(); ++p) mean[f].pixels[p] = (a[f].pixels[p] + b[f].pixels[p]) * 0.5f;
+  return mean;
+}
+
+double time_to(std::span<const ErrorPoint> curve, double error) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const ErrorPoint &a = curve[i - 1], &b = curve[i];
+    if (a.error >= error && b.error <= error && a.error > b.error)
+      return power_law(a.error, a.seconds, b.error, b.seconds, error);
+  }
+  return 0;
+}
+
+double error_after(std::span<const ErrorPoint> curve, double seconds) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const ErrorPoint &a = curve[i - 1], &b = curve[i];
+    if (a.seconds <= seconds && seconds <= b.seconds) return power_law(a.seconds, a.error, b.seconds, b.error, seconds);
+  }
+  return seconds < curve.front().seconds ? curve.front().error : curve.back().error;
+}
+
+}  // namespace dspm

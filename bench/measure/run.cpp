@@ -1,0 +1,97 @@
+#include "bench/measure/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dspm {
+namespace {
+
+Job with_param(Job job, const char* name, ParamType type, decltype(Param::values) values) {
+  std::erase_if(job.params.params, [&](const Param& p) { return p.name == name; });
+  Param param;
+  param.type = type, param.name = name, param.values = std::move(values);
+  job.params.params.push_back(std::move(param));
+  return job;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+std::filesystem::path our_scene(const std::string& name) {
+  return std::filesystem::path(DSPM_SOURCE_DIR) / "scenes" / (name + ".dsc");
+}
+
+std::filesystem::path foreign(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(DSPM_TEST_DATA) / name;
+  if (!std::filesystem::exists(path)) throw Skipped(fmt::format("{} is not on this machine", name));
+  return path;
+}
+
+LoadedScene load(const std::filesystem::path& scene, const Options& given) {
+  if (!std::filesystem::exists(scene)) throw Skipped(fmt::format("there is no {}", scene.filename().string()));
+  Options options = given;
+  options.scenes = {scene};
+  Messages messages(true);
+  try {
+    return LoadedScene(options, messages);
+  } catch (const SceneError& error) {
+    throw Skipped(first_line(error.what()));
+  }
+}
+
+LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines) {
+  Options options;
+  options.defines = defines;
+  return load(scene, options);
+}
+
+LoadedScene load_sibenik_horse() {
+  return load(std::filesystem::path(DSPM_SOURCE_DIR) / "bench/sibenik_horse.dsc",
+              {"data=" + foreign("data/sibenik").parent_path().string()});
+}
+
+Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames) {
+  for (const auto& plugin : integrator_plugins())
+    if (plugin.name == integrator) job.plugin = &plugin, job.integrator = integrator;
+  Diagnostics diagnostics;
+  Run run{loaded.world->scene(frames), nullptr};
+  run.integrator = job.make_integrator(*run.scene, diagnostics);
+  diagnostics.throw_if_errors();
+  return run;
+}
+
+Job with_text(Job job, const char* name, const char* value) {
+  return with_param(std::move(job), name, ParamType::text, std::vector<std::string>{value});
+}
+
+Job with_integer(Job job, const char* name, int value) {
+  return with_param(std::move(job), name, ParamType::integer, std::vector<int>{value});
+}
+
+Job with_number(Job job, const char* name, float value) {
+  return with_param(std::move(job), name, ParamType::number, std::vector<float>{value});
+}
+
+std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t count) {
+  if (count >= frames.size()) return frames;
+  std::vector<Frame> some;
+  for (std::size_t i = 0; i < count; ++i) some.push_back(frames[i * frames.size() / count]);
+  return some;
+}
+
+double seconds(const Statistics& statistics) {
+  double sum = 0;
+  for (const StepTime& step : statistics.steps) sum += step.seconds;
+  return sum;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace dspm

@@ -1,0 +1,53 @@
+// An integrator at work, for what compares integrators.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "app/load.h"
+
+namespace dspm {
+
+/// What cannot be measured here, as its models are not there, and why.
+class Skipped : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One of our scenes: scenes/NAME.dsc.
+std::filesystem::path our_scene(const std::string& name);
+/// A file or folder of what is not ours and may be absent; throws Skipped.
+std::filesystem::path foreign(const std::string& name);
+
+/// Throws Skipped where the scene, or a file that it names, is not there.
+LoadedScene load(const std::filesystem::path& scene, const Options& options);
+/// The scene's text has these values of its names, name=value.
+LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});
+/// The paper's first scene with its true models.
+LoadedScene load_sibenik_horse();
+
+struct Run {
+  std::unique_ptr<Scene> scene;
+  std::unique_ptr<Integrator> integrator;
+};
+
+/// The scene's own integrator with other settings, or another one.
+Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames);
+
+/// The job with another value of an integrator's parameter.
+Job with_text(Job job, const char* name, const char* value);
+Job with_integer(Job job, const char* name, int value);
+Job with_number(Job job, const char* name, float value);
+
+/// `count` of the frames, evenly spread, the first among them; all where there are fewer.
+std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t count);
+
+/// Seconds of all steps so far.
+double seconds(const Statistics& statistics);
+
+/// The middle of the values, the upper of two; 0 of none.
+double median(std::vector<double> values);
+
+}  // namespace dspm

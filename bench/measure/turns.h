@@ -1,0 +1,46 @@
+// dsppm on all frames of a scene and sppm on each of them, iteration by iteration in turn, so that a busy machine is
+// busy for both: the four steps and the total as in WG12's table 1, each beside its sharing factor.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "bench/measure/run.h"
+#include "bench/report/wg12.h"
+
+namespace dspm {
+
+/// The steps of an iteration, and last their sum.
+inline constexpr std::array<const char*, 5> kSteps = {"hit points", "photons", "photon map", "statistics", "all"};
+using StepSeconds = std::array<double, kSteps.size()>;
+
+/// One more iteration.
+StepSeconds timed_iteration(Integrator& integrator, int iteration);
+/// Step by step.
+StepSeconds medians(const std::vector<StepSeconds>& rounds);
+
+struct Comparison {
+  int frames = 0;
+  StepSeconds together{}, separate{};  // medians over iterations; separate: of all frames
+  StepSeconds speedups{};              // medians of the iterations' ratios
+  /// What separate runs do over what is done together: path segments, photons stored, photon tests. The limit of the
+  /// speedup as long as shared work costs as much as other work. 0 for the total.
+  StepSeconds factors{};
+  double dynamic_photons = 0, dynamic_hit_points = 0;  // shares of the paths
+};
+
+struct TurnSettings {
+  int iterations = 6;         // the first, in which buffers grow, does not count
+  std::size_t separate = 64;  // at most so many frames are rendered one by one; all others count as their mean
+};
+
+/// For each group of frames (all within the first one) what becomes of them together and separately.
+std::vector<Comparison> take_turns(const LoadedScene& loaded, const Job& job,
+                                   std::span<const std::vector<Frame>> groups, const TurnSettings& settings);
+
+/// A row a step; `paper` are WG12's speedups, where there are any.
+std::string table_of(const Comparison& comparison, const wg12::Speedups* paper);
+/// "1.2% of the photon paths and 11.3% of the camera paths met something that differs between frames."
+std::string dynamic_shares(const Comparison& comparison);
+
+}  // namespace dspm

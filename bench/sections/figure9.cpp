@@ -1,0 +1,82 @@
+// WG12's figure 9: nine scenes, from few to many dynamic photons and from few to many dynamic hit points.
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/measure/turns.h"
+#include "bench/plots/plots.h"
+#include "bench/report/progress.h"
+#include "bench/report/table.h"
+#include "bench/sections/sections.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::size_t kSide = 3;
+
+std::vector<std::filesystem::path> scene_files() {
+  const std::filesystem::path folder = our_scene("figure9").replace_extension();
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".dsc") files.push_back(entry.path());
+  if (files.size() != kSide * kSide) throw Skipped(fmt::format("there are {} scenes in figure9", files.size()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Rows of rising shares of dynamic photons, in each of them rising shares of dynamic hit points.
+void arrange(std::vector<Comparison>& found) {
+  const auto by = [](double Comparison::*share) {
+    return [share](const Comparison& a, const Comparison& b) { return a.*share < b.*share; };
+  };
+  std::sort(found.begin(), found.end(), by(&Comparison::dynamic_photons));
+  for (auto row = found.begin(); row != found.end(); row += kSide)
+    std::sort(row, row + kSide, by(&Comparison::dynamic_hit_points));
+}
+
+std::string cell(const Comparison& c) {
+  return fmt::format("**{:.2f}** ({} photons, {} hit points)", c.speedups.back(), percent_cell(c.dynamic_photons),
+                     percent_cell(c.dynamic_hit_points));
+}
+
+constexpr const char* kAmounts[] = {"few", "more", "most"};
+
+std::string table_of(const std::vector<Comparison>& found) {
+  Table table({"dynamic photons", "few dynamic hit points", "more", "most"});
+  for (std::size_t row = 0; row < kSide; ++row)
+    table.row({kAmounts[row], cell(found[row * kSide]), cell(found[row * kSide + 1]), cell(found[row * kSide + 2])});
+  return table.text();
+}
+
+PlotFile plot_of(const std::vector<Comparison>& found) {
+  BarPlot plot{"Speedup by the shares of dynamic photons and hit points", "speedup", {}, {}};
+  for (std::size_t i = 0; i < kSide; ++i) {
+    plot.groups.push_back(std::string(kAmounts[i]) + " dynamic photons");
+    plot.series.push_back({std::string(kAmounts[i]) + " dynamic hit points", {}});
+    for (std::size_t row = 0; row < kSide; ++row)
+      plot.series[i].values.push_back(found[row * kSide + i].speedups.back());
+  }
+  return {"figure9", svg_of(plot)};
+}
+
+}  // namespace
+
+Findings measure_figure9(const Setup& setup) {
+  std::vector<Comparison> found;
+  for (const std::filesystem::path& file : scene_files()) {
+    say("figure9/{}", file.filename().string());
+    const LoadedScene loaded = load(file);
+    const std::vector<std::vector<Frame>> group = {loaded.job.frames};
+    const TurnSettings settings{.iterations = setup.quick ? 2 : 4, .separate = setup.quick ? 2u : 64u};
+    found.push_back(take_turns(loaded, loaded.job, group, settings).front());
+  }
+  arrange(found);
+  const auto [least, most] = std::minmax_element(
+      found.begin(), found.end(), [](const auto& a, const auto& b) { return a.speedups.back() < b.speedups.back(); });
+  return {table_of(found) + "\n" + plot_link("figure9", "The nine speedups") +
+              fmt::format("\nFrom {:.2f} to {:.2f}; WG12: from {:.2f} to {:.2f}.\n", least->speedups.back(),
+                          most->speedups.back(), wg12::kLeastSpeedup, wg12::kMostSpeedup),
+          {plot_of(found)}};
+}
+
+}  // namespace dspm

@@ -1,0 +1,21 @@
+// The rays whose partition is measured: as a render's, from the camera and on from what they meet.
+#pragma once
+
+#include <vector>
+
+#include "accel/accel.h"
+#include "bench/sections/query_scenes.h"
+
+namespace dspm {
+
+struct Query {
+  Ray ray;
+  FrameSet frames;
+};
+
+/// One a pixel, for all frames.
+std::vector<Query> camera_rays(const QueryScene& scene);
+/// One diffuse bounce from everything that `queries` meet, in the frames that meet it.
+std::vector<Query> bounced(const QueryScene& scene, const Accel& accel, const std::vector<Query>& queries);
+
+}  // namespace dspm

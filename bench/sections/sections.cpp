@@ -1,0 +1,42 @@
+#include "bench/sections/sections.h"
+
+#include <fmt/format.h>
+
+#include "bench/report/machine.h"
+
+namespace dspm {
+
+Findings measure_machine(const Setup&) { return {machine_in_words() + ".\n", {}}; }
+
+std::string plot_link(const std::string& name, const std::string& sentence) {
+  return fmt::format("![{}](plots/{}.svg)\n", sentence, name);
+}
+
+std::span<const Section> sections() {
+  static constexpr Section kSections[] = {
+      {"machine", "what is measured on", measure_machine},
+      {"horse", "WG12 table 1: the speedup over the number of frames", measure_horse},
+      {"sibenik", "the same with the paper's own models, where they are", measure_sibenik},
+      {"scenes", "WG12 table 3: disco, water and material", measure_scenes},
+      {"figure9", "WG12 figure 9: the speedup over the shares of dynamic photons and hit points", measure_figure9},
+      {"memory", "WG12 table 2: peak memory over the number of frames", measure_memory},
+      {"frames", "time and memory of up to 256 frames", measure_frames},
+      {"threads", "from one thread to all", measure_threads},
+      {"error", "time to equal error of the integrators and estimators", measure_error},
+      {"queries", "partition queries against other ways to the same answer", measure_queries},
+      {"sppm", "one frame, beside other renderers", measure_sppm},
+      {"reading", "scenes' text and meshes in bytes a second", measure_reading},
+  };
+  return kSections;
+}
+
+std::span<const Section> scene_sections() {
+  static constexpr Section kSections[] = {
+      {"turns", "dsppm on all frames against sppm on each", measure_turns},
+      {"threads", "from one thread to all", measure_threads},
+      {"error", "time to equal error of the integrators and estimators", measure_error},
+  };
+  return kSections;
+}
+
+}  // namespace dspm
