@@ -1,5 +1,7 @@
 #include "integrators/hit_point.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/tiles.h"
@@ -7,7 +9,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kTileSide = 16;
+constexpr int kTileSide = 32;
 // A few pixel spacings; never more than a share of the scene, for what is seen at the horizon.
 constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
 // What is rougher is no specular lobe.
@@ -18,7 +20,7 @@ class HitPointTracer {
   HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointTile& out)
       : scene_(scene), render_(render), settings_(settings), frames_(scene.frames()), out_(out) {}
 
-  /// x, y in the full image.
+  /// x, y in the full image. Paths that leave the others' company wait for finish().
   void trace(int x, int y, std::uint64_t iteration) {
     const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
     pixel_ = pixel_in_crop(render_.crop, x, y);
@@ -33,7 +35,28 @@ class HitPointTracer {
     met_dynamic_ = false;
   }
 
+  /// Follows the paths that wait, frame by frame: what is dynamic has a tree for each frame, and a tile's paths through
+  /// one of them find it in the cache.
+  void finish() {
+    finishing_ = true;
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
+      return a.path.frames.lowest() < b.path.frames.lowest();
+    });
+    for (const Waiting& w : waiting_) {
+      pixel_ = w.pixel, camera_ = w.camera;
+      stack_.push(w.path);
+      run(w.random);
+    }
+  }
+
  private:
+  struct Waiting {
+    PathState path;
+    PathRandom random;
+    const Camera* camera;
+    int pixel;
+  };
+
   void run(const PathRandom& random) {
     while (!stack_.empty()) {
       const PathState path = stack_.pop();
@@ -81,7 +104,11 @@ class HitPointTracer {
     extend(path, point, *sample);
     if (is_black(path.throughput)) return;
     if (!is_finite(path.throughput)) return reject(path.frames);
-    if (survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette))) stack_.push(path);
+    if (!survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette))) return;
+    if (finishing_ || path.frames == frames_)
+      stack_.push(path);
+    else
+      waiting_.push_back({path, random, camera_, pixel_});
   }
 
   void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
@@ -129,6 +156,8 @@ class HitPointTracer {
   HitPointTile& out_;
   const Camera* camera_ = nullptr;
   PathStack<> stack_;
+  std::vector<Waiting> waiting_;
+  bool finishing_ = false;
   int pixel_ = 0;
   bool met_dynamic_ = false;
 };
@@ -164,6 +193,7 @@ std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSetti
     HitPointTracer tracer(scene, render, settings, tile);
     for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t),
                            [&](int x, int y) { tracer.trace(x, y, iteration); });
+    tracer.finish();
   });
   return reuse;
 }
