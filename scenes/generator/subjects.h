@@ -7,8 +7,10 @@
 namespace dspm {
 
 void make_hall(const std::filesystem::path& directory);
+void make_animal(const std::filesystem::path& directory);
 void make_mirror_ball(const std::filesystem::path& directory);
 void make_glass_ball(const std::filesystem::path& directory);
+void make_agave(const std::filesystem::path& directory);
 void make_water(const std::filesystem::path& directory);
 
 }  // namespace dspm

@@ -87,7 +87,7 @@ void close_below(MeshData& mesh) {
 void make_water(const std::filesystem::path& directory) {
   const Vec2 middle{0.47f * kSide, 0.52f * kSide};
   const WaterWaves waves(kSide, kDepth, 2e-5f,
-                         {{5.2f * kSeconds, middle, 0.03f, 1.3f}, {20 * kSeconds, middle, 0.012f, 0.4f}});
+                         {{5.2f * kSeconds, middle, 0.03f, 1.8f}, {20 * kSeconds, middle, 0.014f, 0.6f}});
   for (int frame = 0; frame < kFrames; ++frame) {
     MeshData mesh = upper_side(waves, static_cast<float>(frame) * kSeconds);
     close_below(mesh);
