@@ -25,6 +25,8 @@ constexpr Subject kSubjects[] = {
     {"glass_ball", "the glass ball of disco.dsc, in 24 frames", make_glass_ball},
     {"water", "the water of water.dsc, in 25 frames", make_water},
     {"agave", "the plant of water.dsc", make_agave},
+    {"coffee_pot", "the product of material.dsc", make_coffee_pot},
+    {"tableware", "glass and cup of material.dsc", make_tableware},
 };
 
 std::string subject_list() {

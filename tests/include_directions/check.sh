@@ -28,7 +28,7 @@ BEGIN {
   confined["^(oneapi/)?tbb/"] = "^core/parallel[.]"
   confined["^embree3/"] = "^accel/static_tree[.]"
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^image/exr[.]"
-  confined["^CGAL/"] = "^shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)[.]"
+  confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/isosurface)[.]"
 }
 
 function wrong(message) {

@@ -1,0 +1,35 @@
+// The galloping animal must be glass in every frame: closed, consistently oriented, nowhere through itself.
+#include "scenes/generator/animal.h"
+
+#include <gtest/gtest.h>
+
+#include "shapes/mesh_check.h"
+
+namespace dspm::animal {
+namespace {
+
+TEST(Animal, IsSoundAndOnTheGroundInEveryPose) {
+  const Body body = make_body();
+  constexpr int kPoses = 32;
+  bool stands = false;
+  for (int i = 0; i < kPoses; ++i) {
+    const MeshData mesh = posed(body, gallop(static_cast<float>(i) / kPoses));
+    const MeshReport report = check_mesh(TriangleMesh(mesh));
+    EXPECT_TRUE(report.sound()) << "pose " << i << ": " << describe(report).front();
+    Bounds3 bounds;
+    for (const Vec3& p : mesh.vertices) bounds.add(p);
+    EXPECT_GT(bounds.low.y, -0.02f) << "pose " << i;
+    stands = stands || bounds.low.y < 0.02f;
+    EXPECT_LT(bounds.high.y, 2.4f);
+  }
+  EXPECT_TRUE(stands);
+}
+
+TEST(Animal, IsFineEnough) {
+  const std::size_t faces = make_body().mesh.faces.size();
+  EXPECT_GT(faces, 9000u);
+  EXPECT_LT(faces, 11000u);
+}
+
+}  // namespace
+}  // namespace dspm::animal
