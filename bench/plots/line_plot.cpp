@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kWidth = 720, kHeight = 380;
 constexpr double kLabelGap = 15;  // pixels between the names of series, at least
+constexpr double kSample = 18;    // of a line, before its name
 
 bool shown(double value, Scale scale) { return std::isfinite(value) && (scale == Scale::linear || value > 0); }
 
@@ -25,21 +26,29 @@ double widest_name(const LinePlot& plot) {
   return width;
 }
 
-/// A series' name beside the end of its line.
-struct EndLabel {
+/// A series' name at the right, about where its line ends.
+struct Label {
   int series;
-  SvgPoint at;
+  double y;
 };
 
-/// Moves labels apart where lines end close together; the first of all stays at or below `top`, none falls below
-/// `bottom`.
-void spread(std::vector<EndLabel>& labels, double bottom) {
-  std::sort(labels.begin(), labels.end(), [](const EndLabel& a, const EndLabel& b) { return a.at.y < b.at.y; });
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    labels[i].at.y = std::max(labels[i].at.y, labels[i - 1].at.y + kLabelGap);
+/// Moves labels apart where lines end close together; none falls below `bottom`.
+void spread(std::vector<Label>& labels, double bottom) {
+  std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
+  for (std::size_t i = 1; i < labels.size(); ++i) labels[i].y = std::max(labels[i].y, labels[i - 1].y + kLabelGap);
   double limit = bottom;
   for (auto label = labels.rbegin(); label != labels.rend(); ++label, limit -= kLabelGap)
-    label->at.y = std::min(label->at.y, limit);
+    label->y = std::min(label->y, limit);
+}
+
+void draw_labels(Svg& svg, const PlotArea& area, const LinePlot& plot, std::vector<Label> labels) {
+  spread(labels, area.bottom);
+  for (const Label& label : labels) {
+    const LineSeries& series = plot.series[static_cast<std::size_t>(label.series)];
+    const double left = area.right + 10;
+    svg.line({left, label.y}, {left + kSample, label.y}, {.series = label.series, .dashed = series.dashed});
+    svg.text({left + kSample + 6, label.y + 4}, series.name, Anchor::start, {.series = label.series});
+  }
 }
 
 void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& x, const std::string& label) {
@@ -58,12 +67,12 @@ std::string svg_of(const LinePlot& plot) {
       plot.x_ticks.empty() ? axis_for(all(plot, &PlotPoint::x), plot.x_scale) : axis_of(plot.x_ticks, plot.x_scale);
   const Axis y = axis_for(all(plot, &PlotPoint::y), plot.y_scale);
   PlotArea area;
-  area.right = kWidth - 24 - widest_name(plot);
+  area.right = kWidth - 34 - kSample - widest_name(plot);
   Svg svg(kWidth, kHeight, plot.title);
   draw_frame(svg, area, plot.title, y, plot.y_label);
   draw_x_axis(svg, area, x, plot.x_label);
 
-  std::vector<EndLabel> labels;
+  std::vector<Label> labels;
   for (int s = 0; s < static_cast<int>(plot.series.size()); ++s) {
     const LineSeries& series = plot.series[static_cast<std::size_t>(s)];
     std::vector<SvgPoint> points;
@@ -73,12 +82,9 @@ std::string svg_of(const LinePlot& plot) {
     if (points.empty()) continue;
     svg.polyline(points, {.series = s, .dashed = series.dashed});
     for (const SvgPoint& p : points) svg.dot(p, {.series = s});
-    labels.push_back({s, {points.back().x + 8, points.back().y + 4}});
+    labels.push_back({s, points.back().y});
   }
-  spread(labels, area.bottom + 4);
-  for (const EndLabel& label : labels)
-    svg.text(label.at, plot.series[static_cast<std::size_t>(label.series)].name, Anchor::start,
-             {.series = label.series});
+  draw_labels(svg, area, plot, std::move(labels));
   return svg.finished();
 }
 
