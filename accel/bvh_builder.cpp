@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kBins = 16;
+constexpr int kBins = 32;
 // Below this level pieces are only halved, so that no input makes the tree deeper than Bvh::kMaxDepth.
 constexpr int kFreeLevels = 48;
 // The share of rays that ask for all frames; the others are taken to ask for one.
@@ -130,7 +130,7 @@ class Builder {
     std::size_t size = 1;
     while (size < children.size()) {
       const auto weight = [&](const Range& r) {
-        return r.size <= leaf_size_ ? -1.f : free ? r.cost : static_cast<float>(r.count);
+        return r.size <= leaf_size_ ? -1.f : free ? r.bounds.half_area() : static_cast<float>(r.count);
       };
       const auto widest = std::max_element(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(size),
                                            [&](const Range& a, const Range& b) { return weight(a) < weight(b); });

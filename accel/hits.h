@@ -12,6 +12,7 @@ namespace dspm {
 class NearestHit {
  public:
   static constexpr bool kOneFrame = true;
+  static constexpr bool kNearestFirst = true;
 
   /// Takes hits up to and including the distance `limit`.
   NearestHit(FrameSet frames, float limit) : frames_(frames) { best_.t = limit; }
@@ -30,10 +31,31 @@ class NearestHit {
   RayHit best_;
 };
 
+/// Whether anything is in the way in one frame, or in frames that cannot differ.
+class AnyHit {
+ public:
+  static constexpr bool kOneFrame = true;
+  static constexpr bool kNearestFirst = false;
+
+  AnyHit(FrameSet frames, float t_max) : frames_(frames), limit_(t_max) {}
+
+  FrameSet frames() const { return frames_; }
+  float limit() const { return limit_; }
+  float limit(FrameSet) const { return limit_; }
+  bool reaches(float entry, FrameSet) const { return entry <= limit_; }
+  void offer(const RayHit&, FrameSet) { limit_ = -1; }
+  bool found() const { return limit_ < 0; }
+
+ private:
+  FrameSet frames_;
+  float limit_;
+};
+
 /// The nearest hit so far of each frame. A hit that several frames have in common is kept once.
 class NearestHits {
  public:
   static constexpr bool kOneFrame = false;
+  static constexpr bool kNearestFirst = true;
 
   NearestHits(FrameSet frames, float t_max);
 
@@ -72,6 +94,7 @@ class NearestHits {
 class Unblocked {
  public:
   static constexpr bool kOneFrame = false;
+  static constexpr bool kNearestFirst = false;
 
   Unblocked(FrameSet frames, float t_max) : frames_(frames), t_max_(t_max) {}
 

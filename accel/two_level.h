@@ -4,14 +4,9 @@
 // parameters. [WG12, section 3; there rays start anew behind every dynamic hit]
 #pragma once
 
-#include "accel/dynamic_tree.h"
-#include "accel/static_tree.h"
+#include "accel/tree.h"
 
 namespace dspm {
-
-/// Numbers of the placed shapes that are there in all of the frames, and in some.
-ShapesByKind static_shapes(std::span<const PlacedShape> shapes, FrameSet all);
-ShapesByKind dynamic_shapes(std::span<const PlacedShape> shapes, FrameSet all);
 
 class TwoLevel final : public Accel {
  public:
@@ -19,16 +14,21 @@ class TwoLevel final : public Accel {
 
   HitPartition partition(const Ray& ray, FrameSet frames) const override;
   FrameSet occluded(const Ray& ray, FrameSet frames) const override;
-  std::size_t memory() const override { return static_.memory() + dynamic_.memory(); }
+  std::size_t memory() const override;
 
-  const StaticTree& static_tree() const { return static_; }
-  const DynamicTree& dynamic_tree() const { return dynamic_; }
+  const Tree& static_tree() const { return static_; }
+  const Tree& dynamic_tree() const { return dynamic_; }
 
  private:
   RayHit nearest(const Ray& ray, FrameSet frames) const;
+  template <class Query>
+  void find_dynamic(const Ray& ray, Query& query) const;
 
-  StaticTree static_;
-  DynamicTree dynamic_;
+  MeshTrees meshes_;
+  Tree static_, dynamic_;
+  // A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over what is there
+  // in its frame alone. Empty where that would hold triangles too often.
+  std::vector<Tree> of_frame_;
 };
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all);

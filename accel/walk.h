@@ -3,6 +3,7 @@
 //   bool reaches(float entry, FrameSet frames) const  something at distance `entry` or later may matter to one of them
 //   float limit() const                               nothing beyond this distance matters (at it, it may)
 //   static constexpr bool kOneFrame                   frames() never holds more than one frame, limit() says it all
+//   static constexpr bool kNearestFirst               the order matters
 #pragma once
 
 #include <immintrin.h>
@@ -63,6 +64,7 @@ void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
   std::uint32_t child[kMost];
   std::uint64_t common[kMost];
   if (bvh.nodes.empty()) return;
+  const bool frames_differ = !bvh.node_frames.empty();
   const detail::NodeTest test(ray);
   int size = 1;
   at[0] = 0, child[0] = 0, common[0] = query.frames().bits();
@@ -75,16 +77,16 @@ void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
       continue;
     }
     const Bvh::Node& node = bvh.nodes[top];
-    const Bvh::NodeFrames& frames = bvh.node_frames[top];
     alignas(16) float entry[Bvh::kWidth];
     const int base = size;
     for (unsigned hits = test(node, query.limit(), entry); hits != 0; hits &= hits - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(hits));
-      const FrameSet both = frames[i] & query.frames();
+      const FrameSet both = frames_differ ? bvh.node_frames[top][i] & query.frames() : query.frames();
       if (both.empty()) continue;
       int place = size++;
-      for (; place > base && at[place - 1] < entry[i]; --place)
-        at[place] = at[place - 1], child[place] = child[place - 1], common[place] = common[place - 1];
+      if constexpr (Query::kNearestFirst)
+        for (; place > base && at[place - 1] < entry[i]; --place)
+          at[place] = at[place - 1], child[place] = child[place - 1], common[place] = common[place - 1];
       at[place] = entry[i], child[place] = node.child[i], common[place] = both.bits();
     }
   }

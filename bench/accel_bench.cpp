@@ -196,7 +196,7 @@ std::vector<double> take_turns(const std::vector<Query>& queries, const std::vec
 
 volatile int g_sink;  // keeps answers from being optimised away
 
-void restart(const StaticTree& still, const DynamicTree& moving, const Scene& scene, const Query& query) {
+void restart(const Tree& still, const Tree& moving, const Scene& scene, const Query& query) {
   for (FrameSet rest = query.frames; !rest.empty();) {
     NearestHit nearest(rest, query.ray.t_max);
     still.find(query.ray, nearest);
@@ -209,13 +209,13 @@ void restart(const StaticTree& still, const DynamicTree& moving, const Scene& sc
 
 void compare(const char* name, const Scene& scene) {
   const TwoLevel tree(scene.placed, scene.all);
-  const StaticTree& still = tree.static_tree();
-  const DynamicTree& moving = tree.dynamic_tree();
-  std::vector<std::unique_ptr<DynamicTree>> of_frame;
+  const Tree& still = tree.static_tree();
+  const Tree& moving = tree.dynamic_tree();
+  MeshTrees meshes;
+  std::vector<Tree> of_frame;
   scene.all.for_each([&](Frame f) {
-    const ShapesByKind there =
-        by_kind(scene.placed, [&](const PlacedShape& s) { return s.frames == FrameSet::single(f); });
-    of_frame.push_back(std::make_unique<DynamicTree>(scene.placed, there, FrameSet::single(f)));
+    const auto there = numbers_of(scene.placed, [&](const PlacedShape& s) { return s.frames == FrameSet::single(f); });
+    of_frame.emplace_back(scene.placed, there, FrameSet::single(f), meshes);
   });
 
   const std::vector<Answer> ways{
@@ -228,7 +228,7 @@ void compare(const char* name, const Scene& scene) {
         still.find(q.ray, nearest);
         q.frames.for_each([&](Frame f) {
           NearestHit of_this_frame = nearest;
-          of_frame[static_cast<std::size_t>(f)]->find(q.ray, of_this_frame);
+          of_frame[static_cast<std::size_t>(f)].find(q.ray, of_this_frame);
           g_sink = of_this_frame.hit().primitive;
         });
       },

@@ -41,8 +41,7 @@ function(dspm_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 1200)  # seconds: enough under ThreadSanitizer
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
-    ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
+  set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
   if(ARG_DATA)  # ctest lets a skipped test hide a failed one, so this is only for binaries that need the data throughout
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")
   endif()

@@ -23,14 +23,15 @@ struct Trees {
   explicit Trees(const QueryScene& query_scene) : scene(query_scene), two_level(scene.placed, scene.all) {
     scene.all.for_each([&](Frame f) {
       const FrameSet alone = FrameSet::single(f);
-      const ShapesByKind there = by_kind(scene.placed, [&](const PlacedShape& s) { return s.frames == alone; });
-      of_frame.push_back(std::make_unique<DynamicTree>(scene.placed, there, alone));
+      const auto there = numbers_of(scene.placed, [&](const PlacedShape& s) { return s.frames == alone; });
+      of_frame.emplace_back(scene.placed, there, alone, meshes);
     });
   }
 
   const QueryScene& scene;
   TwoLevel two_level;
-  std::vector<std::unique_ptr<DynamicTree>> of_frame;
+  MeshTrees meshes;
+  std::vector<Tree> of_frame;
 };
 
 void partition(const Trees& trees, const Query& q) { g_sink = trees.two_level.partition(q.ray, q.frames).size(); }
@@ -44,7 +45,7 @@ void tree_a_frame(const Trees& trees, const Query& q) {
   trees.two_level.static_tree().find(q.ray, nearest);
   q.frames.for_each([&](Frame f) {
     NearestHit of_this_frame = nearest;
-    trees.of_frame[static_cast<std::size_t>(f)]->find(q.ray, of_this_frame);
+    trees.of_frame[static_cast<std::size_t>(f)].find(q.ray, of_this_frame);
     g_sink = of_this_frame.hit().primitive;
   });
 }

@@ -1,0 +1,71 @@
+// The project's tree over placed shapes. Its nodes know in which frames their contents are there. A leaf holds up to
+// eight triangles of meshes that stand in world space, or something that a transform places: one primitive, or a whole
+// mesh, which then has a tree of its own in its own space, however often it is placed. As the meshes of a deforming
+// object lie close together, leaves and nodes hold triangles of several frames.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "accel/triangle_packet.h"
+#include "accel/walk.h"
+
+namespace dspm {
+
+class MeshTrees;
+
+/// Numbers of the shapes for which wanted(PlacedShape) holds.
+template <class Wanted>
+std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& wanted) {
+  std::vector<int> numbers;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    if (wanted(shapes[s])) numbers.push_back(static_cast<int>(s));
+  return numbers;
+}
+
+class Tree {
+ public:
+  /// Over shapes[i] for all i in `which`. `all`: the frames that rays may ask for.
+  Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes);
+
+  bool empty() const { return bvh_.nodes.empty(); }
+  /// Offers to `query` (NearestHit, NearestHits or Unblocked) what the ray meets.
+  template <class Query>
+  void find(const Ray& ray, Query& query) const;
+
+  /// Boxes of up to 8 parts, with margin, that are all there is.
+  std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.nodes.front().boxes(); }
+  /// Without the trees of placed meshes.
+  std::size_t memory() const;
+
+ private:
+  /// One primitive, or all of a mesh.
+  struct Placed {
+    int number;  // among all placed shapes
+    const PlacedShape* shape;
+    const Tree* mesh;  // null: it is a primitive
+    int primitive;
+  };
+  class Builder;
+
+  template <class Query>
+  void find_in(const Placed& placed, const Ray& ray, Query& query) const;
+
+  Bvh bvh_;  // leaf numbers index packets_, from kPlaced on placed_
+  std::vector<TrianglePacket> packets_;
+  std::vector<Placed> placed_;
+  std::vector<FrameSet> frames_;  // by shape
+  float margins_ = 1;             // of a ray's origin, see stretch_of()
+};
+
+/// A tree for each mesh that is placed by a transform, in the mesh's own space.
+class MeshTrees {
+ public:
+  const Tree& of(const Shape& mesh);
+  std::size_t memory() const;
+
+ private:
+  std::map<const Shape*, std::unique_ptr<const Tree>> trees_;  // looked up only, so addresses decide nothing
+};
+
+}  // namespace dspm
