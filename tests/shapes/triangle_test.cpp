@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <vector>
 
@@ -31,7 +33,7 @@ TEST(Triangle, BothEndsOfTheRayAreOpen) {
   const Vec3 down{0, 0, -1};
   EXPECT_FALSE(intersect(TriangleRay({{0.2f, 0.2f, 0}, down}), kA, kB, kC, kInfinity));
   EXPECT_FALSE(intersect(TriangleRay({{0.2f, 0.2f, 1}, down}), kA, kB, kC, 1.f));
-  EXPECT_TRUE(intersect(TriangleRay({{0.2f, 0.2f, 1}, down}), kA, kB, kC, next_up(1.f)));
+  EXPECT_TRUE(intersect(TriangleRay({{0.2f, 0.2f, 1}, down}), kA, kB, kC, std::nextafter(1.f, 2.f)));
   EXPECT_FALSE(intersect(TriangleRay({{0.2f, 0.2f, -1}, down}), kA, kB, kC, kInfinity));
 }
 
