@@ -28,7 +28,7 @@ struct Bvh {
 
   /// Boxes of the children: low and high x, low and high y, low and high z. Unused children have empty boxes, come
   /// last, and are never met.
-  struct alignas(64) Node {
+  struct alignas(32) Node {
     float planes[6][kWidth];
     std::uint32_t child[kWidth];
 

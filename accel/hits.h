@@ -62,7 +62,7 @@ class NearestHits {
   FrameSet frames() const { return frames_; }
   float limit() const { return limit_; }
   bool reaches(float entry, FrameSet frames) const {
-    return entry <= limit_ && !(not_nearer_than(entry) & frames).empty();
+    return entry <= limit_ && (!(open_ & frames).empty() || !(not_nearer_than(entry) & frames).empty());
   }
   /// The largest distance that still counts in one of `frames`.
   float limit(FrameSet frames) const;
@@ -77,6 +77,7 @@ class NearestHits {
   void leave_slot(Frame frame);
 
   FrameSet frames_;
+  FrameSet open_;                          // those in which nothing has been met
   int groups_;                             // of four frames each: up to the highest frame asked for
   float limit_;                            // the largest of the distances
   FrameSet used_;                          // slots in use; there are never more than frames
