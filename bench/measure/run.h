@@ -47,7 +47,7 @@ std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t c
 /// Seconds of all steps so far.
 double seconds(const Statistics& statistics);
 
-/// The middle of the values, the upper of two; 0 of none.
+/// The middle of the values, or the mean of the two in the middle; 0 of none.
 double median(std::vector<double> values);
 
 }  // namespace dspm

@@ -25,9 +25,9 @@ TEST(SpreadFrames, LeavesSomeOutEvenly) {
   for (std::size_t i = 1; i < most.size(); ++i) EXPECT_LE(most[i] - most[i - 1], 2);
 }
 
-TEST(Median, IsTheUpperMiddle) {
+TEST(Median, IsTheMiddleOrTheMeanOfTwo) {
   EXPECT_EQ(median({3, 1, 2}), 2);
-  EXPECT_EQ(median({4, 1, 3, 2}), 3);
+  EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
   EXPECT_EQ(median({}), 0);
 }
 
