@@ -93,6 +93,7 @@ Images mean_of(const Images& a, const Images& b) {
 }
 
 double time_to(std::span<const ErrorPoint> curve, double error) {
+  if (curve.front().error <= error) return curve.front().seconds;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const ErrorPoint &a = curve[i - 1], &b = curve[i];
     if (a.error >= error && b.error <= error && a.error > b.error)

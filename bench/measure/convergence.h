@@ -37,7 +37,8 @@ Images render_for(const LoadedScene& loaded, const Method& method, double limit)
 /// The pixels' mean of both.
 Images mean_of(const Images& a, const Images& b);
 
-/// When `curve` comes down to `error`: a power law between its points; 0 where it does not.
+/// When `curve` comes down to `error`: a power law between its points, its first one where that is below; 0 where it
+/// does not.
 double time_to(std::span<const ErrorPoint> curve, double error);
 /// The error after so many seconds, likewise; beyond its ends the curve's first or last.
 double error_after(std::span<const ErrorPoint> curve, double seconds);

@@ -58,7 +58,7 @@ struct Curve {
 
 std::string table_of(const std::vector<Curve>& curves, double seconds) {
   const double aim = error_after(curves[1].points, seconds / 4);  // of hj09
-  Table table({"method", fmt::format("error after {:.0f} s", seconds), fmt::format("seconds to {:.4f}", aim),
+  Table table({"method", fmt::format("error after {} s", seconds), fmt::format("seconds to {:.4f}", aim),
                "over those of kz11"});
   const double kz11 = time_to(curves[0].points, aim);
   for (const Curve& curve : curves) {
@@ -85,7 +85,7 @@ Findings measure_one(const std::filesystem::path& file, const Setup& setup) {
   const std::string name = file.stem().string();
   const LoadedScene loaded = load(file, small(setup, "dsppm")), for_path = load(file, small(setup, "path"));
   const double seconds = setup.quick ? 1.5 : 8;
-  const int photons = std::max(1000, 300000 * loaded.job.settings.crop.count() / (512 * 512));
+  const int photons = static_cast<int>(300000. * loaded.job.settings.crop.count() / (512 * 512));
   say("{}: reference", name);
   const Reference reference = make_reference(loaded, photons, kReference * seconds);
   std::vector<Curve> curves;

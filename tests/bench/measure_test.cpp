@@ -51,6 +51,7 @@ TEST(Curve, FollowsAPowerLawBetweenItsPoints) {
   EXPECT_NEAR(time_to(curve, 1 / std::sqrt(32.)), 3.2, 1e-9);
   EXPECT_NEAR(time_to(curve, 0.5), 0.4, 1e-9);
   EXPECT_EQ(time_to(curve, 0.01), 0);
+  EXPECT_EQ(time_to(curve, 2), 0.1);
   EXPECT_NEAR(error_after(curve, 3.2), 1 / std::sqrt(32.), 1e-9);
   EXPECT_EQ(error_after(curve, 100), 0.125);
   EXPECT_EQ(error_after(curve, 0.01), 1);
