@@ -12,8 +12,9 @@ namespace dspm {
 /// An image a frame.
 using Images = std::vector<Image>;
 
-/// The mean over frames and pixels of |a - b| / (b + 1% of b's mean luminance), of luminance, at most 1 a pixel: relative,
-/// as dark parts are seen too, and neither a lamp's edge nor a firefly weighs more than a pixel that is all wrong.
+/// The mean over frames and pixels of |a - b| / (b + 1% of b's mean luminance), of luminance, at most 1 a pixel:
+/// relative, as dark parts are seen too, and neither a lamp's edge nor a firefly weighs more than a pixel that is all
+/// wrong.
 double error_of(const Images& images, const Images& truth);
 
 struct ErrorPoint {

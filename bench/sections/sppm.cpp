@@ -57,7 +57,7 @@ Findings measure_sppm(const Setup& setup) {
     const double memory = peak_bytes(file, iterations);
     const LoadedScene loaded = load(file);
     for (const char* direct : {"photons", "sampled"}) {
-      say("{}, direct light by {}", name, direct);
+      say("{}, direct light: {}", name, direct);
       const Row row = measure(loaded, direct, iterations);
       std::vector<std::string> cells = {name, direct, seconds_cell(row.seconds.back())};
       for (std::size_t s = 0; s + 1 < kSteps.size(); ++s) cells.push_back(seconds_cell(row.seconds[s]));

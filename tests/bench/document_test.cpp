@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/sections/section.h"
+#include "lang/read_file.h"
+
 namespace dspm {
 namespace {
 
@@ -25,6 +28,12 @@ TEST(Document, ReplacesABlockAndNothingElse) {
 TEST(Document, ReplacingTwiceIsReplacingOnce) {
   const std::string once = with_block(kDocument, "first", "new");
   EXPECT_EQ(with_block(once, "first", "new"), once);
+}
+
+TEST(Document, ResultsHaveABlockForEverySection) {
+  std::vector<std::string> names;
+  for (const Section& section : sections()) names.emplace_back(section.name);
+  EXPECT_EQ(block_names(read_file(DSPM_SOURCE_DIR "/docs/results.md")), names);
 }
 
 TEST(Document, RefusesWhatItCannotTell) {
