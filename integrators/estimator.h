@@ -1,5 +1,6 @@
-// How gathered photons and what camera paths saw themselves become a pixel's radiance, in each of the frames rendered together. Two ways: hj09 (each pixel
-// and frame shrinks its own radius) and kz11 (the radius depends on the iteration alone).
+// How gathered photons and what camera paths saw themselves become a pixel's radiance, in each of the frames rendered
+// together. Two ways: hj09 (each pixel and frame shrinks its own radius) and kz11 (the radius depends on the iteration
+// alone).
 #pragma once
 
 #include <cmath>
@@ -15,8 +16,8 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius within which gather_at would look: the largest of the frames'.
   virtual float search_radius2(const HitPoint& hit) const = 0;
-  /// Gathers for a hit point and takes what it finds into the pixel's sums. Calls for different pixels may run at the
-  /// same time; a pixel's hit points of one iteration hold disjoint frames.
+  /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
+  /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                          GatherCounts& counts) = 0;
   /// Light that needs no photons. Likewise for different pixels at the same time.
@@ -27,7 +28,6 @@ class PixelEstimator {
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Null where nothing but sums is kept.
   virtual const PixelStatistics* statistics(int /*pixel*/, Frame) const { return nullptr; }
-  virtual std::size_t bytes() const = 0;
 };
 
 /// How kz11's radius shrinks behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
@@ -40,9 +40,20 @@ struct EstimatorSettings {
   int pixels = 0, frames = 1;
   std::int64_t photons = 1;  // paths emitted an iteration in each frame
   float alpha = 0.7f;
+  bool batched = false;  // an iteration's photons come in several batches
+
+  std::size_t pixel_frames() const { return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames); }
 };
 
-std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings);
-std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings);
+struct EstimatorKind {
+  std::unique_ptr<PixelEstimator> (*make)(const EstimatorSettings&);
+  std::size_t (*bytes)(const EstimatorSettings&);  // that it will hold
+};
+template <class Estimator>
+EstimatorKind estimator_kind() {
+  return {
+      [](const EstimatorSettings& of) -> std::unique_ptr<PixelEstimator> { return std::make_unique<Estimator>(of); },
+      Estimator::bytes};
+}
 
 }  // namespace dspm

@@ -25,6 +25,7 @@ struct RenderSettings {
   bool jitter = true;  // false: every camera path through the pixel's centre
   std::uint64_t seed = 0;
   int default_iterations = 256;  // where the integrator's parameters give none
+  std::size_t memory = 0;        // bytes that the integrator may hold, else it throws NotEnoughMemory; 0: no bound
 };
 
 class Integrator {

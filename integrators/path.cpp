@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
+#include "integrators/memory_needs.h"
 #include "integrators/seen_light.h"
 #include "integrators/tiles.h"
 
@@ -188,6 +189,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (max_depth < 0) params.error("maxdepth", "maxdepth must not be negative");
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
+  expect_enough(render.memory, {.pixels = SeenLightSums::bytes(render.crop.count(), scene.frame_count())});
   return std::make_unique<Path>(iterations, max_depth, scene, render);
 }
 

@@ -155,13 +155,14 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
 }
 
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
-                                       std::int64_t count, std::vector<PhotonTrace> reuse) {
-  reuse.resize(static_cast<std::size_t>(chunk_count(count, kPathsPerChunk)));
-  parallel_chunks(count, kPathsPerChunk, [&](std::int64_t begin, std::int64_t end) {
-    PhotonTrace& trace = reuse[static_cast<std::size_t>(begin / kPathsPerChunk)];
+                                       std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
+  reuse.resize(static_cast<std::size_t>(chunk_count(end - first, kPathsPerChunk)));
+  parallel_chunks(end - first, kPathsPerChunk, [&](std::int64_t chunk, std::int64_t chunk_end) {
+    PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / kPathsPerChunk)];
     clear(trace, scene.frame_count());
     PhotonTracer tracer(scene, settings, trace);
-    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
+    for (std::int64_t i = first + chunk; i < first + chunk_end; ++i)
+      tracer.trace(static_cast<std::uint64_t>(i), iteration);
     finish_balance(trace, scene.frames());
   });
   return reuse;

@@ -48,9 +48,9 @@ struct PhotonTrace {
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics);
 std::size_t bytes_of(const std::vector<PhotonTrace>& traces);
 
-/// Traces paths 0 .. count - 1 of an iteration, in parallel; chunks of paths in their order. The buffers in `reuse` are
-/// taken over to spare allocations.
+/// Traces paths first .. end - 1 of an iteration, in parallel; chunks of paths in their order. The buffers in `reuse`
+/// are taken over to spare allocations.
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
-                                       std::int64_t count, std::vector<PhotonTrace> reuse);
+                                       std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse);
 
 }  // namespace dspm

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/parallel.h"
+#include "integrators/memory_needs.h"
 #include "integrators/path_step.h"
 #include "integrators/radiance_estimate.h"
 #include "integrators/seen_light.h"
@@ -32,6 +33,25 @@ struct PhotonMapSettings {
 
 constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
 constexpr int kGatherBounces = 4;  // smooth lobes that a final gather ray follows
+
+HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
+  return {s.max_depth, s.least_alpha, 0, true, s.final_gather > 0};
+}
+
+/// A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
+PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+  return {render.seed, Stream::photon, s.max_depth, s.least_alpha, s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
+}
+PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+  return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons};
+}
+
+MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
+  const double photons = bytes_a_photon_path(scene, global_settings(s, render)) * s.photons +
+                         bytes_a_photon_path(scene, caustic_settings(s, render)) * s.caustic_photons;
+  return {SeenLightSums::bytes(render.crop.count(), scene.frame_count()),
+          hit_point_bytes(scene, render, hit_point_settings(s)), static_cast<std::size_t>(photons)};
+}
 
 class PhotonMapper final : public Integrator {
  public:
@@ -56,8 +76,8 @@ class PhotonMapper final : public Integrator {
     if (statistics_.iterations == 0) make_maps();
     {
       const StepTimer timer(statistics_.steps[kHitPoints]);
-      HitPointSettings hit_points{settings_.max_depth, settings_.least_alpha, 0, true, settings_.final_gather > 0};
-      tiles_ = trace_hit_points(scene_, render_, hit_points, static_cast<std::uint64_t>(iteration), std::move(tiles_));
+      tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), static_cast<std::uint64_t>(iteration),
+                                std::move(tiles_));
       account(tiles_, statistics_);
     }
     const StepTimer timer(statistics_.steps[kGather]);
@@ -82,17 +102,12 @@ class PhotonMapper final : public Integrator {
 
   void make_maps() {
     const StepTimer timer(statistics_.steps[kPhotonMaps]);
-    // A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
-    PhotonSettings global{render_.seed, Stream::photon, settings_.max_depth, settings_.least_alpha,
-                          settings_.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
-    PhotonSettings caustic{render_.seed, Stream::caustic_photon, settings_.max_depth, settings_.least_alpha,
-                           kCausticPhotons};
-    make_map(global_, global, settings_.photons, global_how_.radius);
-    make_map(caustic_, caustic, settings_.caustic_photons, caustic_how_.radius);
+    make_map(global_, global_settings(settings_, render_), settings_.photons, global_how_.radius);
+    make_map(caustic_, caustic_settings(settings_, render_), settings_.caustic_photons, caustic_how_.radius);
   }
 
   void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
-    const auto traces = trace_photons(scene_, settings, 0, photons, {});
+    const auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
     map.build(traces, radius / 4);
     account(traces, statistics_);
   }
@@ -230,6 +245,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
   demand(s.max_depth > 0, "maxdepth", "maxdepth must be at least 1");
   params.finish();
+  if (render.memory > 0) expect_enough(render.memory, needs_of(s, scene, render));
   return std::make_unique<PhotonMapper>(s, scene, render);
 }
 

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "core/parallel.h"
 #include "core/rgb.h"
 
 namespace dspm {
@@ -12,6 +14,11 @@ namespace dspm {
 struct PassSums {
   std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
   Rgb phi;              // their flux times f and the camera path's throughput
+
+  PassSums& operator+=(const PassSums& o) {
+    M += o.M, phi += o.phi;
+    return *this;
+  }
 };
 
 /// Survives iterations. [HJ09, WG12 (1)-(5)]
@@ -36,5 +43,14 @@ struct PixelStatistics {
     return tau * static_cast<float>(1 / (emitted * 3.14159265358979323846 * static_cast<double>(R2)));
   }
 };
+
+/// Ends an iteration whose sums were kept in `passes`, and empties them.
+inline void absorb(std::vector<PassSums>& passes, std::vector<PixelStatistics>& pixels, float alpha) {
+  parallel_for(static_cast<std::int64_t>(passes.size()), 1 << 14, [&](std::int64_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    pixels[at].absorb(passes[at], alpha);
+    passes[at] = {};
+  });
+}
 
 }  // namespace dspm

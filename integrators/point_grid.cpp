@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "integrators/refit.h"
 
 namespace dspm {
 namespace {
@@ -35,8 +36,8 @@ void PointGrid::build(std::span<const Vec3> points, float cell_size) {
   bounds_ = {};
   for (const Vec3& p : points) bounds_.add(p);
   const auto count = static_cast<std::int64_t>(points.size());
-  order_.resize(points.size()), cell_.resize(points.size());
-  for (auto* coordinates : {&x_, &y_, &z_}) coordinates->resize(points.size() + kLanes - 1);
+  refit(order_, points.size()), refit(cell_, points.size());
+  for (auto* coordinates : {&x_, &y_, &z_}) refit(*coordinates, points.size() + kLanes - 1);
   if (points.empty()) return;
 
   const Vec3 extent = bounds_.extent();
@@ -49,7 +50,8 @@ void PointGrid::build(std::span<const Vec3> points, float cell_size) {
     const Cell c = cell_of(points[static_cast<std::size_t>(i)]);
     cell_[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(index_of(c.x, c.y, c.z));
   });
-  begin_.assign(index_of(nx_ - 1, ny_ - 1, nz_ - 1) + 2, 0);
+  begin_.clear();
+  refit(begin_, index_of(nx_ - 1, ny_ - 1, nz_ - 1) + 2);
   // Counting sort: begin_[c + 1] first counts cell c, then walks from its begin to its end while points are placed.
   for (const std::uint32_t c : cell_) ++begin_[c + 1];
   std::uint32_t sum = 0;

@@ -9,8 +9,10 @@ namespace dspm {
 
 class SeenLightSums {
  public:
-  SeenLightSums(int pixels, int frames)
-      : frames_(frames), sums_(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames)) {}
+  SeenLightSums(int pixels, int frames) : frames_(frames), sums_(bytes(pixels, frames) / sizeof(Rgb)) {}
+  static std::size_t bytes(int pixels, int frames) {
+    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Rgb);
+  }
 
   void add(const SeenLight& light) {
     light.frames.for_each([&](Frame f) { sums_[index(light.pixel, f)] += light.radiance; });

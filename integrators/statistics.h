@@ -62,6 +62,7 @@ struct Statistics {
   std::uint64_t invalid = 0;          // non-finite contributions that were kept out
   std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
   std::size_t bytes = 0;              // of the integrator's own buffers, at their largest
+  int photon_batches = 1;             // an iteration
 };
 
 /// Adds the time of its own life to a StepTime.

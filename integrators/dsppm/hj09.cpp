@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "integrators/estimator.h"
+#include "integrators/dsppm/dsppm.h"
 #include "integrators/pixel_statistics.h"
 #include "integrators/seen_light.h"
 
@@ -13,12 +13,14 @@ namespace {
 
 class Hj09 final : public PixelEstimator {
  public:
-  explicit Hj09(const EstimatorSettings& settings)
-      : frames_(settings.frames),
-        photons_(settings.photons),
-        alpha_(settings.alpha),
-        seen_(settings.pixels, settings.frames),
-        statistics_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
+  explicit Hj09(const EstimatorSettings& of)
+      : of_(of),
+        seen_(of.pixels, of.frames),
+        statistics_(of.pixel_frames()),
+        passes_(of.batched ? of.pixel_frames() : 0) {}
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return of.pixel_frames() * (sizeof(PixelStatistics) + sizeof(Rgb) + (of.batched ? sizeof(PassSums) : 0));
+  }
 
   float search_radius2(const HitPoint& hit) const override {
     float largest2 = 0;
@@ -56,39 +58,41 @@ class Hj09 final : public PixelEstimator {
     hit.frames.for_each([&](Frame f) {
       PassSums& sum = sums[static_cast<std::size_t>(f)];
       sum.M += shared.M, sum.phi = (sum.phi + shared.phi) * hit.throughput;
-      pixel[f].absorb(sum, alpha_);
+      if (of_.batched)
+        passes_[index(hit.pixel, f)] += sum;
+      else
+        pixel[f].absorb(sum, of_.alpha);
     });
   }
 
   void see(const SeenLight& light) override { seen_.add(light); }
-  void end_iteration() override { ++iterations_; }
+
+  void end_iteration() override {
+    absorb(passes_, statistics_, of_.alpha);
+    ++iterations_;
+  }
 
   Rgb radiance(int pixel, Frame frame) const override {
-    const auto emitted = static_cast<double>(iterations_ * photons_);
-    return seen_.mean(pixel, frame, static_cast<int>(iterations_)) + statistics_[index(pixel, frame)].radiance(emitted);
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    return seen_.mean(pixel, frame, iterations_) + statistics_[index(pixel, frame)].radiance(emitted);
   }
 
   const PixelStatistics* statistics(int pixel, Frame frame) const override { return &statistics_[index(pixel, frame)]; }
 
-  std::size_t bytes() const override { return statistics_.capacity() * sizeof(PixelStatistics) + seen_.bytes(); }
-
  private:
   std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
   }
 
-  int frames_;
-  std::int64_t photons_;  // paths an iteration, in each frame
-  float alpha_;
-  std::int64_t iterations_ = 0;
+  EstimatorSettings of_;
+  int iterations_ = 0;
   SeenLightSums seen_;
   std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
+  std::vector<PassSums> passes_;             // of the iteration so far, likewise, where its photons come in batches
 };
 
 }  // namespace
 
-std::unique_ptr<PixelEstimator> make_hj09(const EstimatorSettings& settings) {
-  return std::make_unique<Hj09>(settings);
-}
+EstimatorKind shared_hj09() { return estimator_kind<Hj09>(); }
 
 }  // namespace dspm

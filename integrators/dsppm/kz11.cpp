@@ -5,19 +5,18 @@
 #include <cmath>
 #include <vector>
 
-#include "integrators/estimator.h"
+#include "integrators/dsppm/dsppm.h"
 
 namespace dspm {
 namespace {
 
 class Kz11 final : public PixelEstimator {
  public:
-  explicit Kz11(const EstimatorSettings& settings)
-      : frames_(settings.frames),
-        photons_(settings.photons),
-        alpha_(settings.alpha),
-        shared_(static_cast<std::size_t>(settings.pixels)),
-        own_(static_cast<std::size_t>(settings.pixels) * static_cast<std::size_t>(settings.frames)) {}
+  explicit Kz11(const EstimatorSettings& of)
+      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixel_frames()) {}
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return (static_cast<std::size_t>(of.pixels) + of.pixel_frames()) * sizeof(Rgb);
+  }
 
   float search_radius2(const HitPoint& hit) const override {
     const float radius = hit.radius * static_cast<float>(scale_);
@@ -45,22 +44,20 @@ class Kz11 final : public PixelEstimator {
 
   // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.
   void see(const SeenLight& light) override {
-    add(light.pixel, light.frames, light.radiance * static_cast<float>(photons_));
+    add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
 
-  void end_iteration() override { scale_ *= kz11_shrink(++iterations_, alpha_); }
+  void end_iteration() override { scale_ *= kz11_shrink(++iterations_, of_.alpha); }
 
   Rgb radiance(int pixel, Frame frame) const override {
     if (iterations_ == 0) return {};
-    const auto emitted = static_cast<double>(iterations_ * photons_);
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
     return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
   }
 
-  std::size_t bytes() const override { return (shared_.capacity() + own_.capacity()) * sizeof(Rgb); }
-
  private:
   void add(int pixel, FrameSet frames, const Rgb& radiance_times_photons) {
-    if (frames == FrameSet::first(frames_)) {
+    if (frames == FrameSet::first(of_.frames)) {
       shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;
     } else {
       frames.for_each([&](Frame f) { own_[index(pixel, f)] += radiance_times_photons; });
@@ -68,13 +65,11 @@ class Kz11 final : public PixelEstimator {
   }
 
   std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(frames_) + static_cast<std::size_t>(frame);
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
   }
 
-  int frames_;
-  std::int64_t photons_;  // emitted an iteration: the same in all
-  float alpha_;
-  std::int64_t iterations_ = 0;
+  EstimatorSettings of_;
+  int iterations_ = 0;
   double scale_ = 1;         // s_i
   std::vector<Rgb> shared_;  // by pixel: radiance times photons, what counts in all frames
   std::vector<Rgb> own_;     // by pixel and frame: the rest
@@ -82,8 +77,6 @@ class Kz11 final : public PixelEstimator {
 
 }  // namespace
 
-std::unique_ptr<PixelEstimator> make_kz11(const EstimatorSettings& settings) {
-  return std::make_unique<Kz11>(settings);
-}
+EstimatorKind shared_kz11() { return estimator_kind<Kz11>(); }
 
 }  // namespace dspm

@@ -37,9 +37,10 @@ class TestScene {
   const Job& job() const { return job_; }
   const World& world() const { return *world_; }
   std::unique_ptr<Scene> scene(const std::vector<Frame>& frames) const { return world_->scene(frames); }
-  /// The scene's integrator, or another that takes the same parameters.
-  std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}) {
+  /// The scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
+  std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0) {
     Job job = job_;
+    job.settings.memory = memory;
     if (!name.empty())
       for (const auto& plugin : integrator_plugins())
         if (plugin.name == name) job.plugin = &plugin, job.integrator = name;

@@ -1,0 +1,147 @@
+#include "integrators/progressive.h"
+
+#include "core/parallel.h"
+#include "integrators/memory_needs.h"
+
+namespace dspm {
+namespace {
+
+enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
+
+// More and smaller batches cost time and save little: most of the memory is the pixels' by then.
+constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
+
+EstimatorSettings estimator_settings(const ProgressiveSettings& s, const Scene& scene, const RenderSettings& render,
+                                     std::int64_t batch) {
+  return {render.crop.count(), scene.frame_count(), s.photons, s.alpha, batch < s.photons};
+}
+
+/// How many photon paths of an iteration are traced at a time: as many as there is memory for.
+std::int64_t batch_within_memory(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
+                                 const EstimatorKind& estimator) {
+  if (render.memory == 0) return settings.photons;
+  const double a_path = bytes_a_photon_path(scene, settings.photon);
+  MemoryNeeds needs, least;
+  needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
+  for (std::int64_t batches = 1; batches <= kMostBatches; ++batches) {
+    const std::int64_t batch = (settings.photons + batches - 1) / batches;
+    if (batches > 1 && batch < kLeastPaths) break;
+    needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batch));
+    needs.pixels = estimator.bytes(estimator_settings(settings, scene, render, batch));
+    if (needs.total() <= render.memory) return batch;
+    if (batches == 1 || needs.total() < least.total()) least = needs;
+  }
+  throw NotEnoughMemory(least);
+}
+
+class Progressive final : public Integrator {
+ public:
+  Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
+              const EstimatorKind& estimator)
+      : settings_(settings),
+        scene_(scene),
+        render_(render),
+        batch_(batch_within_memory(settings, scene, render, estimator)) {
+    const EstimatorSettings of = estimator_settings(settings, scene, render, batch_);
+    estimator_ = estimator.make(of);
+    estimator_bytes_ = estimator.bytes(of);
+    statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
+    statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    statistics_.photon_batches = static_cast<int>((settings.photons + batch_ - 1) / batch_);
+    statistics_.bytes = bytes();
+  }
+
+  int iterations() const override { return settings_.iterations; }
+  std::string settings() const override { return in_words(settings_); }
+
+  void iterate(int iteration) override {
+    trace_camera_paths(static_cast<std::uint64_t>(iteration));
+    for (std::int64_t first = 0; first < settings_.photons; first += batch_) {
+      trace_light_paths(static_cast<std::uint64_t>(iteration), first);
+      build_photon_map();
+      gather_photons();
+      statistics_.bytes = std::max(statistics_.bytes, bytes());
+    }
+    estimator_->end_iteration();
+    ++statistics_.iterations;
+  }
+
+  Image estimate(Frame frame) const override {
+    Image image(render_.crop.width(), render_.crop.height());
+    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
+      image.pixels[static_cast<std::size_t>(pixel)] = estimator_->radiance(pixel, frame);
+    return image;
+  }
+
+  const PixelStatistics* pixel_statistics(int pixel, Frame frame) const override {
+    return estimator_->statistics(pixel, frame);
+  }
+
+  Statistics statistics() const override { return statistics_; }
+
+ private:
+  // [WG12 4.1]
+  void trace_camera_paths(std::uint64_t iteration) {
+    {
+      const StepTimer timer(statistics_.steps[kHitPoints]);
+      tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, iteration, std::move(tiles_));
+      account(tiles_, statistics_);
+    }
+    const StepTimer timer(statistics_.steps[kStatistics]);
+    for_each_tile([this](const HitPointTile& tile, std::size_t) {
+      for (const SeenLight& light : tile.seen) estimator_->see(light);
+    });
+  }
+
+  // [WG12 4.2]
+  void trace_light_paths(std::uint64_t iteration, std::int64_t first) {
+    const StepTimer timer(statistics_.steps[kPhotons]);
+    const std::int64_t end = std::min<std::int64_t>(first + batch_, settings_.photons);
+    traces_ = trace_photons(scene_, settings_.photon, iteration, first, end, std::move(traces_));
+    account(traces_, statistics_);
+  }
+
+  void build_photon_map() {
+    const StepTimer timer(statistics_.steps[kPhotonMap]);
+    const auto radius2_of = [this](const HitPoint& hit) { return estimator_->search_radius2(hit); };
+    map_.build(traces_, mean_search_radius(tiles_, radius2_of, scene_.radius));
+  }
+
+  // [WG12 4.3]
+  void gather_photons() {
+    const StepTimer timer(statistics_.steps[kStatistics]);
+    std::vector<GatherCounts> counts(tiles_.size());
+    for_each_tile([&](const HitPointTile& tile, std::size_t t) {
+      for (const HitPoint& hit : tile.hit_points) estimator_->gather_at(hit, tile.scattering_of(hit), map_, counts[t]);
+    });
+    account(counts, statistics_);
+  }
+
+  template <class Fn>
+  void for_each_tile(Fn&& fn) const {
+    parallel_for(static_cast<std::int64_t>(tiles_.size()), 1,
+                 [&](std::int64_t t) { fn(tiles_[static_cast<std::size_t>(t)], static_cast<std::size_t>(t)); });
+  }
+
+  std::size_t bytes() const { return estimator_bytes_ + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_); }
+
+  ProgressiveSettings settings_;
+  const Scene& scene_;
+  RenderSettings render_;
+  std::int64_t batch_;  // photon paths traced at a time
+  std::unique_ptr<PixelEstimator> estimator_;
+  std::size_t estimator_bytes_ = 0;
+  std::vector<HitPointTile> tiles_;
+  std::vector<PhotonTrace> traces_;
+  PhotonMap map_;
+  Statistics statistics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_progressive(const ProgressiveSettings& settings, const Scene& scene,
+                                             const RenderSettings& render, const EstimatorKind& estimator) {
+  return std::make_unique<Progressive>(settings, scene, render, estimator);
+}
+
+}  // namespace dspm

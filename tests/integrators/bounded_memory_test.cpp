@@ -1,0 +1,138 @@
+// What an integrator does with less memory than it would take: the same in smaller batches of photons, as long as that
+// helps; then it says what it needs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "core/parallel.h"
+#include "integrators/memory_needs.h"
+#include "tests/integrators/random_scene.h"
+#include "tests/support/render.h"
+
+namespace dspm {
+namespace {
+
+using testing::RandomScene;
+using testing::TestScene;
+
+constexpr int kFrames = 3, kIterations = 3;
+constexpr std::size_t kPlenty = std::size_t{1} << 40;
+
+/// What the integrator says it needs at least, where `memory` does not do.
+std::optional<MemoryNeeds> needs_within(TestScene& test, const Scene& scene, std::size_t memory) {
+  try {
+    test.integrator(scene, {}, memory);
+  } catch (const NotEnoughMemory& error) {
+    return error.least;
+  }
+  return {};
+}
+
+/// An integrator with the least memory that does.
+std::unique_ptr<Integrator> with_least_memory(TestScene& test, const Scene& scene) {
+  return test.integrator(scene, {}, needs_within(test, scene, 1)->total());
+}
+
+bool near(const Rgb& a, const Rgb& b) {
+  const float scale = std::max(max_component(a), max_component(b));
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(a[c] - b[c]) > 1e-5f * scale) return false;
+  return true;
+}
+
+void expect_equal(const Integrator& a, const Integrator& b, int frames) {
+  for (Frame f = 0; f < frames; ++f) {
+    const Image one = a.estimate(f), other = b.estimate(f);
+    for (int p = 0; p < static_cast<int>(one.pixels.size()); ++p) {
+      EXPECT_TRUE(near(one.pixels[static_cast<std::size_t>(p)], other.pixels[static_cast<std::size_t>(p)]));
+      const PixelStatistics *s = a.pixel_statistics(p, f), *t = b.pixel_statistics(p, f);
+      if (s == nullptr) continue;
+      EXPECT_EQ(s->N, t->N);
+      EXPECT_EQ(s->R2, t->R2);
+      EXPECT_TRUE(near(s->tau, t->tau));
+    }
+  }
+}
+
+void expect_equal_counts(const Statistics& a, const Statistics& b) {
+  EXPECT_EQ(a.photon.paths, b.photon.paths);
+  EXPECT_EQ(a.photon.segments.done, b.photon.segments.done);
+  EXPECT_EQ(a.photons_stored.separate, b.photons_stored.separate);
+  EXPECT_EQ(a.photons_found.done, b.photons_found.done);
+  EXPECT_EQ(a.photons_found.separate, b.photons_found.separate);
+  EXPECT_EQ(a.camera.paths, b.camera.paths);
+  for (std::size_t f = 0; f < a.energy.size(); ++f) EXPECT_NEAR(a.energy[f].emitted, b.energy[f].emitted, 1e-3);
+}
+
+class Progressive : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const std::string text =
+        RandomScene(2000 + seed, kFrames).text(fmt::format(R"(Integrator {} "integer photons" 20000)", GetParam()));
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    const bool alone = test.job().plugin->frames_together == 1;
+    const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+    const auto whole = test.integrator(*scene), batches = with_least_memory(test, *scene);
+    EXPECT_EQ(whole->statistics().photon_batches, 1);
+    EXPECT_GT(batches->statistics().photon_batches, 1);
+    for (int i = 0; i < kIterations; ++i) whole->iterate(i), batches->iterate(i);
+    expect_equal(*whole, *batches, scene->frame_count());
+    expect_equal_counts(whole->statistics(), batches->statistics());
+    EXPECT_LT(batches->statistics().bytes, whole->statistics().bytes);
+  }
+}
+
+TEST_P(Progressive, BatchesHaveTheSameBitsWithAnyNumberOfThreads) {
+  TestScene test(RandomScene(77, kFrames).text(fmt::format(R"(Integrator {} "integer photons" 20000)", GetParam())));
+  const bool alone = test.job().plugin->frames_together == 1;
+  const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+  std::vector<Image> images;
+  for (const int threads : {1, 2, 5}) {
+    const ThreadLimit limit(threads);
+    const auto batches = with_least_memory(test, *scene);
+    EXPECT_GT(batches->statistics().photon_batches, 1);
+    for (int i = 0; i < kIterations; ++i) batches->iterate(i);
+    images.push_back(batches->estimate(0));
+  }
+  EXPECT_EQ(images[0], images[1]);
+  EXPECT_EQ(images[0], images[2]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Estimators, Progressive,
+                         ::testing::Values(R"("dsppm" "string estimator" "hj09")",
+                                           R"("dsppm" "string estimator" "kz11")",
+                                           R"("sppm" "string estimator" "hj09")",
+                                           R"("sppm" "string estimator" "kz11")"));
+
+class BoundedMemory : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BoundedMemory, HoldsWhatItSays) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const std::string text = RandomScene(2100 + seed, kFrames).text(fmt::format(R"(Integrator {})", GetParam()));
+    SCOPED_TRACE(text);
+    TestScene test(text);
+    const bool alone = test.job().plugin->frames_together == 1;
+    const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+    const std::size_t least = needs_within(test, *scene, 1)->total();
+    EXPECT_TRUE(needs_within(test, *scene, least - 1));
+    EXPECT_FALSE(needs_within(test, *scene, kPlenty));
+    const auto integrator = test.integrator(*scene, {}, least);
+    for (int i = 0; i < 6; ++i) integrator->iterate(i);
+    // Photons are kept in vectors that grow by doubling; memory that was never written to is not taken.
+    EXPECT_LE(static_cast<double>(integrator->statistics().bytes), 1.5 * static_cast<double>(least));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, BoundedMemory,
+                         ::testing::Values(R"("dsppm" "integer photons" 50000 "string estimator" "hj09")",
+                                           R"("dsppm" "integer photons" 50000)",
+                                           R"("sppm" "integer photons" 50000 "string estimator" "hj09")",
+                                           R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)",
+                                           R"("photonmap" "integer photons" 20000 "integer finalgather" 2)",
+                                           R"("path")"));
+
+}  // namespace
+}  // namespace dspm
