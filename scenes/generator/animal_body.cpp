@@ -44,8 +44,8 @@ std::vector<Flesh> make_flesh() {
       {head, {1.1f, 1.9f, 0}, {1.46f, 1.6f, 0}, .125f, .08f, .08f},
       {head, {1.14f, 1.79f, 0}, {1.26f, 1.69f, 0}, .12f, .09f, .06f},  // cheek
       {head, {1.46f, 1.59f, 0}, {1.53f, 1.51f, 0}, .083f, .075f, .04f},
-      {head, {1.06f, 1.98f, .06f}, {1.1f, 2.13f, .075f}, .035f, .018f, .04f},
-      {head, {1.06f, 1.98f, -.06f}, {1.1f, 2.13f, -.075f}, .035f, .018f, .04f},
+      {head, {1.06f, 1.98f, .06f}, {1.1f, 2.13f, .075f}, .042f, .026f, .04f},
+      {head, {1.06f, 1.98f, -.06f}, {1.1f, 2.13f, -.075f}, .042f, .026f, .04f},
       {tail_root, {-.74f, 1.4f, 0}, {-1.0f, 1.4f, 0}, .07f, .06f, .08f},
       {tail_middle, {-1.0f, 1.4f, 0}, {-1.24f, 1.3f, 0}, .06f, .075f, .05f},
       {tail_end, {-1.24f, 1.3f, 0}, {-1.5f, 1.12f, 0}, .075f, .03f, .05f},
@@ -70,9 +70,16 @@ std::vector<Flesh> make_flesh() {
   return body;
 }
 
+/// The radius of the flesh that is nearest to `p`.
+float radius_near(const std::vector<Flesh>& body, const Vec3& p) {
+  const auto nearest = std::min_element(
+      body.begin(), body.end(), [&](const Flesh& a, const Flesh& b) { return distance_to(a, p) < distance_to(b, p); });
+  return 0.5f * (nearest->radius_from + nearest->radius_to);
+}
+
 /// How far the skin of a bone follows its neighbours, in metres.
 float softness(int bone) {
-  if (bone == chest || bone == rump) return 0.2f;
+  if (bone == chest || bone == rump) return 0.3f;
   if (bone < tail_root) return 0.14f;
   if (bone < leg_bones) return 0.08f;
   constexpr std::array<float, bones_a_leg> kOfLegs{0.13f, 0.07f, 0.05f, 0.035f};
@@ -99,7 +106,7 @@ std::array<float, kBones> weights_at(const std::vector<Flesh>& body, const Vec3&
 }
 
 using Weights = std::array<float, kBones>;
-constexpr int kSmoothings = 10;
+constexpr int kSmoothings = 20;
 
 /// Every vertex gets the mean of its neighbours' weights and its own.
 std::vector<Weights> smoothed(const std::vector<Weights>& weights, const std::vector<Face>& faces) {
@@ -130,7 +137,8 @@ Body make_body() {
     return d;
   };
   Body body;
-  body.mesh = isosurface(field, {0, 1.2f, 0}, 3, {25, 0.07f, 0.0021f});
+  body.mesh = isosurface(field, {{-1.65f, -0.05f, -0.4f}, {1.75f, 2.3f, 0.4f}}, 0.016f, 10000,
+                         [&](const Vec3& p) { return std::sqrt(radius_near(flesh, p)); });
   for (const Vec3& p : body.mesh.vertices) {
     body.mesh.normals.push_back(gradient(field, p));
     body.weights.push_back(weights_at(flesh, p));

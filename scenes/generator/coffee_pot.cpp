@@ -101,20 +101,27 @@ double coffee_pot(const Vec3& p) {
                             {.52f, 2.2f},
                             {.545f, 2.3f},
                             {0, 2.3f}});
-  static const Turned lid({{0, 2.3f}, {.5f, 2.3f}, {.52f, 2.36f}, {.44f, 2.5f}, {.22f, 2.6f}, {0, 2.62f}});
-  static const Tube spout({.6f, .75f}, {1.5f, .75f}, {1.15f, 1.95f}, {1.75f, 2.15f}, .3f, .115f);
-  static const Tube mouth({1.45f, 1.95f}, {1.55f, 2.06f}, {1.7f, 2.14f}, {2, 2.25f}, .06f, .1f);
+  static const Turned lid(
+      {{0, 2.3f}, {.3f, 2.29f}, {.49f, 2.29f}, {.58f, 2.33f}, {.55f, 2.4f}, {.42f, 2.51f}, {.22f, 2.59f}, {0, 2.62f}});
+  static const Tube spout({.6f, .75f}, {1.5f, .75f}, {1.15f, 1.95f}, {1.75f, 2.15f}, .3f, .13f);
+  static const Tube mouth({1.5f, 1.99f}, {1.6f, 2.07f}, {1.7f, 2.12f}, {2, 2.27f}, .05f, .085f);
   static const Tube handle({-.5f, 1.95f}, {-1.6f, 2.5f}, {-1.95f, .7f}, {-.88f, .7f}, .085f, .1f);
   const double knob = double{length(p - Vec3{0, 2.74f, 0})} - 0.15;
   const double vessel = melted(melted(body.distance(p), spout.distance(p), 0.3), handle.distance(p), 0.16);
-  const double closed = melted(melted(vessel, lid.distance(p), 0.03), knob, 0.12);
-  return -melted(-closed, mouth.distance(p), 0.04);
+  const double closed = melted(melted(vessel, lid.distance(p), 0.05), knob, 0.12);
+  return -melted(-closed, mouth.distance(p), 0.06);
+}
+
+/// Finer where the surface bends most: at the spout's mouth, where the lid lies on, and at the foot.
+double coarseness(const Vec3& p) {
+  const bool bends = p.x > 1.5f || std::abs(p.y - 2.31f) < 0.1f || p.y < 0.08f;
+  return bends ? 0.4 : 1;
 }
 
 }  // namespace
 
 void make_coffee_pot(const std::filesystem::path& directory) {
-  MeshData mesh = isosurface(coffee_pot, {0, 1, 0}, 2.6f, {.angle = 25, .size = 0.06f, .distance = 1.5e-3f});
+  MeshData mesh = isosurface(coffee_pot, {{-2.1f, -0.1f, -1.2f}, {2.3f, 3.1f, 1.2f}}, 0.02f, 30000, coarseness);
   for (const Vec3& p : mesh.vertices) mesh.normals.push_back(gradient(coffee_pot, p));
   write_ply(directory / "coffee_pot.ply", mesh);
 }

@@ -3,22 +3,19 @@
 
 #include <functional>
 
+#include "scenes/generator/simplify.h"
 #include "shapes/triangle_mesh.h"
 
 namespace dspm {
 
-/// Negative inside.
+/// Negative inside, and near the surface about the distance to it; it must not change much faster than distance does.
 using Field = std::function<double(const Vec3&)>;
 
-struct MeshingGoal {
-  float angle = 25;        // degrees: no triangle has a smaller one
-  float size = 0.1f;       // radius of the largest triangle's circumcircle
-  float distance = 1e-2f;  // from triangles to the surface
-};
-
-/// The part of the surface within `radius` of `middle`, which must be inside. Closed and without self-intersections,
-/// the same on every run; one piece of surface, the outside outside.
-MeshData isosurface(const Field& field, const Vec3& middle, float radius, const MeshingGoal& goal);
+/// The surface in the box `bounds`, which it must not cross: closed, manifold, the outside outside. Sampled in cubes of
+/// the width `cell`, then thinned out to about `triangles`, of the same size unless `coarseness` says otherwise.
+MeshData isosurface(
+    const Field& field, const Bounds3& bounds, float cell, int triangles,
+    const Coarseness& coarseness = [](const Vec3&) { return 1; });
 
 /// The field's direction of growth there, of unit length.
 Vec3 gradient(const Field& field, const Vec3& p);

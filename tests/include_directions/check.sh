@@ -27,7 +27,7 @@ BEGIN {
   # Headers of a library, and the only files that may include them.
   confined["^(oneapi/)?tbb/"] = "^core/parallel[.]"
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^image/exr[.]"
-  confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/isosurface)[.]"
+  confined["^CGAL/"] = "^(shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 }
 
 function wrong(message) {

@@ -1,0 +1,16 @@
+// Fewer triangles for the same shape.
+#pragma once
+
+#include <functional>
+
+#include "shapes/triangle_mesh.h"
+
+namespace dspm {
+
+/// How long edges are to be here, compared with elsewhere.
+using Coarseness = std::function<double(const Vec3&)>;
+
+/// A closed mesh of small triangles thinned out to about `triangles`, without normals and texture coordinates.
+MeshData simplified(const MeshData& mesh, int triangles, const Coarseness& coarseness);
+
+}  // namespace dspm
