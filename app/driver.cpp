@@ -63,12 +63,14 @@ class Run {
 
   /// All intervals, or until a signal came.
   RunReport render();
+  void finish_video() { output_.finish_video(); }
 
  private:
   void render_interval(std::size_t index);
   void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin);
+  void add_to_video(std::size_t frames, const Integrator& integrator);
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -121,7 +123,10 @@ void Run::render_interval(std::size_t index) {
     progress_->step(static_cast<int>(index), done);
     if (schedule.due(done) && !finished()) write(frames, *integrator, begin);
   }
-  if (done > 0) write(frames, *integrator, begin);
+  if (done > 0) {
+    write(frames, *integrator, begin);
+    add_to_video(frames.size(), *integrator);
+  }
   report_.add(integrator->statistics());
 }
 
@@ -159,6 +164,10 @@ void Run::write(std::span<const Frame> interval, const Integrator& integrator, C
   written_ = first + interval.size();
 }
 
+void Run::add_to_video(std::size_t frames, const Integrator& integrator) {
+  for (std::size_t j = 0; j < frames; ++j) output_.add_to_video(integrator.estimate(static_cast<Frame>(j)));
+}
+
 void explain(const World& world, const Job& job) {
   for (const std::span<const Frame> interval : cut_into_intervals(job.frames, job.plugin->frames_together))
     for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
@@ -181,6 +190,7 @@ int render_scene(const Options& options) {
   Run run(loaded.job, *loaded.world, options, messages);
   const RunReport report = run.render();
   write_report(loaded.job, report, options);
+  run.finish_video();
   return report.exit_code;
 }
 

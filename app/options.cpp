@@ -78,6 +78,8 @@ void add_output(CLI::App& app, Options& o) {
   app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")->type_name("FILE");
+  app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; takes ffmpeg")
+      ->type_name("FILE");
   add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
            [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
@@ -114,6 +116,8 @@ void check(const Options& o) {
     throw UsageError("-o " + o.outfile + ": images are written as .exr or .png");
   if (!o.contact_sheet.empty() && std::filesystem::path(o.contact_sheet).extension() != ".png")
     throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
+  if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")
+    throw UsageError("--video " + o.video + ": the video is an .mp4");
   for (const std::string& define : o.defines)
     if (define.find('=') == define.npos || define.front() == '=')
       throw UsageError("-D " + define + ": expected name=value");

@@ -28,7 +28,7 @@ struct Options {
   bool lenient = false, explain = false, quiet = false, quick = false;
 
   std::string outfile;  // empty: the Film's filename
-  std::string contact_sheet;
+  std::string contact_sheet, video;
   bool png = false;
   std::optional<bool> half;  // what the Film says otherwise
   Interval write_every;

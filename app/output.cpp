@@ -28,10 +28,12 @@ Output::Output(const Job& job, const Options& options)
   }
   expect_writable(name(job.frames.front()));
   if (!options.stats.empty() && options.stats != "table" && options.stats != "-") expect_writable(options.stats);
-  if (sheet_path_.empty()) return;
-  expect_writable(sheet_path_);
-  sheet_.emplace(
-      SheetLayout(static_cast<int>(job.frames.size()), job.settings.crop.width(), job.settings.crop.height()));
+  const int width = job.settings.crop.width(), height = job.settings.crop.height();
+  if (!sheet_path_.empty()) {
+    expect_writable(sheet_path_);
+    sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), width, height));
+  }
+  if (!options.video.empty()) video_.emplace(options.video, VideoFormat{width, height, job.fps});
 }
 
 std::filesystem::path Output::name(Frame frame) const {
@@ -63,6 +65,16 @@ void Output::write(std::size_t index, Image image, int iterations, std::uint64_t
 
 void Output::write_contact_sheet() const {
   if (sheet_) write_png(sheet_path_, sheet_->image());
+}
+
+void Output::add_to_video(Image image) {
+  if (!video_) return;
+  for (Rgb& pixel : image.pixels) pixel = limited(pixel * job_.exposure, job_.film.max_component);
+  video_->add(shown(std::move(image), kToneMap));
+}
+
+void Output::finish_video() {
+  if (video_) video_->finish();
 }
 
 }  // namespace dspm

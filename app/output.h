@@ -1,4 +1,4 @@
-// The files of a run: an image a frame, the contact sheet.
+// The files of a run: an image a frame, the contact sheet, the video.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 
 #include "app/job.h"
 #include "film/contact_sheet.h"
+#include "film/video.h"
 #include "image/exr.h"
 
 namespace dspm {
@@ -22,6 +23,10 @@ class Output {
   void write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;
+  /// To the video, where one was asked for: the last image of every frame, one after the other.
+  void add_to_video(Image image);
+  /// The video with what was added. Throws std::runtime_error where it cannot be made.
+  void finish_video();
 
  private:
   ExrHeader header(Frame frame) const;
@@ -30,6 +35,7 @@ class Output {
   bool png_;
   std::filesystem::path sheet_path_;
   std::optional<ContactSheet> sheet_;
+  std::optional<Video> video_;
 };
 
 }  // namespace dspm

@@ -18,6 +18,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
+  /// The file until commit(), for another program that writes it.
+  const std::filesystem::path& temporary() const { return temporary_; }
   /// Brings everything to the disk and puts it into the target's place.
   void commit();
 

@@ -1,5 +1,6 @@
 #include "image/encoding.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -37,6 +38,18 @@ std::vector<float> decoding_table(ColorEncoding encoding, int levels) {
   for (int i = 0; i < levels; ++i)
     table.push_back(decode(encoding, static_cast<float>(i) / static_cast<float>(levels - 1)));
   return table;
+}
+
+std::string srgb_bytes(const Image& image) {
+  std::string bytes;
+  bytes.reserve(image.pixels.size() * 3);
+  for (const Rgb& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c) {
+      const float shown = pixel[c] > 0 ? std::min(linear_to_srgb(pixel[c]), 1.f) : 0.f;
+      bytes.push_back(static_cast<char>(std::lround(shown * 255)));
+    }
+  }
+  return bytes;
 }
 
 std::optional<ColorEncoding> ColorEncoding::parse(std::string_view words) {

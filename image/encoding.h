@@ -1,6 +1,7 @@
 // Between the numbers of image files and linear light.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -16,5 +17,9 @@ float decode(ColorEncoding encoding, float encoded);
 
 /// Linear values of the integers 0 .. levels - 1, where levels - 1 stands for 1; automatic is sRGB here.
 std::vector<float> decoding_table(ColorEncoding encoding, int levels);
+
+/// What a screen shows, eight bits a channel in the order of the pixels: 0..1 (linear) as sRGB, the rest is clamped; NaN
+/// is black.
+std::string srgb_bytes(const Image& image);
 
 }  // namespace dspm

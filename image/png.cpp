@@ -98,14 +98,7 @@ Image decode_png(std::string_view bytes, ColorEncoding encoding) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  std::string pixels;
-  pixels.reserve(image.pixels.size() * 3);
-  for (const Rgb& pixel : image.pixels) {
-    for (int c = 0; c < 3; ++c) {
-      const float shown = pixel[c] > 0 ? std::min(linear_to_srgb(pixel[c]), 1.f) : 0.f;
-      pixels.push_back(static_cast<char>(std::lround(shown * 255)));
-    }
-  }
+  const std::string pixels = srgb_bytes(image);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width);
