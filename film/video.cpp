@@ -30,12 +30,12 @@ Image even_sized(const Image& image) {
 std::vector<std::string> command(const std::filesystem::path& file, const VideoFormat& format) {
   const double rate = format.frames_per_second > 0 ? format.frames_per_second : kUsualRate;
   // What comes in are sRGB's numbers. For Y'CbCr players expect the matrix of BT.709, where ffmpeg takes that of BT.601.
+  const std::string input = fmt::format("-pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0",
+                                        even(format.width), even(format.height), rate);
   std::istringstream words(
-      fmt::format("ffmpeg -hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate "
-                  "{} -i pipe:0 "
-                  "-vf scale=out_color_matrix=bt709:out_range=tv -pix_fmt yuv420p -color_range tv -colorspace bt709 "
-                  "-color_primaries bt709 -color_trc iec61966-2-1 -c:v libx264 -crf 16 -movflags +faststart -f mp4",
-                  even(format.width), even(format.height), rate));
+      "ffmpeg -hide_banner -loglevel error -y -f rawvideo " + input +
+      " -vf scale=out_color_matrix=bt709:out_range=tv -pix_fmt yuv420p -color_range tv -colorspace bt709"
+      " -color_primaries bt709 -color_trc iec61966-2-1 -c:v libx264 -crf 16 -movflags +faststart -f mp4");
   std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
   command.push_back("file:" + file.string());
   return command;

@@ -9,9 +9,9 @@ using Words = std::vector<std::string>;
 
 TEST(Options, ReadsTheUsualOnes) {
   const Options o = parse_options(
-      {"a.dsc",        "-o",    "out/a.####.exr", "-t",       "2",   "--seed",       "7",  "--integrator", "sppm",
-       "--iterations", "50",    "--photons=1000", "--frames", "1-2", "--time-limit", "1m", "--quick",      "--png",
-       "--float",      "b.dsc", "--memory",       "2G"});
+      {"a.dsc",        "-o",    "out/a.####.exr", "-t",       "2",       "--seed",       "7",  "--integrator", "sppm",
+       "--iterations", "50",    "--photons=1000", "--frames", "1-2",     "--time-limit", "1m", "--quick",      "--png",
+       "--float",      "b.dsc", "--memory",       "2G",       "--video", "a.mp4"});
   EXPECT_EQ(o.task, Task::render);
   EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
   EXPECT_EQ(o.outfile, "out/a.####.exr");
@@ -23,6 +23,7 @@ TEST(Options, ReadsTheUsualOnes) {
   EXPECT_EQ(o.frames, (std::vector<Frame>{0, 1}));
   EXPECT_EQ(o.time_limit, 60);
   EXPECT_EQ(o.memory, 2'000'000'000u);
+  EXPECT_EQ(o.video, "a.mp4");
   EXPECT_TRUE(o.quick);
   EXPECT_TRUE(o.png);
   EXPECT_EQ(o.half, false);
@@ -78,6 +79,7 @@ TEST(Options, WhatMakesNoSenseIsRefused) {
                                                {"a", "-D", "=x"},
                                                {"a", "-o", "x.jpg"},
                                                {"a", "--contact-sheet", "x.exr"},
+                                               {"a", "--video", "x.avi"},
                                                {"a", "--cropwindow", "0,1,0,1", "--pixelbounds", "0,1,0,1"}})
     EXPECT_THROW(parse_options(words), UsageError) << (words.empty() ? "" : words.back());
 }
