@@ -36,19 +36,20 @@ class Tree::Builder {
     std::vector<int> world_meshes;
     for (const int s : which)
       if (is_world_mesh(shape(s))) world_meshes.push_back(s);
-    const TrianglePieces triangles(shapes_, world_meshes);
-    pieces_ = triangles.pieces;
+    TrianglePieces triangles(shapes_, world_meshes);
+    pieces_ = std::move(triangles.pieces);
     for (const int s : which)
       if (!is_world_mesh(shape(s))) place(s);
 
     tree_.bvh_ = build_bvh(pieces_, TrianglePacket::kSize, all);
+    if (std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); }))
+      tree_.bvh_.node_frames = {};
+    pieces_ = {};                                                       // the packets take their room
+    tree_.packets_.reserve(tree_.bvh_.leaves.size() - placed_.size());  // what is placed fills a leaf each
     for (Bvh::Node& node : tree_.bvh_.nodes)
       for (std::uint32_t& child : node.child)
         if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);
-    if (std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); }))
-      tree_.bvh_.node_frames = {};
     tree_.bvh_.forget_pieces();
-    tree_.packets_.shrink_to_fit();
   }
 
  private:
@@ -77,8 +78,8 @@ class Tree::Builder {
 
   std::uint32_t add_leaf(const Bvh::Leaf& leaf, const TrianglePieces& triangles) {
     const auto pieces = std::span(tree_.bvh_.order).subspan(leaf.first, leaf.count);
-    if (pieces.front() >= triangles.pieces.size()) {
-      tree_.placed_.push_back(placed_[pieces.front() - triangles.pieces.size()]);
+    if (pieces.front() >= triangles.count()) {
+      tree_.placed_.push_back(placed_[pieces.front() - triangles.count()]);
       return kPlaced + static_cast<std::uint32_t>(tree_.placed_.size() - 1);
     }
     TrianglePacket& packet = tree_.packets_.emplace_back();

@@ -26,8 +26,8 @@ class Cutter {
     if (piece.size > 1 && piece.bounds.half_area() * static_cast<float>(piece.size) > kMostGrowth * area)
       return cut_in_two(sequence, primitive);
     out_.pieces.push_back(piece);
-    out_.first_triangle.push_back(out_.triangles.size());
     for (const int s : sequence) out_.triangles.push_back({s, primitive});
+    out_.first_triangle.push_back(static_cast<std::uint32_t>(out_.triangles.size()));
   }
 
  private:
@@ -55,6 +55,14 @@ std::size_t sequence_length(std::span<const PlacedShape> shapes, std::span<const
 }  // namespace
 
 TrianglePieces::TrianglePieces(std::span<const PlacedShape> shapes, std::span<const int> which) {
+  // Memory that is never written to is not taken; vectors that grow take more than they need.
+  std::size_t most = 0;
+  for (const int s : which)
+    most += static_cast<std::size_t>(shapes[static_cast<std::size_t>(s)].shape->primitive_count());
+  pieces.reserve(most + shapes.size());  // also for a piece of each shape that is no mesh
+  first_triangle.reserve(most + 1), triangles.reserve(most);
+  first_triangle.push_back(0);
+
   Cutter cutter(shapes, *this);
   while (!which.empty()) {
     const std::size_t length = sequence_length(shapes, which);
