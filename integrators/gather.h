@@ -26,14 +26,14 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
   std::uint64_t tested = 0;
   if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
     const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
-    tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
+    tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const PhotonGrid::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
       if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
         fn(frames, photon.flux_lanes(), distance2);
     });
   } else {
-    tested = map.for_each_within(hit.p, radius2, [&](const PhotonMap::Gathered& photon, float distance2) {
+    tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const PhotonGrid::Gathered& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
       if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;

@@ -43,7 +43,7 @@ std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, co
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
   PhotonMap map;
-  map.build(traces, 0);  // as many cells as there can be
+  map.build(traces, scene.frame_count(), 0);  // as many cells as there can be
   return kSlack * static_cast<double>(map.bytes() + map.size() * sizeof(Photon)) / kPaths;
 }
 

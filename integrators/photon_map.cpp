@@ -1,33 +1,90 @@
 #include "integrators/photon_map.h"
 
+#include <numeric>
+#include <span>
+#include <utility>
+
 #include "core/parallel.h"
 #include "integrators/refit.h"
 
 namespace dspm {
+namespace {
 
-void PhotonMap::build(const std::vector<PhotonTrace>& traces, float cell_size) {
-  std::vector<std::size_t> begin(traces.size() + 1, 0);
-  for (std::size_t t = 0; t < traces.size(); ++t) begin[t + 1] = begin[t] + traces[t].photons.size();
-  refit(points_, begin.back());
-  std::vector<const Photon*> photon(begin.back());
-  parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t trace) {
-    const auto t = static_cast<std::size_t>(trace);
-    for (std::size_t i = 0; i < traces[t].photons.size(); ++i) {
-      photon[begin[t] + i] = &traces[t].photons[i];
-      points_[begin[t] + i] = traces[t].photons[i].p;
+/// For each class of photons how many a trace has, and later where they go.
+using Places = std::vector<std::size_t>;
+
+/// 0 for what frames have in common, 1 + f for what frame f has alone.
+std::size_t class_of(const Photon& photon) {
+  return photon.frames.count() > 1 ? 0 : static_cast<std::size_t>(photon.frames.lowest()) + 1;
+}
+
+template <class Fn>
+void for_each_trace(const std::vector<PhotonTrace>& traces, Fn&& fn) {
+  parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t t) { fn(static_cast<std::size_t>(t)); });
+}
+
+std::vector<Places> count(const std::vector<PhotonTrace>& traces, int frames) {
+  std::vector<Places> counts(traces.size());
+  for_each_trace(traces, [&](std::size_t t) {
+    if (frames == 1) {
+      counts[t] = {traces[t].photons.size()};
+      return;
     }
+    counts[t].resize(static_cast<std::size_t>(frames) + 1);
+    for (const Photon& photon : traces[t].photons) ++counts[t][class_of(photon)];
   });
-  grid_.build(points_, cell_size);
+  return counts;
+}
+
+bool mostly_common(const std::vector<Places>& counts) {
+  std::size_t common = 0, all = 0;
+  for (const Places& trace : counts) common += trace[0], all = std::accumulate(trace.begin(), trace.end(), all);
+  return 2 * common >= all;
+}
+
+/// Turns counts into first places, classes one after the other; returns where each class begins, and the end.
+Places turn_into_places(std::vector<Places>& counts, std::size_t classes) {
+  Places begin(classes + 1);
+  std::size_t sum = 0;
+  for (std::size_t c = 0; c < classes; ++c) {
+    begin[c] = sum;
+    for (Places& trace : counts) sum += std::exchange(trace[c], sum);
+  }
+  begin[classes] = sum;
+  return begin;
+}
+
+}  // namespace
+
+void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
+  std::vector<Places> places = count(traces, frames);
+  const bool by_frame = !mostly_common(places);
+  if (!by_frame)
+    for (Places& trace : places) trace = {std::accumulate(trace.begin(), trace.end(), std::size_t{0})};
+  const std::size_t classes = by_frame ? static_cast<std::size_t>(frames) + 1 : 1;
+  const Places begin = turn_into_places(places, classes);
   refit(photons_, begin.back());
-  parallel_for(static_cast<std::int64_t>(photons_.size()), 1 << 14, [&](std::int64_t place) {
-    const auto i = static_cast<std::size_t>(place);
-    const Photon& from = *photon[grid_.order()[i]];
-    photons_[i] = {from.wi, from.flux, from.frames};
+  for_each_trace(traces, [&](std::size_t t) {
+    for (const Photon& photon : traces[t].photons) photons_[places[t][by_frame ? class_of(photon) : 0]++] = &photon;
+  });
+
+  const auto photons_of = [&](std::size_t first, std::size_t end) {
+    return std::span<const Photon* const>(photons_).subspan(begin[first], begin[end] - begin[first]);
+  };
+  of_frame_.resize(classes - 1);
+  // Half of sorting is one thread's work: the grids are built side by side.
+  parallel_for(static_cast<std::int64_t>(classes) + 1, 1, [&](std::int64_t grid) {
+    const auto i = static_cast<std::size_t>(grid);
+    if (i == 0) common_.build(photons_of(0, 1), cell_size);
+    if (i == 1) single_.build(photons_of(1, classes), cell_size);
+    if (i >= 2) of_frame_[i - 2].build(photons_of(i - 1, i), cell_size);
   });
 }
 
 std::size_t PhotonMap::bytes() const {
-  return grid_.bytes() + photons_.capacity() * sizeof(Gathered) + points_.capacity() * sizeof(Vec3);
+  std::size_t sum = photons_.capacity() * sizeof(Photon*) + common_.bytes() + single_.bytes();
+  for (const PhotonGrid& grid : of_frame_) sum += grid.bytes();
+  return sum;
 }
 
 }  // namespace dspm

@@ -1,46 +1,44 @@
-// The photons of one iteration, sorted by place, ready to be gathered.
+// The photons of one iteration by frame and place: a hit point meets those of its own frames, not those of all others.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "core/rgb_lanes.h"
-#include "integrators/photon.h"
-#include "integrators/point_grid.h"
+#include "integrators/photon_grid.h"
 
 namespace dspm {
 
-/// Photons keep the order (cell, path index, bounce), which does not depend on threads.
+/// Photons that frames have in common lie in one grid. Those of a single frame lie in a grid of that frame, and once more
+/// in a grid of all such photons, for hit points that many frames share. Where most photons are common ones, all lie in
+/// the first grid. The order of photons does not depend on threads.
 class PhotonMap {
  public:
-  /// Sorts the photons of all `traces`; `cell_size` suits a typical search radius.
-  void build(const std::vector<PhotonTrace>& traces, float cell_size);
+  /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` suits a typical search radius.
+  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size);
 
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
-  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were
-  /// tested.
+  /// Calls fn(const PhotonGrid::Gathered&, distance squared) for all photons within sqrt(radius2) of p that exist in some
+  /// of `frames`, and for some others; returns how many were tested.
   template <class Fn>
-  std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
-    const Gathered* photons = photons_.data();
-    return grid_.for_each_within(p, radius2,
-                                 [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
+  std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
+    std::array<const PhotonGrid*, kFewFrames + 1> grids{&common_};
+    std::size_t count = 1;
+    if (frames.count() > kFewFrames)
+      grids[count++] = &single_;
+    else if (!of_frame_.empty())
+      frames.for_each([&](Frame f) { grids[count++] = &of_frame_[static_cast<std::size_t>(f)]; });
+    std::uint64_t tested = 0;
+    for (std::size_t i = 0; i < count; ++i) tested += grids[i]->for_each_within(p, radius2, fn);
+    return tested;
   }
 
-  /// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant; the
-  /// fourth, of the neighbour's bytes, stays between 0 and 0 or is a sum that nobody looks at.
-  struct alignas(32) Gathered {
-    Vec3 wi;
-    Rgb flux;
-    FrameSet frames;
-
-    __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
-    RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
-  };
-
  private:
-  PointGrid grid_;
-  std::vector<Gathered> photons_;
-  std::vector<Vec3> points_;
+  static constexpr int kFewFrames = 3;
+
+  std::vector<const Photon*> photons_;  // common ones, then those of each frame
+  PhotonGrid common_, single_;
+  std::vector<PhotonGrid> of_frame_;  // what is in single_, frame by frame; empty where common_ has all
 };
 
 }  // namespace dspm

@@ -108,7 +108,7 @@ class PhotonMapper final : public Integrator {
 
   void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
     const auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
-    map.build(traces, radius / 4);
+    map.build(traces, scene_.frame_count(), radius / 4);
     account(traces, statistics_);
   }
 

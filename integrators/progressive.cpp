@@ -104,7 +104,7 @@ class Progressive final : public Integrator {
   void build_photon_map() {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     const auto radius2_of = [this](const HitPoint& hit) { return estimator_->search_radius2(hit); };
-    map_.build(traces_, mean_search_radius(tiles_, radius2_of, scene_.radius));
+    map_.build(traces_, scene_.frame_count(), mean_search_radius(tiles_, radius2_of, scene_.radius));
   }
 
   // [WG12 4.3]
