@@ -86,8 +86,11 @@ void close_below(MeshData& mesh) {
 
 void make_water(const std::filesystem::path& directory) {
   const Vec2 middle{0.47f * kSide, 0.52f * kSide};
+  // The drop, the droplet that it throws up, and one that fell before: its rings cross the basin all the time.
   const WaterWaves waves(kSide, kDepth, 2e-5f,
-                         {{5.2f * kSeconds, middle, 0.03f, 1.8f}, {20 * kSeconds, middle, 0.014f, 0.6f}});
+                         {{5.2f * kSeconds, middle, 0.03f, 1.8f},
+                          {20 * kSeconds, middle, 0.014f, 0.6f},
+                          {-0.8f, {0.7f * kSide, 0.72f * kSide}, 0.024f, 0.9f}});
   for (int frame = 0; frame < kFrames; ++frame) {
     MeshData mesh = upper_side(waves, static_cast<float>(frame) * kSeconds);
     close_below(mesh);
