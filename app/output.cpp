@@ -33,7 +33,7 @@ Output::Output(const Job& job, const Options& options)
     expect_writable(sheet_path_);
     sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), width, height));
   }
-  if (!options.video.empty()) video_.emplace(options.video, VideoFormat{width, height, job.fps});
+  if (!options.video.empty()) video_.emplace(options.video, VideoFormat{width, height, static_cast<float>(job.fps)});
 }
 
 std::filesystem::path Output::name(Frame frame) const {

@@ -16,6 +16,7 @@ namespace {
 /// The error number, or 0.
 int spawn(pid_t& process, const std::vector<std::string>& words, int input) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
 

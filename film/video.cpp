@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kUsualRate = 24;
+constexpr float kUsualRate = 24;
 
 int even(int size) { return size + size % 2; }
 
@@ -28,7 +28,7 @@ Image even_sized(const Image& image) {
 }
 
 std::vector<std::string> command(const std::filesystem::path& file, const VideoFormat& format) {
-  const double rate = format.frames_per_second > 0 ? format.frames_per_second : kUsualRate;
+  const float rate = format.frames_per_second > 0 ? format.frames_per_second : kUsualRate;
   // What comes in are sRGB's numbers. For Y'CbCr players expect the matrix of BT.709, where ffmpeg takes that of BT.601.
   const std::string input = fmt::format("-pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0",
                                         even(format.width), even(format.height), rate);

@@ -13,8 +13,8 @@
 namespace dspm {
 
 struct VideoFormat {
-  int width = 0, height = 0;     // of the images; the film's are even, as H.264 wants them
-  double frames_per_second = 0;  // 0: none was asked for, which makes 24
+  int width = 0, height = 0;    // of the images; the film's are even, as H.264 wants them
+  float frames_per_second = 0;  // 0: none was asked for, which makes 24
 };
 
 /// The file appears at the end, or not at all.

@@ -33,14 +33,14 @@ std::string error_of(const std::filesystem::path& path, int images) {
 TEST(Video, HandsTheImagesOver) {
   const TemporaryDirectory directory;
   const FakeFfmpeg ffmpeg(test::kKeepAll);
-  Video video(directory / "a.mp4", {2, 2, 12.5});
+  Video video(directory / "a.mp4", {2, 2, 23.976f});
   EXPECT_EQ(directory.file_count(), 0);
   video.add(filled(2, 2, 1));
   video.add(filled(2, 2, 0));
   EXPECT_FALSE(std::filesystem::exists(directory / "a.mp4"));
   video.finish();
   EXPECT_EQ(ffmpeg.input(), std::string(12, '\xff') + std::string(12, '\0'));
-  EXPECT_NE(ffmpeg.arguments().find("-video_size\n2x2\n-framerate\n12.5\n"), std::string::npos) << ffmpeg.arguments();
+  EXPECT_NE(ffmpeg.arguments().find("-video_size\n2x2\n-framerate\n23.976\n"), std::string::npos) << ffmpeg.arguments();
   EXPECT_EQ(test::contents(directory / "a.mp4"), "film");
   EXPECT_EQ(directory.file_count(), 1);
 }
