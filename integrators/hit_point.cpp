@@ -20,7 +20,7 @@ class HitPointTracer {
   HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointTile& out)
       : scene_(scene), render_(render), settings_(settings), frames_(scene.frames()), out_(out) {}
 
-  /// x, y in the full image. Paths that leave the others' company wait for finish().
+  /// x, y in the full image. What frames meet apart from others waits for finish().
   void trace(int x, int y, std::uint64_t iteration) {
     const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
     pixel_ = pixel_in_crop(render_.crop, x, y);
@@ -35,26 +35,32 @@ class HitPointTracer {
     met_dynamic_ = false;
   }
 
-  /// Follows the paths that wait, frame by frame: what is dynamic has a tree for each frame, and a tile's paths through
-  /// one of them find it in the cache.
+  /// Follows what waits, frame by frame: what is dynamic has its own vertices and tree in each frame, and a tile's paths
+  /// in one frame find them in the cache.
   void finish() {
     finishing_ = true;
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
-      return a.path.frames.lowest() < b.path.frames.lowest();
+      return a.part.frames.lowest() < b.part.frames.lowest();
     });
     for (const Waiting& w : waiting_) {
-      pixel_ = w.pixel, camera_ = w.camera;
-      stack_.push(w.path);
-      run(w.random);
+      const Parted& from = parted_[w.parted];
+      pixel_ = from.pixel, camera_ = from.camera;
+      follow(from.path, w.part, from.random);
+      run(from.random);
     }
   }
 
  private:
-  struct Waiting {
+  /// A path at whose end frames part.
+  struct Parted {
     PathState path;
     PathRandom random;
     const Camera* camera;
     int pixel;
+  };
+  struct Waiting {
+    FrameHit part;
+    std::uint32_t parted;  // number of the path
   };
 
   void run(const PathRandom& random) {
@@ -63,7 +69,13 @@ class HitPointTracer {
       met_dynamic_ |= path.frames != frames_;
       const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
       out_.paths.segments.add(path.frames.count());
-      for (const FrameHit& part : parts) follow(path, part, random);
+      if (parts.size() == 1 || finishing_) {
+        for (const FrameHit& part : parts) follow(path, part, random);
+        continue;
+      }
+      met_dynamic_ = true;
+      for (const FrameHit& part : parts) waiting_.push_back({part, static_cast<std::uint32_t>(parted_.size())});
+      parted_.push_back({path, random, camera_, pixel_});
     }
   }
 
@@ -105,10 +117,7 @@ class HitPointTracer {
     if (is_black(path.throughput)) return;
     if (!is_finite(path.throughput)) return reject(path.frames);
     if (!survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette))) return;
-    if (finishing_ || path.frames == frames_)
-      stack_.push(path);
-    else
-      waiting_.push_back({path, random, camera_, pixel_});
+    stack_.push(path);
   }
 
   void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
@@ -156,6 +165,7 @@ class HitPointTracer {
   HitPointTile& out_;
   const Camera* camera_ = nullptr;
   PathStack<> stack_;
+  std::vector<Parted> parted_;
   std::vector<Waiting> waiting_;
   bool finishing_ = false;
   int pixel_ = 0;
