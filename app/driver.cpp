@@ -7,6 +7,7 @@
 #include "app/frame_intervals.h"
 #include "app/job.h"
 #include "app/load.h"
+#include "app/memory_bound.h"
 #include "app/messages.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -23,9 +24,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages) {
+std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
+                                            std::size_t memory = 0) {
   Diagnostics diagnostics;
-  std::unique_ptr<Integrator> integrator = job.make_integrator(scene, diagnostics);
+  std::unique_ptr<Integrator> integrator = job.make_integrator(scene, diagnostics, memory);
   messages.show(diagnostics);
   diagnostics.throw_if_errors();
   return integrator;
@@ -51,13 +53,14 @@ class WriteSchedule {
 /// A render: the world's frames through the integrator into files.
 class Run {
  public:
-  Run(const Job& job, const World& world, const Options& options, Messages& messages)
+  Run(const Job& job, const World& world, const Options& options, MemoryBound& memory, Messages& messages)
       : job_(job),
         world_(world),
         options_(options),
+        memory_(memory),
         messages_(messages),
         output_(job, options),
-        intervals_(cut_into_intervals(job.frames, job.plugin->frames_together)) {
+        intervals_(memory.plan(job, world, output_.bytes_while_writing(), messages)) {
     report_.threads = thread_count();
   }
 
@@ -79,6 +82,7 @@ class Run {
   const Job& job_;
   const World& world_;
   const Options& options_;
+  const MemoryBound& memory_;
   Messages& messages_;
   Output output_;
   std::vector<std::span<const Frame>> intervals_;
@@ -101,7 +105,7 @@ RunReport Run::render() {
 void Run::render_interval(std::size_t index) {
   const std::span<const Frame> frames = intervals_[index];
   const std::unique_ptr<Scene> scene = world_.scene(frames);
-  const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_);
+  const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_, memory_.for_integrator());
   const int iterations = job_.iterations(*integrator, options_);
   if (iterations == 0 && options_.time_limit == 0 && intervals_.size() > 1)
     throw UsageError(
@@ -185,9 +189,10 @@ void write_report(const Job& job, const RunReport& report, const Options& option
 int render_scene(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(options.quiet);
+  MemoryBound memory(options.memory);
   const LoadedScene loaded(options, messages);
   if (options.explain) explain(*loaded.world, loaded.job);
-  Run run(loaded.job, *loaded.world, options, messages);
+  Run run(loaded.job, *loaded.world, options, memory, messages);
   const RunReport report = run.render();
   write_report(loaded.job, report, options);
   run.finish_video();

@@ -133,9 +133,12 @@ int Job::iterations(const Integrator& made, const Options& options) const {
   return options.quick && asked > 0 ? std::max(1, asked / 4) : asked;
 }
 
-std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics) const {
+std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                                 std::size_t memory) const {
   ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
-  return plugin->make(reader, scene, settings);
+  RenderSettings bounded = settings;
+  bounded.memory = memory;
+  return plugin->make(reader, scene, bounded);
 }
 
 Job make_job(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {

@@ -30,7 +30,9 @@ struct Job {
 
   /// Iterations to go; 0: until stopped.
   int iterations(const Integrator& made, const Options& options) const;
-  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics) const;
+  /// `memory`: bytes that it may hold, else it throws NotEnoughMemory; 0: no bound.
+  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                              std::size_t memory = 0) const;
 };
 
 /// What is wrong goes to `diagnostics`, what the command line got wrong about this scene is a UsageError.

@@ -40,6 +40,13 @@ std::filesystem::path Output::name(Frame frame) const {
   return image_name(job_.film.filename, job_.numbered ? std::optional(frame) : std::nullopt);
 }
 
+std::size_t Output::bytes_while_writing() const {
+  // The image, a copy, both in the file's form, and the file; for the sheet only the latter.
+  constexpr std::size_t kImages = 5;
+  const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
+  return (kImages * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
+}
+
 ExrHeader Output::header(Frame frame) const {
   ExrHeader header;
   header.texts = {{"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", "dspm " DSPM_VERSION}};

@@ -19,6 +19,8 @@ class Output {
 
   /// Where the image of a frame of the file goes.
   std::filesystem::path name(Frame frame) const;
+  /// What writing takes in memory, at most.
+  std::size_t bytes_while_writing() const;
   /// Writes the image of the job's frame number `index` (radiance over the crop), over an earlier one.
   void write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.

@@ -1,5 +1,6 @@
 #include "world/world.h"
 
+#include "accel/two_level.h"
 #include "world/geometry.h"
 #include "world/lighting.h"
 #include "world/sharing.h"
@@ -89,6 +90,19 @@ struct World::Parts {
                         text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
   }
 
+  std::vector<PlacedShape> shapes_in(const std::vector<Frame>& frames) const {
+    std::vector<PlacedShape> shapes;
+    const auto directives = static_cast<int>(description.lights.size());
+    for (const WorldShape& shape : geometry.shapes()) {
+      const FrameSet present = present_in(shape, frames);
+      if (present.empty()) continue;
+      PlacedShape& placed = shapes.emplace_back(shape.placed);
+      placed.frames = present;
+      placed.light = shape.emitter < 0 ? -1 : directives + shape.emitter;
+    }
+    return shapes;
+  }
+
   const SceneDescription& description;
   Looks looks;
   Geometry geometry;
@@ -109,14 +123,7 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   auto scene = std::make_unique<Scene>();
   scene->file_frames.assign(frames.begin(), frames.end());
   scene->center = parts_->center, scene->radius = parts_->radius;
-  const auto directives = static_cast<int>(parts_->description.lights.size());
-  for (const WorldShape& shape : parts_->geometry.shapes()) {
-    const FrameSet present = present_in(shape, scene->file_frames);
-    if (present.empty()) continue;
-    PlacedShape& placed = scene->shapes.emplace_back(shape.placed);
-    placed.frames = present;
-    placed.light = shape.emitter < 0 ? -1 : directives + shape.emitter;
-  }
+  scene->shapes = parts_->shapes_in(scene->file_frames);
   for (const MaterialTimeline& material : parts_->looks.materials())
     scene->materials.push_back(cut(material, scene->file_frames));
   for (const WorldLight& light : parts_->lights) {
@@ -129,6 +136,11 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   ParamReader reader(none, "accelerator", {}, ignored);
   scene->accel = parts_->accel->make(reader, scene->shapes, scene->frames());
   return scene;
+}
+
+std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
+  return dspm::tree_bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
+                                  FrameSet::first(static_cast<int>(frames.size())));
 }
 
 std::vector<std::string> World::explain(std::span<const Frame> frames) const {

@@ -40,11 +40,10 @@ class TestScene {
   /// The scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
   std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0) {
     Job job = job_;
-    job.settings.memory = memory;
     if (!name.empty())
       for (const auto& plugin : integrator_plugins())
         if (plugin.name == name) job.plugin = &plugin, job.integrator = name;
-    auto made = job.make_integrator(scene, diagnostics_);
+    auto made = job.make_integrator(scene, diagnostics_, memory);
     diagnostics_.throw_if_errors();
     return made;
   }
