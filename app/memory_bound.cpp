@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::size_t kProgram = 16 << 20;  // code, libraries, stacks: what malloc knows nothing of
+constexpr std::size_t kProgram = 12 << 20;  // code, libraries, stacks: what malloc knows nothing of
 // What is held differs by little between the plan and the run: an interval that fits into the plan must fit then.
 constexpr std::size_t kLeeway = 1 << 20;
 constexpr int kReturnedFrom = 1 << 17;  // bytes of a block that goes back to the system as soon as it is freed

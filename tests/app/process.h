@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@ namespace dspm::test {
 struct Outcome {
   int code;  // exit code; -signal where a signal ended it
   std::string out, err;
+  double peak_bytes;  // by the kernel's account
 };
 
 /// A run of the program in `directory`; standard input is the file "input" there, or empty.
@@ -33,9 +35,11 @@ class Process {
 
   Outcome wait() const {
     int status = 0;
-    waitpid(child_, &status, 0);
+    rusage usage{};
+    wait4(child_, &status, 0, &usage);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return {code, contents(directory_ / "out.txt"), contents(directory_ / "err.txt")};
+    return {code, contents(directory_ / "out.txt"), contents(directory_ / "err.txt"),
+            1024. * static_cast<double>(usage.ru_maxrss)};
   }
 
  private:
