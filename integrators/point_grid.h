@@ -3,6 +3,7 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -41,6 +42,17 @@ class PointGrid {
            static_cast<std::size_t>(x);
   }
 
+  // Cells are sorted in two steps, of which threads can share both: consecutive cells make a bucket.
+  static constexpr int kBucketBits = 8;
+  static constexpr std::size_t kBuckets = 1 << kBucketBits;
+  using BucketBegins = std::array<std::uint32_t, kBuckets + 1>;
+  struct Sorted {
+    std::uint32_t cell, number;  // of a point
+  };
+  void choose_cells(std::span<const Vec3> points, float cell_size);
+  BucketBegins sort_into_buckets(std::span<const Vec3> points);
+  void sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32_t end);
+
   using Lanes = __m128;  // of points, tested together
   static constexpr std::uint32_t kLanes = 4;
 
@@ -48,7 +60,9 @@ class PointGrid {
   float inverse_cell_ = 1;
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::vector<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
-  std::vector<std::uint32_t> order_, cell_;
+  int bucket_shift_ = 0;
+  std::vector<Sorted> by_bucket_;
+  std::vector<std::uint32_t> order_;
   std::vector<float> x_, y_, z_;  // of the sorted points, and kLanes - 1 more so that the last can be loaded
 };
 

@@ -1,7 +1,6 @@
 // Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is
 // then linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums
 // of those frames that have them.
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -28,18 +27,22 @@ class Kz11 final : public PixelEstimator {
     const float radius2 = search_radius2(hit);
     const Rgb per_area = hit.throughput / (kPi * radius2);
     RgbLanes shared;
-    std::array<RgbLanes, kMaxFrames> own;
+    __m128 own[kMaxFrames];  // only those of the frames in with_own are there
     FrameSet with_own;
     gather(hit, scattering, map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
       if (frames == hit.frames) {
         shared += flux;
         return;
       }
+      (frames - with_own).for_each([&](Frame f) { own[f] = _mm_setzero_ps(); });
       with_own |= frames;
-      frames.for_each([&](Frame f) { own[static_cast<std::size_t>(f)] += flux; });
+      frames.for_each([&](Frame f) {
+        auto& sum = own[f];
+        sum = _mm_add_ps(sum, flux.lanes);
+      });
     });
     add(hit.pixel, hit.frames, shared.rgb() * per_area);
-    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += own[static_cast<std::size_t>(f)].rgb() * per_area; });
+    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += RgbLanes(own[f]).rgb() * per_area; });
   }
 
   // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.
