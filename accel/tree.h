@@ -33,6 +33,9 @@ class Tree {
   template <class Query>
   void find(const Ray& ray, Query& query) const;
 
+  /// Whether the ray enters one of the root's boxes within `limit`: if not, it meets nothing there.
+  bool enters(const Ray& ray, float limit) const { return enters_root(bvh_, BoxRay(ray, margins_), limit); }
+
   /// Boxes of up to 8 parts, with margin, that are all there is.
   std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.nodes.front().boxes(); }
   /// Without the trees of placed meshes.

@@ -57,13 +57,14 @@ RayHit TwoLevel::nearest(const Ray& ray, FrameSet frames) const {
 
 HitPartition TwoLevel::partition(const Ray& ray, FrameSet frames) const {
   if (frames.empty()) return {};
-  if (frames.count() == 1 || dynamic_.empty()) return one_part(frames, nearest(ray, frames));
-
-  NearestHits hits(frames, ray.t_max);
-  find_dynamic(ray, hits);
-  NearestHit nearest(frames, hits.limit());
+  if (frames.count() == 1) return one_part(frames, nearest(ray, frames));
+  NearestHit nearest(frames, ray.t_max);
   static_.find(ray, nearest);
+  // Most rays end here, without what many frames need.
+  if (!dynamic_.enters(ray, nearest.limit())) return one_part(frames, nearest.hit());
+  NearestHits hits(frames, nearest.limit());
   if (!nearest.hit().missed()) hits.offer(nearest.hit(), frames);
+  find_dynamic(ray, hits);
   return hits.partition();
 }
 

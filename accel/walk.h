@@ -54,6 +54,12 @@ class NodeTest {
 
 }  // namespace detail
 
+/// Whether the ray enters one of the root's boxes within `limit`.
+inline bool enters_root(const Bvh& bvh, const BoxRay& ray, float limit) {
+  alignas(16) float entry[Bvh::kWidth];
+  return !bvh.nodes.empty() && detail::NodeTest(ray)(bvh.nodes.front(), limit, entry) != 0;
+}
+
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
 void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
