@@ -113,11 +113,11 @@ void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
       query.offer({hit->t, placed.number, placed.primitive, hit->uv}, frames);
   } else if constexpr (std::is_same_v<Query, Unblocked> || std::is_same_v<Query, AnyHit>) {
     AnyHit any(FrameSet::single(0), ray.t_max);
-    placed.mesh->find(object_ray, any);
+    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), any);
     if (any.found()) query.offer({}, frames);
   } else {
     NearestHit nearest(FrameSet::single(0), query.limit(frames));
-    placed.mesh->find(object_ray, nearest);
+    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), nearest);
     RayHit hit = nearest.hit();
     if (hit.missed()) return;
     hit.shape = placed.number;
@@ -126,20 +126,19 @@ void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
 }
 
 template <class Query>
-void Tree::find(const Ray& ray, Query& query) const {
-  const FourRays rays(ray);
+void Tree::find(const TreeRay& ray, Query& query) const {
   const auto frames_of = [&](int shape) { return frames_[static_cast<std::size_t>(shape)]; };
-  walk(bvh_, BoxRay(ray, margins_), query, [&](std::uint32_t leaf) {
+  walk(bvh_, ray.test, query, [&](std::uint32_t leaf) {
     if (leaf < kPlaced)
-      packets_[leaf].find(rays, query, frames_of);
+      packets_[leaf].find(ray.four, query, frames_of);
     else
-      find_in(placed_[leaf - kPlaced], ray, query);
+      find_in(placed_[leaf - kPlaced], ray.ray, query);
   });
 }
-template void Tree::find(const Ray&, NearestHit&) const;
-template void Tree::find(const Ray&, NearestHits&) const;
-template void Tree::find(const Ray&, AnyHit&) const;
-template void Tree::find(const Ray&, Unblocked&) const;
+template void Tree::find(const TreeRay&, NearestHit&) const;
+template void Tree::find(const TreeRay&, NearestHits&) const;
+template void Tree::find(const TreeRay&, AnyHit&) const;
+template void Tree::find(const TreeRay&, Unblocked&) const;
 
 std::size_t Tree::memory() const {
   return bvh_.memory() + packets_.capacity() * sizeof(TrianglePacket) + placed_.capacity() * sizeof(Placed) +

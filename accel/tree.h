@@ -14,6 +14,15 @@ namespace dspm {
 
 class MeshTrees;
 
+/// A ray prepared for trees whose margins (Tree::margins) are no more than `margins`.
+struct TreeRay {
+  Ray ray;
+  FourRays four;
+  NodeTest test;
+
+  TreeRay(const Ray& r, float margins) : ray(r), four(r), test(margins == 1 ? four.one.box : BoxRay(r, margins)) {}
+};
+
 /// Numbers of the shapes for which wanted(PlacedShape) holds.
 template <class Wanted>
 std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& wanted) {
@@ -31,10 +40,12 @@ class Tree {
   bool empty() const { return bvh_.nodes.empty(); }
   /// Offers to `query` (NearestHit, NearestHits or Unblocked) what the ray meets.
   template <class Query>
-  void find(const Ray& ray, Query& query) const;
+  void find(const TreeRay& ray, Query& query) const;
+  /// How many margins of a ray's origin its boxes need: more than one where a transform stretches errors.
+  float margins() const { return margins_; }
 
   /// Whether the ray enters one of the root's boxes within `limit`: if not, it meets nothing there.
-  bool enters(const Ray& ray, float limit) const { return enters_root(bvh_, BoxRay(ray, margins_), limit); }
+  bool enters(const TreeRay& ray, float limit) const { return enters_root(bvh_, ray.test, limit); }
 
   /// Boxes of up to 8 parts, with margin, that are all there is.
   std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.nodes.front().boxes(); }
@@ -58,7 +69,7 @@ class Tree {
   std::vector<TrianglePacket> packets_;
   std::vector<Placed> placed_;
   std::vector<FrameSet> frames_;  // by shape
-  float margins_ = 1;             // of a ray's origin, see stretch_of()
+  float margins_ = 1;             // see stretch_of()
 };
 
 /// A tree for each mesh that is placed by a transform, in the mesh's own space.

@@ -33,7 +33,8 @@ HitPartition one_part(FrameSet frames, const RayHit& hit) {
 
 TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all)
     : static_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return s.frames.contains(all); }), all, meshes_),
-      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, meshes_) {
+      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, meshes_),
+      margins_(std::max(static_.margins(), dynamic_.margins())) {
   if (dynamic_.empty() || live_too_long(shapes, all)) return;
   for (Frame f = 0; f < kMaxFrames && all.contains(f); ++f) {
     const auto there =
@@ -43,41 +44,40 @@ TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all)
 }
 
 template <class Query>
-void TwoLevel::find_dynamic(const Ray& ray, Query& query) const {
+void TwoLevel::find_dynamic(const TreeRay& ray, Query& query) const {
   if (of_frame_.empty() || query.frames().count() > kFewFrames) return dynamic_.find(ray, query);
   query.frames().for_each([&](Frame f) { of_frame_[static_cast<std::size_t>(f)].find(ray, query); });
 }
 
-RayHit TwoLevel::nearest(const Ray& ray, FrameSet frames) const {
-  NearestHit nearest(frames, ray.t_max);
-  if (!dynamic_.empty()) find_dynamic(ray, nearest);
-  static_.find(ray, nearest);
-  return nearest.hit();
-}
-
 HitPartition TwoLevel::partition(const Ray& ray, FrameSet frames) const {
   if (frames.empty()) return {};
-  if (frames.count() == 1) return one_part(frames, nearest(ray, frames));
+  const TreeRay prepared(ray, margins_);
   NearestHit nearest(frames, ray.t_max);
-  static_.find(ray, nearest);
+  if (frames.count() == 1) {
+    if (!dynamic_.empty()) find_dynamic(prepared, nearest);
+    static_.find(prepared, nearest);
+    return one_part(frames, nearest.hit());
+  }
+  static_.find(prepared, nearest);
   // Most rays end here, without what many frames need.
-  if (!dynamic_.enters(ray, nearest.limit())) return one_part(frames, nearest.hit());
+  if (!dynamic_.enters(prepared, nearest.limit())) return one_part(frames, nearest.hit());
   NearestHits hits(frames, nearest.limit());
   if (!nearest.hit().missed()) hits.offer(nearest.hit(), frames);
-  find_dynamic(ray, hits);
+  find_dynamic(prepared, hits);
   return hits.partition();
 }
 
 FrameSet TwoLevel::occluded(const Ray& ray, FrameSet frames) const {
+  const TreeRay prepared(ray, margins_);
   AnyHit any(frames, ray.t_max);
-  static_.find(ray, any);
-  if (any.found() || dynamic_.empty()) return any.found() ? frames : FrameSet();
+  static_.find(prepared, any);
+  if (any.found() || !dynamic_.enters(prepared, ray.t_max)) return any.found() ? frames : FrameSet();
   if (frames.count() == 1) {
-    find_dynamic(ray, any);
+    find_dynamic(prepared, any);
     return any.found() ? frames : FrameSet();
   }
   Unblocked unblocked(frames, ray.t_max);
-  find_dynamic(ray, unblocked);
+  find_dynamic(prepared, unblocked);
   return frames - unblocked.frames();
 }
 

@@ -1,7 +1,7 @@
 // Accelerator "two-level"
 //
-// The static tree answers for all frames at once, the dynamic tree for each frame; a ray asks both once. It has no
-// parameters. [WG12, section 3; there rays start anew behind every dynamic hit]
+// The static tree answers for all frames at once, the dynamic tree for each frame; a ray asks either at most once. It
+// has no parameters. [WG12, section 3; there rays start anew behind every dynamic hit]
 #pragma once
 
 #include "accel/tree.h"
@@ -20,12 +20,12 @@ class TwoLevel final : public Accel {
   const Tree& dynamic_tree() const { return dynamic_; }
 
  private:
-  RayHit nearest(const Ray& ray, FrameSet frames) const;
   template <class Query>
-  void find_dynamic(const Ray& ray, Query& query) const;
+  void find_dynamic(const TreeRay& ray, Query& query) const;
 
   MeshTrees meshes_;
   Tree static_, dynamic_;
+  float margins_;  // for all of them
   // A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over what is there
   // in its frame alone. Empty where that would hold triangles too often.
   std::vector<Tree> of_frame_;

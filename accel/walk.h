@@ -15,8 +15,6 @@
 
 namespace dspm {
 
-namespace detail {
-
 /// Box tests of a node's children, four at a time.
 class NodeTest {
  public:
@@ -52,17 +50,15 @@ class NodeTest {
   __m128 near_origin_[3], far_origin_[3], inverse_[3];
 };
 
-}  // namespace detail
-
 /// Whether the ray enters one of the root's boxes within `limit`.
-inline bool enters_root(const Bvh& bvh, const BoxRay& ray, float limit) {
+inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
   alignas(16) float entry[Bvh::kWidth];
-  return !bvh.nodes.empty() && detail::NodeTest(ray)(bvh.nodes.front(), limit, entry) != 0;
+  return !bvh.nodes.empty() && test(bvh.nodes.front(), limit, entry) != 0;
 }
 
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
-void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
+void walk(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& visit) {
   // What is still to be visited: where the ray enters it, its number, its frames. Three arrays without default values,
   // as they are to cost nothing, and as an entry that is written in parts and read as a whole would stall.
   constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
@@ -71,7 +67,6 @@ void walk(const Bvh& bvh, const BoxRay& ray, Query& query, const Visit& visit) {
   std::uint64_t common[kMost];
   if (bvh.nodes.empty()) return;
   const bool frames_differ = !bvh.node_frames.empty();
-  const detail::NodeTest test(ray);
   int size = 1;
   at[0] = 0, child[0] = 0, common[0] = query.frames().bits();
   while (size > 0) {
