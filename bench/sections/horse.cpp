@@ -3,6 +3,7 @@
 #include "bench/plots/plots.h"
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
+#include "bench/sections/gallop.h"
 #include "bench/sections/sections.h"
 
 namespace dspm {
@@ -21,21 +22,18 @@ const wg12::HorseRow* paper_row(int frames) {
   return nullptr;
 }
 
-/// Frames left out evenly, as the paper did; the largest group first.
-std::vector<std::vector<Frame>> groups_of(const std::vector<Frame>& frames, const std::vector<std::size_t>& counts) {
-  std::vector<std::vector<Frame>> groups;
-  for (auto count = counts.rbegin(); count != counts.rend(); ++count) groups.push_back(spread_frames(frames, *count));
-  return groups;
-}
-
-std::vector<Measured> measure_all(const LoadedScene& loaded, const std::vector<std::size_t>& counts, bool quick) {
+/// One after the other; the scenes differ in their number of frames, which rises.
+std::vector<Measured> measure_all(const std::vector<LoadedScene>& scenes, bool quick) {
   const TurnSettings settings{.iterations = quick ? 3 : 6, .separate = quick ? 4u : 64u};
-  const std::vector<std::vector<Frame>> groups = groups_of(loaded.job.frames, counts);
   std::vector<Measured> all;
   for (const char* estimator : kEstimators) {
-    say("{} at {} frames, {}", loaded.job.scene_file, groups.front().size(), estimator);
-    std::vector<Comparison> found = take_turns(loaded, with_text(loaded.job, "estimator", estimator), groups, settings);
-    all.push_back({estimator, {found.rbegin(), found.rend()}});
+    all.push_back({estimator, {}});
+    for (const LoadedScene& loaded : scenes) {
+      const std::vector<std::vector<Frame>> group = {loaded.job.frames};
+      say("{} at {} frames, {}", loaded.job.scene_file, group.front().size(), estimator);
+      const Job job = with_text(loaded.job, "estimator", estimator);
+      all.back().by_frames.push_back(take_turns(loaded, job, group, settings).front());
+    }
   }
   return all;
 }
@@ -89,17 +87,18 @@ PlotFile plot_over_frames(const std::vector<Measured>& all) {
 }  // namespace
 
 Findings measure_horse(const Setup& setup) {
-  const LoadedScene loaded = load(our_scene("horse"));
-  const std::vector<std::size_t> counts =
-      setup.quick ? std::vector<std::size_t>{8, 32} : std::vector<std::size_t>{8, 16, 24, 32};
-  const std::vector<Measured> all = measure_all(loaded, counts, setup.quick);
+  std::vector<LoadedScene> scenes;
+  for (const int frames : setup.quick ? std::vector<int>{8, 32} : std::vector<int>{8, 16, 24, 32})
+    scenes.push_back(load_gallop(frames));
+  const std::vector<Measured> all = measure_all(scenes, setup.quick);
   return {totals(all) + "\n" + plot_link("horse", "Speedup over the number of frames") + "\n" + details(all),
           {plot_over_frames(all)}};
 }
 
 Findings measure_sibenik(const Setup& setup) {
-  const LoadedScene loaded = load_sibenik_horse();
-  const std::vector<Measured> all = measure_all(loaded, {loaded.job.frames.size()}, setup.quick);
+  std::vector<LoadedScene> scenes;
+  scenes.push_back(load_sibenik_horse());
+  const std::vector<Measured> all = measure_all(scenes, setup.quick);
   return {totals(all) + details(all), {}};
 }
 

@@ -56,7 +56,7 @@ MeshData posed(const Body& body, const Skeleton& skeleton) {
 
 void make_animal(const std::filesystem::path& directory) {
   constexpr int kTimes = 768;
-  const Vec3 start{13, 0, 0.9f}, end{-8, 0, -0.6f};
+  const Vec3 start{4.4f, 0, 0.4f}, end{-7, 0, -0.6f};
   const Vec3 way = end - start;
   const float strides = length(way) / animal::kStride, heading = std::atan2(-way.z, way.x) * 180 / kPi;
   const animal::Body body = animal::make_body();
