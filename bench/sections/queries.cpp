@@ -40,21 +40,27 @@ void frame_by_frame(const Trees& trees, const Query& q) {
   q.frames.for_each([&](Frame f) { g_sink = trees.two_level.partition(q.ray, FrameSet::single(f)).size(); });
 }
 
+TreeRay prepared(const Trees& trees, const Ray& ray) {
+  return {ray, std::max(trees.two_level.static_tree().margins(), trees.two_level.dynamic_tree().margins())};
+}
+
 void tree_a_frame(const Trees& trees, const Query& q) {
+  const TreeRay ray = prepared(trees, q.ray);
   NearestHit nearest(q.frames, q.ray.t_max);
-  trees.two_level.static_tree().find(q.ray, nearest);
+  trees.two_level.static_tree().find(ray, nearest);
   q.frames.for_each([&](Frame f) {
     NearestHit of_this_frame = nearest;
-    trees.of_frame[static_cast<std::size_t>(f)].find(q.ray, of_this_frame);
+    trees.of_frame[static_cast<std::size_t>(f)].find(ray, of_this_frame);
     g_sink = of_this_frame.hit().primitive;
   });
 }
 
 void restarts(const Trees& trees, const Query& q) {
+  const TreeRay ray = prepared(trees, q.ray);
   for (FrameSet rest = q.frames; !rest.empty();) {
     NearestHit nearest(rest, q.ray.t_max);
-    trees.two_level.static_tree().find(q.ray, nearest);
-    trees.two_level.dynamic_tree().find(q.ray, nearest);
+    trees.two_level.static_tree().find(ray, nearest);
+    trees.two_level.dynamic_tree().find(ray, nearest);
     const RayHit hit = nearest.hit();
     g_sink = hit.primitive;
     rest -= hit.missed() ? rest : trees.scene.placed[static_cast<std::size_t>(hit.shape)].frames;
