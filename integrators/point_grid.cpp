@@ -36,7 +36,7 @@ PointGrid::Cell PointGrid::cell_of(const Vec3& p) const {
 
 void PointGrid::build(std::span<const Vec3> points, float cell_size) {
   refit(order_, points.size()), refit(by_bucket_, points.size());
-  for (auto* coordinates : {&x_, &y_, &z_}) refit(*coordinates, points.size() + kLanes - 1);
+  for (auto* coordinates : {&x_, &y_, &z_}) refit(*coordinates, points.size() + PointsWithin::kPadding);
   if (points.empty()) return;
   choose_cells(points, cell_size);
   const BucketBegins begins = sort_into_buckets(points);

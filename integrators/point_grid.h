@@ -1,16 +1,14 @@
 // Points in a uniform grid, sorted by cell, for finding all points within a radius. Knows no rendering.
 #pragma once
 
-#include <immintrin.h>
-
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/vec.h"
+#include "integrators/points_within.h"
 
 namespace dspm {
 
@@ -53,9 +51,6 @@ class PointGrid {
   BucketBegins sort_into_buckets(std::span<const Vec3> points);
   void sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32_t end);
 
-  using Lanes = __m128;  // of points, tested together
-  static constexpr std::uint32_t kLanes = 4;
-
   Bounds3 bounds_;
   float inverse_cell_ = 1;
   int nx_ = 0, ny_ = 0, nz_ = 0;
@@ -63,49 +58,7 @@ class PointGrid {
   int bucket_shift_ = 0;
   std::vector<Sorted> by_bucket_;
   std::vector<std::uint32_t> order_;
-  std::vector<float> x_, y_, z_;  // of the sorted points, and kLanes - 1 more so that the last can be loaded
-};
-
-/// For each set of four lanes the byte shuffle that moves them to the front.
-struct LaneShuffles {
-  alignas(16) std::uint8_t bytes[16][16] = {};
-
-  constexpr LaneShuffles() {
-    for (std::size_t set = 0; set < 16; ++set) {
-      std::size_t to = 0;
-      for (std::size_t lane = 0; lane < 4; ++lane)
-        if (set >> lane & 1)
-          for (std::size_t byte = 0; byte < 4; ++byte) bytes[set][to++] = static_cast<std::uint8_t>(4 * lane + byte);
-    }
-  }
-};
-inline constexpr LaneShuffles kLaneShuffles;
-
-/// Points within the radius, collected without a branch: about one in three is, in no order that a processor could
-/// guess.
-class FoundPoints {
- public:
-  /// Those of the points first .. first + 3 whose bits are set.
-  void add(std::uint32_t first, __m128 distance2, unsigned within) {
-    const __m128i numbers = _mm_add_epi32(_mm_set1_epi32(static_cast<int>(first)), _mm_setr_epi32(0, 1, 2, 3));
-    const __m128i together = _mm_load_si128(reinterpret_cast<const __m128i*>(kLaneShuffles.bytes[within]));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(numbers_ + count_), _mm_shuffle_epi8(numbers, together));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(distance2_ + count_),
-                     _mm_shuffle_epi8(_mm_castps_si128(distance2), together));
-    count_ += static_cast<std::uint32_t>(std::popcount(within));
-  }
-  bool full() const { return count_ > kRoom - 4; }
-  template <class Fn>
-  void empty_into(Fn&& fn) {
-    for (std::uint32_t k = 0; k < count_; ++k) fn(numbers_[k], distance2_[k]);
-    count_ = 0;
-  }
-
- private:
-  static constexpr std::uint32_t kRoom = 128;
-  std::uint32_t count_ = 0;
-  std::uint32_t numbers_[kRoom];
-  float distance2_[kRoom];
+  std::vector<float> x_, y_, z_;  // of the sorted points, and PointsWithin::kPadding more
 };
 
 template <class Fn>
@@ -118,21 +71,14 @@ std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius2, Fn&& fn) 
         to.z >= bounds_.low.z && from.z <= bounds_.high.z))
     return 0;
   const Cell low = cell_of(from), high = cell_of(to);
-  const Lanes px = _mm_set1_ps(p.x), py = _mm_set1_ps(p.y), pz = _mm_set1_ps(p.z), limit = _mm_set1_ps(radius2);
-  const float *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
   std::uint64_t tested = 0;
-  FoundPoints found;
+  PointsWithin found(p, radius2);
   for (int cz = low.z; cz <= high.z; ++cz)
     for (int cy = low.y; cy <= high.y; ++cy) {
       const std::uint32_t begin = begin_[index_of(low.x, cy, cz)], end = begin_[index_of(high.x, cy, cz) + 1];
       tested += end - begin;
-      for (std::uint32_t i = begin; i < end; i += kLanes) {
-        const Lanes dx = _mm_sub_ps(_mm_loadu_ps(x + i), px), dy = _mm_sub_ps(_mm_loadu_ps(y + i), py),
-                    dz = _mm_sub_ps(_mm_loadu_ps(z + i), pz);
-        const Lanes d2 = _mm_add_ps(_mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy)), _mm_mul_ps(dz, dz));
-        auto within = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(d2, limit)));
-        if (end - i < kLanes) within &= (1u << (end - i)) - 1;
-        found.add(i, d2, within);
+      for (std::uint32_t i = begin; i < end;) {
+        i = found.add(x_.data(), y_.data(), z_.data(), i, end);
         if (found.full()) found.empty_into(fn);
       }
     }
