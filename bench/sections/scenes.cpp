@@ -29,10 +29,12 @@ std::vector<Measured> measure_one(const wg12::SceneRow& paper, bool quick) {
 }
 
 std::string totals(const std::vector<Measured>& all) {
-  Table table({"scene", "K", "estimator", "speedup", "WG12", "dynamic photons", "WG12", "dynamic hit points", "WG12"});
+  Table table({"scene", "K", "estimator", "speedup", "sharing factor", "reached", "WG12", "dynamic photons", "WG12",
+               "dynamic hit points", "WG12"});
   for (const Measured& m : all) {
     const Comparison& c = m.comparison;
     table.row({m.paper->name, std::to_string(c.frames), m.estimator, ratio_cell(c.speedups.back()),
+               ratio_cell(c.factors.back()), percent_cell(c.speedups.back() / c.factors.back()),
                ratio_cell(m.paper->speedups.back()), percent_cell(c.dynamic_photons),
                percent_cell(m.paper->dynamic_photons), percent_cell(c.dynamic_hit_points),
                percent_cell(m.paper->dynamic_hit_points)});
