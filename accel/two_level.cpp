@@ -88,8 +88,8 @@ std::size_t TwoLevel::memory() const {
 }
 
 std::size_t tree_bytes_at_most(std::span<const PlacedShape> shapes, FrameSet all) {
-  // Bytes a triangle: those of cathedrals, horses and landscapes are 65 to 110, and as many as 45 more for a while.
-  constexpr std::size_t kKept = 125, kBuilding = 60;
+  // Bytes a triangle: those of cathedrals, horses and landscapes are 60 to 80, and about 40 more for a while.
+  constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;
   for (const PlacedShape& shape : shapes) {
