@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "core/rgb.h"
+#include "core/vec.h"
 
 namespace dspm {
 
@@ -25,7 +26,16 @@ struct PassSums {
 struct PixelStatistics {
   double N = 0;  // photons accepted; a share alpha of those found
   float R2 = 0;  // search radius squared; 0: no hit point yet
-  Rgb tau;       // flux within the search radius, weighted as phi
+  Rgb tau;       // flux within the search radius, weighted as phi; where there is no radius yet, as within one of 1
+
+  /// The first hit point's radius.
+  void begin(float radius2) {
+    if (R2 == 0) R2 = radius2, tau = tau * radius2;
+  }
+
+  /// Light that needs no photons, as the flux that gives its radiance: shrinking discs keep that. `emitted`: paths in
+  /// this iteration.
+  void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * disc()); }
 
   /// Accepts a share alpha of the M new photons and shrinks the disc so that their density stays. [WG12 (1), (2), (4)]
   void absorb(const PassSums& sums, float alpha) {
@@ -39,9 +49,11 @@ struct PixelStatistics {
 
   /// [WG12 (5)]
   Rgb radiance(double emitted) const {
-    if (R2 == 0 || emitted == 0) return {};
-    return tau * static_cast<float>(1 / (emitted * 3.14159265358979323846 * static_cast<double>(R2)));
+    return emitted == 0 ? Rgb() : tau * static_cast<float>(1 / (emitted * static_cast<double>(disc())));
   }
+
+ private:
+  float disc() const { return kPi * (R2 == 0 ? 1 : R2); }
 };
 
 /// Ends an iteration whose sums were kept in `passes`, and empties them.

@@ -8,7 +8,6 @@
 #include <cassert>
 
 #include "integrators/progressive.h"
-#include "integrators/seen_light.h"
 
 namespace dspm {
 namespace {
@@ -25,11 +24,11 @@ PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const 
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0), seen_(of.pixels, 1) {
+      : of_(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
     assert(of.frames == 1);
   }
   static std::size_t bytes(const EstimatorSettings& of) {
-    return of.pixel_frames() * (sizeof(PixelStatistics) + sizeof(Rgb) + (of.batched ? sizeof(PassSums) : 0));
+    return of.pixel_frames() * (sizeof(PixelStatistics) + (of.batched ? sizeof(PassSums) : 0));
   }
 
   float search_radius2(const HitPoint& hit) const override {
@@ -40,7 +39,7 @@ class Hj09 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                  GatherCounts& counts) override {
     const auto at = static_cast<std::size_t>(hit.pixel);
-    pixels_[at].R2 = search_radius2(hit);
+    pixels_[at].begin(hit.radius * hit.radius);
     const PassSums sums = gather_at_one(hit, scattering, map, pixels_[at].R2, counts);
     if (of_.batched)
       passes_[at] += sums;
@@ -48,7 +47,9 @@ class Hj09 final : public PixelEstimator {
       pixels_[at].absorb(sums, of_.alpha);
   }
 
-  void see(const SeenLight& light) override { seen_.add(light); }
+  void see(const SeenLight& light) override {
+    pixels_[static_cast<std::size_t>(light.pixel)].see(light.radiance, static_cast<float>(of_.photons));
+  }
 
   void end_iteration() override {
     absorb(passes_, pixels_, of_.alpha);
@@ -56,8 +57,7 @@ class Hj09 final : public PixelEstimator {
   }
 
   Rgb radiance(int pixel, Frame) const override {
-    return seen_.mean(pixel, 0, iterations_) +
-           statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
+    return statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
   }
   const PixelStatistics* statistics(int pixel, Frame) const override {
     return &pixels_[static_cast<std::size_t>(pixel)];
@@ -68,7 +68,6 @@ class Hj09 final : public PixelEstimator {
   int iterations_ = 0;
   std::vector<PixelStatistics> pixels_;
   std::vector<PassSums> passes_;  // of the iteration so far, where its photons come in batches
-  SeenLightSums seen_;
 };
 
 class Kz11 final : public PixelEstimator {

@@ -6,7 +6,6 @@
 
 #include "integrators/dsppm/dsppm.h"
 #include "integrators/pixel_statistics.h"
-#include "integrators/seen_light.h"
 
 namespace dspm {
 namespace {
@@ -14,12 +13,9 @@ namespace {
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of),
-        seen_(of.pixels, of.frames),
-        statistics_(of.pixel_frames()),
-        passes_(of.batched ? of.pixel_frames() : 0) {}
+      : of_(of), statistics_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {}
   static std::size_t bytes(const EstimatorSettings& of) {
-    return of.pixel_frames() * (sizeof(PixelStatistics) + sizeof(Rgb) + (of.batched ? sizeof(PassSums) : 0));
+    return of.pixel_frames() * (sizeof(PixelStatistics) + (of.batched ? sizeof(PassSums) : 0));
   }
 
   float search_radius2(const HitPoint& hit) const override {
@@ -37,7 +33,7 @@ class Hj09 final : public PixelEstimator {
     // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
     float largest2 = 0, smallest2 = kInfinity;
     hit.frames.for_each([&](Frame f) {
-      if (pixel[f].R2 == 0) pixel[f].R2 = hit.radius * hit.radius;
+      pixel[f].begin(hit.radius * hit.radius);
       largest2 = std::max(largest2, pixel[f].R2), smallest2 = std::min(smallest2, pixel[f].R2);
     });
 
@@ -65,7 +61,10 @@ class Hj09 final : public PixelEstimator {
     });
   }
 
-  void see(const SeenLight& light) override { seen_.add(light); }
+  void see(const SeenLight& light) override {
+    light.frames.for_each(
+        [&](Frame f) { statistics_[index(light.pixel, f)].see(light.radiance, static_cast<float>(of_.photons)); });
+  }
 
   void end_iteration() override {
     absorb(passes_, statistics_, of_.alpha);
@@ -74,7 +73,7 @@ class Hj09 final : public PixelEstimator {
 
   Rgb radiance(int pixel, Frame frame) const override {
     const auto emitted = static_cast<double>(iterations_ * of_.photons);
-    return seen_.mean(pixel, frame, iterations_) + statistics_[index(pixel, frame)].radiance(emitted);
+    return statistics_[index(pixel, frame)].radiance(emitted);
   }
 
   const PixelStatistics* statistics(int pixel, Frame frame) const override { return &statistics_[index(pixel, frame)]; }
@@ -86,7 +85,6 @@ class Hj09 final : public PixelEstimator {
 
   EstimatorSettings of_;
   int iterations_ = 0;
-  SeenLightSums seen_;
   std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
   std::vector<PassSums> passes_;             // of the iteration so far, likewise, where its photons come in batches
 };

@@ -51,6 +51,21 @@ TEST(PixelStatistics, AUniformFieldKeepsItsRadiance) {
   EXPECT_LT(s.R2, 0.25f);
 }
 
+// The mean over all iterations, whatever the radius was when it was seen, also before there was one.
+TEST(PixelStatistics, LightThatIsSeenKeepsItsRadiance) {
+  constexpr float kEmitted = 1000;
+  PixelStatistics s;
+  s.see(Rgb(2), kEmitted);
+  EXPECT_NEAR(s.radiance(double{kEmitted}).r, 2, 1e-6);
+  s.begin(0.01f);
+  s.absorb({50, Rgb()}, 0.7f);
+  s.see(Rgb(4), kEmitted);
+  s.begin(7);
+  EXPECT_FLOAT_EQ(s.R2, 0.007f);
+  s.absorb({50, Rgb()}, 0.7f);
+  EXPECT_NEAR(s.radiance(2 * double{kEmitted}).r, 3, 1e-6);
+}
+
 TEST(PixelStatistics, CountsBeyond32Bits) {
   PixelStatistics s;
   s.R2 = 1, s.N = 1e12, s.tau = Rgb(1e12f);
