@@ -31,7 +31,7 @@ struct BoxRay {
   Vec3 near_origin, far_origin;  // the origin, moved by its margin so that boxes are entered earlier and left later
   Vec3 inverse;                  // of the direction; infinite along an axis to which the ray is perpendicular
 
-  /// `margins`: how many margins of the origin are needed, see DynamicTree for more than one.
+  /// `margins`: how many margins of the origin are needed, see Tree::margins for more than one.
   explicit BoxRay(const Ray& ray, float margins = 1) {
     const float margin = margins * kBoxMargin * max_component(abs(ray.origin));
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,7 +1,9 @@
-// Builds a Bvh top down: a node's range of pieces is cut until there are 8 ranges, always the one that costs most,
+// Builds a Bvh top down: a node's range of pieces is cut until there are 8 ranges, always the one with the largest box,
 // always where the surface area heuristic in bins says. Which pieces end where depends on the pieces' order alone.
 #include <algorithm>
+#include <bit>
 #include <numeric>
+#include <utility>
 
 #include "accel/bvh.h"
 
@@ -19,7 +21,6 @@ struct Range {
   std::int64_t size = 0;  // of all pieces
   Bounds3 bounds, centers;
   FrameSet frames;
-  float cost = 0;  // expected, of leaves without any node above them
 };
 
 class Builder {
@@ -53,12 +54,12 @@ class Builder {
 
   const Piece& piece(std::uint32_t place) const { return pieces_[bvh_.order[place]]; }
 
-  float cost(const Bounds3& bounds, FrameSet frames, std::int64_t size) const {
-    const float share = static_cast<float>(frames.count()) / static_cast<float>(std::max(1, all_frames_.count()));
-    const float chance = bounds.half_area() * (kShareOfFullRays + (1 - kShareOfFullRays) * share);
-    return chance * static_cast<float>((size + leaf_size_ - 1) / leaf_size_);
+  /// Expected, of leaves without any node above them.
+  float cost(const Bin& bin) const {
+    const float share = static_cast<float>(bin.frames.count()) / static_cast<float>(std::max(1, all_frames_.count()));
+    const float chance = bin.bounds.half_area() * (kShareOfFullRays + (1 - kShareOfFullRays) * share);
+    return chance * static_cast<float>((bin.size + leaf_size_ - 1) / leaf_size_);
   }
-  float cost(const Bin& bin) const { return cost(bin.bounds, bin.frames, bin.size); }
 
   Range range(std::uint32_t first, std::uint32_t count) const {
     Range r;
@@ -69,7 +70,6 @@ class Builder {
       r.frames |= piece(i).frames;
       r.size += piece(i).size;
     }
-    r.cost = cost(r.bounds, r.frames, r.size);
     return r;
   }
 

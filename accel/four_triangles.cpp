@@ -1,5 +1,7 @@
 #include "accel/four_triangles.h"
 
+#include <bit>
+
 namespace dspm {
 
 void FourTriangles::look_closer(const MeshRay& ray, unsigned doubtful, FourHits& hits) const {

@@ -1,5 +1,7 @@
 #include "accel/hits.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace dspm {

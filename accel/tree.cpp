@@ -1,5 +1,6 @@
 #include "accel/tree.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "accel/triangle_pieces.h"

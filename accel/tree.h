@@ -6,6 +6,8 @@
 
 #include <map>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "accel/triangle_packet.h"
 #include "accel/walk.h"
@@ -38,7 +40,7 @@ class Tree {
   Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes);
 
   bool empty() const { return bvh_.nodes.empty(); }
-  /// Offers to `query` (NearestHit, NearestHits or Unblocked) what the ray meets.
+  /// Offers to `query`, one of those in hits.h, what the ray meets.
   template <class Query>
   void find(const TreeRay& ray, Query& query) const;
   /// How many margins of a ray's origin its boxes need: more than one where a transform stretches errors.

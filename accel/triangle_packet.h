@@ -2,6 +2,8 @@
 // four_triangles.h.
 #pragma once
 
+#include <bit>
+
 #include "accel/bvh.h"
 #include "accel/four_triangles.h"
 #include "accel/hits.h"

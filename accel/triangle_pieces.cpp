@@ -1,13 +1,15 @@
 #include "accel/triangle_pieces.h"
 
+#include <bit>
+
 #include "accel/box_ray.h"
 #include "shapes/triangle_mesh.h"
 
 namespace dspm {
 namespace {
 
-// A triangle that moves little keeps its place in a packet for up to 8 frames: as long as the box of the frames' union has
-// at most so many times the area of one frame's box.
+// A triangle that moves little keeps its place in a packet for up to 8 frames: as long as the box of the frames' union
+// has at most so many times the area of one frame's box.
 constexpr float kMostGrowth = 4;
 
 class Cutter {

@@ -1,6 +1,10 @@
 // Meshes cut into what a tree is built over: single triangles, or one triangle in several frames.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "accel/triangle_packet.h"
 #include "shapes/placed_shape.h"
 

@@ -1,5 +1,6 @@
 #include "accel/two_level.h"
 
+#include <algorithm>
 #include <set>
 
 namespace dspm {

@@ -8,7 +8,8 @@
 
 #include <immintrin.h>
 
-#include <cassert>
+#include <bit>
+#include <cstdint>
 
 #include "accel/box_ray.h"
 #include "accel/bvh.h"
