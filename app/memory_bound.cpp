@@ -1,9 +1,12 @@
 #include "app/memory_bound.h"
 
+#include <fmt/format.h>
 #include <malloc.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "app/frame_intervals.h"
 #include "app/run_report.h"

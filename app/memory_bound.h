@@ -2,6 +2,9 @@
 // keeps within the bound. What it holds is asked of malloc, so that the plan is the same on every run.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "app/job.h"
 #include "app/messages.h"
 #include "world/world.h"

@@ -18,8 +18,8 @@ struct SinCos {
   float sin, cos;
 };
 
-/// For angles up to pi/4, to the last digits of a float: Taylor's series up to x^9 and x^8. Several times faster than the
-/// library's, which is ready for any angle.
+/// For angles up to pi/4, to the last digits of a float: Taylor's series up to x^9 and x^8. Several times faster than
+/// the library's, which is ready for any angle.
 SinCos sin_cos_of_octant(float x) {
   const float x2 = x * x;
   return {x * (1 - x2 * (1 / 6.f) * (1 - x2 * (1 / 20.f) * (1 - x2 * (1 / 42.f) * (1 - x2 * (1 / 72.f))))),

@@ -6,8 +6,10 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "image/encoding.h"
 
@@ -29,7 +31,7 @@ Image even_sized(const Image& image) {
 
 std::vector<std::string> command(const std::filesystem::path& file, const VideoFormat& format) {
   const float rate = format.frames_per_second > 0 ? format.frames_per_second : kUsualRate;
-  // What comes in are sRGB's numbers. For Y'CbCr players expect the matrix of BT.709, where ffmpeg takes that of BT.601.
+  // What comes in are sRGB's numbers. For Y'CbCr players expect the matrix of BT.709; ffmpeg's own is that of BT.601.
   const std::string input = fmt::format("-pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0",
                                         even(format.width), even(format.height), rate);
   std::istringstream words(

@@ -18,8 +18,8 @@ float decode(ColorEncoding encoding, float encoded);
 /// Linear values of the integers 0 .. levels - 1, where levels - 1 stands for 1; automatic is sRGB here.
 std::vector<float> decoding_table(ColorEncoding encoding, int levels);
 
-/// What a screen shows, eight bits a channel in the order of the pixels: 0..1 (linear) as sRGB, the rest is clamped; NaN
-/// is black.
+/// What a screen shows, eight bits a channel in the order of the pixels: 0..1 (linear) as sRGB, the rest is clamped;
+/// NaN is black.
 std::string srgb_bytes(const Image& image);
 
 }  // namespace dspm

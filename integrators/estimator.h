@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
-#include <span>
 
 #include "integrators/gather.h"
 

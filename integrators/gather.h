@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "core/rgb_lanes.h"
 #include "integrators/hit_point.h"
@@ -16,8 +18,8 @@ struct GatherCounts {
   std::uint64_t invalid = 0;
 };
 
-/// Calls fn(frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that counts for the
-/// hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass.
+/// Calls fn(frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that counts for
+/// the hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let light pass.
 /// Throughput is left to the caller.
 template <class Fn>
 void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,

@@ -35,8 +35,8 @@ class HitPointTracer {
     met_dynamic_ = false;
   }
 
-  /// Follows what waits, frame by frame: what is dynamic has its own vertices and tree in each frame, and a tile's paths
-  /// in one frame find them in the cache.
+  /// Follows what waits, frame by frame: what is dynamic has its own vertices and tree in each frame, and a tile's
+  /// paths in one frame find them in the cache.
   void finish() {
     finishing_ = true;
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {

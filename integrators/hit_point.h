@@ -1,6 +1,8 @@
 // Hit points: where camera paths end and gather photons, for all frames at once, split where frames part. [WG12 4.1]
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "integrators/integrator.h"

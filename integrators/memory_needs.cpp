@@ -11,7 +11,7 @@ namespace {
 constexpr int kBlocks = 32, kBlockSide = 4;  // blocks of pixels that are looked at, along each side of the image
 constexpr std::int64_t kPaths = 4096;
 constexpr double kSlack = 1.15;  // iterations differ, and so do batches
-// A grid has up to 8 cells of 4 bytes a photon, which takes 64 bytes besides: as much as half of that again.
+// A grid has up to 8 cells of 4 bytes a photon, which takes 68 bytes besides: about half of that again.
 constexpr double kWithCells = 1.5;
 
 /// Without the room that vectors keep for growing: memory that was never written to is not taken.

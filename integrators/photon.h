@@ -36,8 +36,7 @@ struct PhotonSettings {
 
 /// What a range of photon paths left behind.
 struct PhotonTrace {
-  std::vector<Photon>
-      photons;  // in the order (path index, branch); a frame's photons of one path in the order of bounces
+  std::vector<Photon> photons;  // by path index, then branch; a frame's photons of one path by bounce
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame

@@ -13,8 +13,8 @@ namespace dspm {
 /// Photons of a cell keep the order in which they are given.
 class PhotonGrid {
  public:
-  /// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant; the
-  /// fourth, of the neighbour's bytes, stays between 0 and 0 or is a sum that nobody looks at.
+  /// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant;
+  /// nobody looks at the fourth, bytes of the next member.
   struct alignas(32) Gathered {
     Vec3 wi;
     Rgb flux;

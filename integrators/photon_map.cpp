@@ -72,7 +72,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float 
     return std::span<const Photon* const>(photons_).subspan(begin[first], begin[end] - begin[first]);
   };
   of_frame_.resize(classes - 1);
-  // Half of sorting is one thread's work: the grids are built side by side.
+  // A grid of few photons has no work for all threads: the grids are built side by side.
   parallel_for(static_cast<std::int64_t>(classes) + 1, 1, [&](std::int64_t grid) {
     const auto i = static_cast<std::size_t>(grid);
     if (i == 0) common_.build(photons_of(0, 1), cell_size);

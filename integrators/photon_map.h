@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Photons that frames have in common lie in one grid. Those of a single frame lie in a grid of that frame, and once more
-/// in a grid of all such photons, for hit points that many frames share. Where most photons are common ones, all lie in
-/// the first grid. The order of photons does not depend on threads.
+/// Photons that frames have in common lie in one grid. Those of a single frame lie in a grid of that frame, and once
+/// more in a grid of all such photons, for hit points that many frames share. Where most photons are common ones, all
+/// lie in the first grid. The order of photons does not depend on threads.
 class PhotonMap {
  public:
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` suits a typical search radius.
@@ -18,8 +18,8 @@ class PhotonMap {
 
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
-  /// Calls fn(const PhotonGrid::Gathered&, distance squared) for all photons within sqrt(radius2) of p that exist in some
-  /// of `frames`, and for some others; returns how many were tested.
+  /// Calls fn(const PhotonGrid::Gathered&, distance squared) for all photons within sqrt(radius2) of p that exist in
+  /// some of `frames`, and for some others; returns how many were tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
     std::array<const PhotonGrid*, kFewFrames + 1> grids{&common_};
@@ -34,7 +34,7 @@ class PhotonMap {
   }
 
  private:
-  static constexpr int kFewFrames = 3;
+  static constexpr int kFewFrames = 3;  // so many are asked in grids of their own, one by one
 
   std::vector<const Photon*> photons_;  // common ones, then those of each frame
   PhotonGrid common_, single_;

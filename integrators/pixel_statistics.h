@@ -1,7 +1,6 @@
 // What a pixel remembers of all photons so far, in one frame, and how an iteration changes it.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -21,8 +21,8 @@ class PointsWithin {
   PointsWithin(const Vec3& p, float radius2, DistanceTest test = kWidestDistanceTest)
       : p_(p), radius2_(radius2), test_(test) {}
 
-  /// Looks at the points begin .. end - 1, whose coordinates can be read up to end + kPadding. Stops where its room ends;
-  /// returns how far it came.
+  /// Looks at the points begin .. end - 1, whose coordinates can be read up to end + kPadding. Stops where its room
+  /// ends; returns how far it came.
   std::uint32_t add(const float* x, const float* y, const float* z, std::uint32_t begin, std::uint32_t end) {
     return test_ == DistanceTest::sixteen_lanes ? add_sixteen(x, y, z, begin, end) : add_four(x, y, z, begin, end);
   }

@@ -1,7 +1,6 @@
 // Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is
 // then linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums
 // of those frames that have them.
-#include <cmath>
 #include <vector>
 
 #include "integrators/dsppm/dsppm.h"
