@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "integrators/gather.h"
 
@@ -26,8 +27,8 @@ class PixelEstimator {
   virtual void end_iteration() = 0;
   /// Radiance after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
-  /// Null where nothing but sums is kept.
-  virtual const PixelStatistics* statistics(int /*pixel*/, Frame) const { return nullptr; }
+  /// Nothing where only sums are kept.
+  virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
 };
 
 /// How kz11's radius shrinks behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -39,8 +40,8 @@ class Integrator {
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.
   virtual Image estimate(Frame frame) const = 0;
-  /// What a progressive integrator remembers of a pixel of the crop; null for others. For looking inside.
-  virtual const PixelStatistics* pixel_statistics(int /*pixel*/, Frame) const { return nullptr; }
+  /// What a progressive integrator remembers of a pixel of the crop; nothing for others. For looking inside.
+  virtual std::optional<PixelStatistics> pixel_statistics(int /*pixel*/, Frame) const { return std::nullopt; }
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
 };

@@ -73,7 +73,7 @@ class Progressive final : public Integrator {
     return image;
   }
 
-  const PixelStatistics* pixel_statistics(int pixel, Frame frame) const override {
+  std::optional<PixelStatistics> pixel_statistics(int pixel, Frame frame) const override {
     return estimator_->statistics(pixel, frame);
   }
 

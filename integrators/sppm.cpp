@@ -59,8 +59,8 @@ class Hj09 final : public PixelEstimator {
   Rgb radiance(int pixel, Frame) const override {
     return statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
   }
-  const PixelStatistics* statistics(int pixel, Frame) const override {
-    return &pixels_[static_cast<std::size_t>(pixel)];
+  std::optional<PixelStatistics> statistics(int pixel, Frame) const override {
+    return pixels_[static_cast<std::size_t>(pixel)];
   }
 
  private:

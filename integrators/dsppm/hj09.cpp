@@ -1,92 +1,129 @@
 // Progressive statistics for every pixel and frame [HJ09], gathered once for all frames that share a hit point
-// [WG12 4.3].
+// [WG12 4.3]. Frames are SIMD lanes.
 #include <algorithm>
-#include <array>
 #include <vector>
 
+#include "core/parallel.h"
 #include "integrators/dsppm/dsppm.h"
-#include "integrators/pixel_statistics.h"
+#include "integrators/dsppm/four_frames.h"
 
 namespace dspm {
 namespace {
 
+constexpr int kGroups = kMaxFrames / 4;
+
+/// Of the lanes that are in, the largest and the smallest value over several groups.
+struct Extremes {
+  __m128 most = _mm_setzero_ps(), least = _mm_set1_ps(kInfinity);
+
+  void add(__m128 lanes, __m128 values) {
+    most = _mm_max_ps(most, _mm_and_ps(lanes, values));
+    least = _mm_min_ps(least, _mm_blendv_ps(_mm_set1_ps(kInfinity), values, lanes));
+  }
+  float largest() const {
+    const __m128 two = _mm_max_ps(most, _mm_movehl_ps(most, most));
+    return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
+  }
+  float smallest() const {
+    const __m128 two = _mm_min_ps(least, _mm_movehl_ps(least, least));
+    return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
+  }
+};
+
 class Hj09 final : public PixelEstimator {
  public:
   explicit Hj09(const EstimatorSettings& of)
-      : of_(of), statistics_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {}
+      : of_(of),
+        groups_((of.frames + 3) / 4),
+        statistics_(count(of)),
+        passes_(of.batched ? count(of) : 0, FourSums::none()) {}
   static std::size_t bytes(const EstimatorSettings& of) {
-    return of.pixel_frames() * (sizeof(PixelStatistics) + (of.batched ? sizeof(PassSums) : 0));
+    return count(of) * (sizeof(FourFrames) + (of.batched ? sizeof(FourSums) : 0));
   }
 
   float search_radius2(const HitPoint& hit) const override {
-    float largest2 = 0;
-    hit.frames.for_each([&](Frame f) {
-      const float R2 = statistics_[index(hit.pixel, f)].R2;
-      largest2 = std::max(largest2, R2 == 0 ? hit.radius * hit.radius : R2);
+    const float initial2 = hit.radius * hit.radius;
+    Extremes radii;
+    for_each_group(hit.frames, [&](int group, __m128 lanes) {
+      const __m128 R2 = statistics_[index(hit.pixel, group)].R2();
+      radii.add(lanes, _mm_blendv_ps(R2, _mm_set1_ps(initial2), _mm_cmpeq_ps(R2, _mm_setzero_ps())));
     });
-    return largest2;
+    return radii.largest();
   }
 
   void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                  GatherCounts& counts) override {
-    PixelStatistics* pixel = &statistics_[index(hit.pixel, 0)];
+    FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
     // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
-    float largest2 = 0, smallest2 = kInfinity;
-    hit.frames.for_each([&](Frame f) {
-      pixel[f].begin(hit.radius * hit.radius);
-      largest2 = std::max(largest2, pixel[f].R2), smallest2 = std::min(smallest2, pixel[f].R2);
+    Extremes radii;
+    FourSums sums[kGroups];
+    for_each_group(hit.frames, [&](int group, __m128 lanes) {
+      pixel[group].begin(lanes, hit.radius * hit.radius);
+      radii.add(lanes, pixel[group].R2());
+      sums[group] = FourSums::none();
     });
 
-    PassSums shared;
-    std::array<PassSums, kMaxFrames> sums;
-    gather(hit, scattering, map, largest2, counts, [&](FrameSet frames, RgbLanes lanes, float distance2) {
-      const Rgb flux = lanes.rgb();
+    std::uint32_t shared_M = 0;
+    RgbLanes shared_phi;
+    const float smallest2 = radii.smallest();
+    gather(hit, scattering, map, radii.largest(), counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
       if (frames == hit.frames && distance2 <= smallest2) {
-        ++shared.M, shared.phi += flux;
+        ++shared_M, shared_phi += flux;
         return;
       }
-      frames.for_each([&](Frame f) {
-        PassSums& sum = sums[static_cast<std::size_t>(f)];
-        if (distance2 <= pixel[f].R2) ++sum.M, sum.phi += flux;
+      for_each_group(frames, [&](int group, __m128 there) {
+        const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
+        sums[group].add(_mm_and_ps(there, within), flux.rgb());
       });
     });
 
-    hit.frames.for_each([&](Frame f) {
-      PassSums& sum = sums[static_cast<std::size_t>(f)];
-      sum.M += shared.M, sum.phi = (sum.phi + shared.phi) * hit.throughput;
+    const PassSums shared{shared_M, shared_phi.rgb()};
+    for_each_group(hit.frames, [&](int group, __m128 lanes) {
+      const FourSums total = sums[group].total(lanes, shared, hit.throughput);
       if (of_.batched)
-        passes_[index(hit.pixel, f)] += sum;
+        passes_[index(hit.pixel, group)] += total;
       else
-        pixel[f].absorb(sum, of_.alpha);
+        pixel[group].absorb(total, of_.alpha);
     });
   }
 
   void see(const SeenLight& light) override {
-    light.frames.for_each(
-        [&](Frame f) { statistics_[index(light.pixel, f)].see(light.radiance, static_cast<float>(of_.photons)); });
+    light.frames.for_each([&](Frame f) {
+      statistics_[index(light.pixel, f / 4)].see(f % 4, light.radiance, static_cast<float>(of_.photons));
+    });
   }
 
   void end_iteration() override {
-    absorb(passes_, statistics_, of_.alpha);
+    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 12, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      statistics_[at].absorb(passes_[at], of_.alpha);
+      passes_[at] = FourSums::none();
+    });
     ++iterations_;
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
     const auto emitted = static_cast<double>(iterations_ * of_.photons);
-    return statistics_[index(pixel, frame)].radiance(emitted);
+    return statistics(pixel, frame)->radiance(emitted);
   }
 
-  const PixelStatistics* statistics(int pixel, Frame frame) const override { return &statistics_[index(pixel, frame)]; }
+  std::optional<PixelStatistics> statistics(int pixel, Frame frame) const override {
+    return statistics_[index(pixel, frame / 4)].of(frame % 4);
+  }
 
  private:
-  std::size_t index(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
+  static std::size_t count(const EstimatorSettings& of) {
+    return static_cast<std::size_t>(of.pixels) * static_cast<std::size_t>((of.frames + 3) / 4);
+  }
+  std::size_t index(int pixel, int group) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(groups_) + static_cast<std::size_t>(group);
   }
 
   EstimatorSettings of_;
+  int groups_;  // of four frames
   int iterations_ = 0;
-  std::vector<PixelStatistics> statistics_;  // the frames of a pixel lie together
-  std::vector<PassSums> passes_;             // of the iteration so far, likewise, where its photons come in batches
+  std::vector<FourFrames> statistics_;  // the frames of a pixel lie together
+  std::vector<FourSums> passes_;        // of the iteration so far, likewise, where its photons come in batches
 };
 
 }  // namespace

@@ -46,8 +46,8 @@ void expect_equal(const Integrator& a, const Integrator& b, int frames) {
     const Image one = a.estimate(f), other = b.estimate(f);
     for (int p = 0; p < static_cast<int>(one.pixels.size()); ++p) {
       EXPECT_TRUE(near(one.pixels[static_cast<std::size_t>(p)], other.pixels[static_cast<std::size_t>(p)]));
-      const PixelStatistics *s = a.pixel_statistics(p, f), *t = b.pixel_statistics(p, f);
-      if (s == nullptr) continue;
+      const auto s = a.pixel_statistics(p, f), t = b.pixel_statistics(p, f);
+      if (!s) continue;
       EXPECT_EQ(s->N, t->N);
       EXPECT_EQ(s->R2, t->R2);
       EXPECT_TRUE(near(s->tau, t->tau));

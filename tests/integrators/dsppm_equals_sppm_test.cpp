@@ -56,9 +56,9 @@ Comparison compare(TestScene& test) {
         const auto at = static_cast<std::size_t>(p);
         ++result.pixels;
         result.lit += !is_black(b.pixels[at]);
-        const PixelStatistics *joint = dsppm->pixel_statistics(p, f), *own = alone.pixel_statistics(p, 0);
-        result.differing += !(same(a.pixels[at], b.pixels[at]) && (own == nullptr || same(*joint, *own)));
-        result.with_statistics += own != nullptr;
+        const auto joint = dsppm->pixel_statistics(p, f), own = alone.pixel_statistics(p, 0);
+        result.differing += !(same(a.pixels[at], b.pixels[at]) && (!own || same(*joint, *own)));
+        result.with_statistics += own.has_value();
       }
     }
   }
