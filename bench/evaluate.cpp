@@ -129,8 +129,8 @@ int main(int count, char** values) {
   CLI::App app("Measures dspm as docs/results.md tells, and writes the figures there.", "./dev bench");
   app.add_flag("--quick", arguments.setup.quick, "a reduced run of some minutes, into out/results.md");
   app.add_flag("--print", arguments.print, "write to standard output instead");
-  app.add_option("--scene", arguments.setup.scene, "measure this scene, on standard output");
-  app.add_option("-D", arguments.setup.defines, "name=value for its text")->allow_extra_args(false);
+  const auto scene = app.add_option("--scene", arguments.setup.scene, "measure this scene, on standard output");
+  app.add_option("-D", arguments.setup.defines, "name=value for its text")->allow_extra_args(false)->needs(scene);
   app.add_option("words", arguments.words, "sections whose names contain one of them; none: all");
   app.footer(dspm::section_list());
   CLI11_PARSE(app, count, values);

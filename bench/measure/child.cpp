@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,12 +62,11 @@ ChildReport run_dspm(std::vector<std::string> arguments) {
   if (child < 0) throw std::runtime_error("cannot start another process");
   if (child == 0) become_dspm(arguments, errors);
   int status = 0;
-  rusage usage{};
-  if (wait4(child, &status, 0, &usage) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw std::runtime_error("dspm failed: " + read_file(errors));
   const std::string json = read_file(statistics);
   return {.seconds = number_in(json, "seconds"),
-          .peak_bytes = static_cast<double>(usage.ru_maxrss) * 1024,
+          .peak_bytes = number_in(json, "peak_bytes"),
           .tree_bytes = number_in(json, "tree_bytes"),
           .integrator_bytes = number_in(json, "integrator_bytes")};
 }

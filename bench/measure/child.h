@@ -13,8 +13,8 @@ struct ChildReport {
   double integrator_bytes = 0;  // likewise: pixels, photons, hit points
 };
 
-/// Runs dspm with these arguments; images go to a temporary directory. Throws Skipped where the scene's files are not
-/// there, std::runtime_error with what dspm said where it fails.
+/// Runs dspm with these arguments; images go to a temporary directory. Throws std::runtime_error with what dspm said
+/// where it fails.
 ChildReport run_dspm(std::vector<std::string> arguments);
 
 }  // namespace dspm

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "app/load.h"
@@ -21,7 +22,7 @@ std::filesystem::path our_scene(const std::string& name);
 /// A file or folder of what is not ours and may be absent; throws Skipped.
 std::filesystem::path foreign(const std::string& name);
 
-/// Throws Skipped where the scene, or a file that it names, is not there.
+/// Throws Skipped where the scene is not there or has errors, such as meshes that have not been made.
 LoadedScene load(const std::filesystem::path& scene, const Options& options);
 /// The scene's text has these values of its names, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});

@@ -1,6 +1,4 @@
 // How long each integrator, estimator and way of direct light takes to the same error against a long-run reference.
-#include <algorithm>
-
 #include "bench/measure/convergence.h"
 #include "bench/plots/plots.h"
 #include "bench/report/progress.h"

@@ -1,4 +1,6 @@
 // Time and memory of up to 256 frames, in intervals of 64.
+#include <algorithm>
+
 #include "bench/measure/run.h"
 #include "bench/plots/plots.h"
 #include "bench/report/progress.h"

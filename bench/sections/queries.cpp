@@ -4,7 +4,7 @@
 //   restarts         WG12's scheme: the nearest hit of any frame, and again from the ray's origin for the frames left
 // The ways take turns on a thousand rays at a time, and of several turns the fastest counts.
 #include <algorithm>
-#include <functional>
+#include <iterator>
 
 #include "accel/two_level.h"
 #include "bench/measure/cpu_time.h"

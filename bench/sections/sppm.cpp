@@ -1,6 +1,5 @@
 // Seconds an iteration of sppm on a box with glass and a box with a fine mesh, as other renderers were measured.
 #include <array>
-#include <cmath>
 
 #include "bench/measure/child.h"
 #include "bench/measure/turns.h"
