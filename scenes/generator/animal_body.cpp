@@ -86,7 +86,9 @@ float softness(int bone) {
   return kOfLegs[static_cast<std::size_t>((bone - leg_bones) % bones_a_leg)];
 }
 
-std::array<float, kBones> weights_at(const std::vector<Flesh>& body, const Vec3& p) {
+using Weights = std::array<float, kBones>;
+
+Weights weights_at(const std::vector<Flesh>& body, const Vec3& p) {
   std::array<double, kBones> distances;
   distances.fill(1e9);
   for (const Flesh& flesh : body) {
@@ -94,7 +96,7 @@ std::array<float, kBones> weights_at(const std::vector<Flesh>& body, const Vec3&
     d = std::min(d, distance_to(flesh, p));
   }
   const double nearest = *std::min_element(distances.begin(), distances.end());
-  std::array<float, kBones> weights{};
+  Weights weights{};
   float sum = 0;
   for (int bone = 0; bone < kBones; ++bone) {
     const auto i = static_cast<std::size_t>(bone);
@@ -105,7 +107,6 @@ std::array<float, kBones> weights_at(const std::vector<Flesh>& body, const Vec3&
   return weights;
 }
 
-using Weights = std::array<float, kBones>;
 constexpr int kSmoothings = 20;
 
 /// Every vertex gets the mean of its neighbours' weights and its own.

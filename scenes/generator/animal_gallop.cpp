@@ -1,5 +1,6 @@
 // The gallop: hind feet strike one after the other, then the front feet, then the animal flies. Feet follow paths; the
 // upper joints follow from the feet.
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/generator/animal.h"

@@ -1,7 +1,8 @@
-// The product of material.dsc: coffee_pot.ply, standing on the origin, its spout along x; the unit is 10 cm. Body and lid
-// are a turned profile, spout and handle are tubes along curves, and all of them are melted together as glaze does.
+// The product of material.dsc: coffee_pot.ply, standing on the origin, its spout along x; the unit is 10 cm. Body and
+// lid are a turned profile, spout and handle are tubes along curves, and all of them are melted together as glaze does.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "scenes/generator/isosurface.h"

@@ -1,6 +1,8 @@
 // The cathedral of horse.dsc and figure9/: hall_*.ply, one file a material.
 #include "scenes/generator/hall.h"
 
+#include <algorithm>
+
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

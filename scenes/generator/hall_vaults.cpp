@@ -2,6 +2,7 @@
 // a boss in the middle.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"

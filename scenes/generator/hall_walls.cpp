@@ -1,6 +1,4 @@
 // The nave's walls with arcade, blind arcade and upper windows; the outer walls of the aisles; both ends.
-#include <cmath>
-
 #include "scenes/generator/hall.h"
 #include "scenes/generator/modelling.h"
 

@@ -1,6 +1,7 @@
-// The mirror ball of disco.dsc: mirror_ball.ply, radius 1 around the origin, hung along y. Flat square tiles in rings of
-// equal latitude, each with a little gap around it and, being glued by hand, not quite true. Rings hold a multiple of
-// six tiles, and each sixth is like the others: a turn by 60 degrees gives the same ball.
+// The mirror ball of disco.dsc: mirror_ball.ply, radius 1 around the origin, hung along y. Flat square tiles in rings
+// of equal latitude, each with a little gap around it and, being glued by hand, not quite true. Rings hold a multiple
+// of six tiles, and each sixth is like the others: a turn by 60 degrees gives the same ball.
+#include <algorithm>
 #include <cmath>
 
 #include "core/rng.h"

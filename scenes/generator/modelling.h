@@ -2,6 +2,8 @@
 // counterclockwise seen from outside.
 #pragma once
 
+#include <vector>
+
 #include "core/transform.h"
 #include "shapes/triangle_mesh.h"
 
@@ -21,7 +23,8 @@ MeshData box(const Vec3& low, const Vec3& high);
 /// Adds a copy of `part` to `mesh`. Normals and texture coordinates are kept if `mesh` is empty or has them as well.
 void append(MeshData& mesh, const MeshData& part, const Transform& placement = {});
 
-/// The mesh with normals that are smooth where faces meet at less than the angle; at sharper edges vertices are doubled.
+/// The mesh with normals that are smooth where faces meet at less than the angle; at sharper edges vertices are
+/// doubled.
 MeshData with_normals(const MeshData& mesh, float crease_degrees);
 
 }  // namespace dspm

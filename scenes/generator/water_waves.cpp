@@ -1,6 +1,7 @@
 #include "scenes/generator/water_waves.h"
 
 #include <cmath>
+#include <utility>
 
 namespace dspm {
 namespace {
