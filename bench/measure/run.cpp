@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace dspm {
 namespace {
@@ -16,6 +17,14 @@ Job with_param(Job job, const char* name, ParamType type, decltype(Param::values
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Nothing is wrong with a scene but files that are not there: meshes that have not been made.
+bool lacks_files_only(const SceneError& error) {
+  std::istringstream text(error.what());
+  for (std::string line; std::getline(text, line);)
+    if (line.find(": error: ") != line.npos && line.find("there is no file \"") == line.npos) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -37,6 +46,7 @@ LoadedScene load(const std::filesystem::path& scene, const Options& given) {
   try {
     return LoadedScene(options, messages);
   } catch (const SceneError& error) {
+    if (!lacks_files_only(error)) throw;
     throw Skipped(first_line(error.what()));
   }
 }
