@@ -1,19 +1,10 @@
 #include "bench/measure/turns.h"
 
-#include <algorithm>
-
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 
 namespace dspm {
 namespace {
-
-/// A group's joint run and what was measured of it, iteration by iteration.
-struct Group {
-  const std::vector<Frame>* frames;
-  Run run;
-  std::vector<StepSeconds> together, separate;
-};
 
 StepSeconds ratios(const std::vector<StepSeconds>& separate, const std::vector<StepSeconds>& together) {
   std::vector<StepSeconds> rounds = separate;
@@ -22,17 +13,13 @@ StepSeconds ratios(const std::vector<StepSeconds>& separate, const std::vector<S
   return medians(rounds);
 }
 
-/// What `frames` take one by one: those that were measured, scaled to all.
-StepSeconds sum_over(const std::vector<Frame>& frames, const std::vector<Frame>& measured,
-                     const std::vector<StepSeconds>& seconds) {
+/// What all `frames` take one by one, from those that were measured.
+StepSeconds scaled_sum(const std::vector<StepSeconds>& measured, std::size_t frames) {
   StepSeconds sum{};
-  int count = 0;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    if (!std::binary_search(frames.begin(), frames.end(), measured[i])) continue;
-    for (std::size_t s = 0; s < sum.size(); ++s) sum[s] += seconds[i][s];
-    ++count;
+  for (std::size_t s = 0; s < sum.size(); ++s) {
+    for (const StepSeconds& seconds : measured) sum[s] += seconds[s];
+    sum[s] *= static_cast<double>(frames) / static_cast<double>(measured.size());
   }
-  for (double& value : sum) value *= static_cast<double>(frames.size()) / count;
   return sum;
 }
 
@@ -43,31 +30,21 @@ double factor_of_all(const StepSeconds& separate, const StepSeconds& factors) {
   return separate.back() / together;
 }
 
-Comparison compare(const Group& group) {
-  const Statistics s = group.run.integrator->statistics();
+/// By iteration.
+struct Rounds {
+  std::vector<StepSeconds> together, separate;
+};
+
+Comparison compare(const Rounds& rounds, const Statistics& s, std::size_t frames) {
   Comparison c;
-  c.frames = static_cast<int>(group.frames->size());
-  c.together = medians(group.together), c.separate = medians(group.separate);
-  c.speedups = ratios(group.separate, group.together);
+  c.frames = static_cast<int>(frames);
+  c.together = medians(rounds.together), c.separate = medians(rounds.separate);
+  c.speedups = ratios(rounds.separate, rounds.together);
   c.factors = {s.camera.segments.factor(), s.photon.segments.factor(), s.photons_stored.factor(),
                s.photon_tests.factor(), 0};
   c.factors.back() = factor_of_all(c.separate, c.factors);
   c.dynamic_photons = s.photon.dynamic_share(), c.dynamic_hit_points = s.camera.dynamic_share();
   return c;
-}
-
-/// The joint runs stand between the separate ones, evenly.
-void take_turn(std::vector<Group>& groups, std::vector<Run>& alone, const std::vector<Frame>& frames, int iteration) {
-  std::vector<StepSeconds> separate;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < alone.size(); ++i) {
-    for (; next < groups.size() && next * alone.size() <= i * groups.size(); ++next)
-      groups[next].together.push_back(timed_iteration(*groups[next].run.integrator, iteration));
-    separate.push_back(timed_iteration(*alone[i].integrator, iteration));
-  }
-  for (; next < groups.size(); ++next)
-    groups[next].together.push_back(timed_iteration(*groups[next].run.integrator, iteration));
-  for (Group& group : groups) group.separate.push_back(sum_over(*group.frames, frames, separate));
 }
 
 }  // namespace
@@ -96,25 +73,23 @@ StepSeconds medians(const std::vector<StepSeconds>& rounds) {
   return result;
 }
 
-std::vector<Comparison> take_turns(const LoadedScene& loaded, const Job& job,
-                                   std::span<const std::vector<Frame>> frame_groups, const TurnSettings& settings) {
-  std::vector<Group> groups;
-  for (const std::vector<Frame>& frames : frame_groups)
-    groups.push_back({&frames, start(loaded, job, "dsppm", frames), {}, {}});
-  const std::vector<Frame> frames = spread_frames(frame_groups.front(), settings.separate);
+Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings) {
+  const Run together = start(loaded, job, "dsppm", job.frames);
   std::vector<Run> alone;
-  for (const Frame f : frames) alone.push_back(start(loaded, job, "sppm", {f}));
+  for (const Frame f : spread_frames(job.frames, settings.separate)) alone.push_back(start(loaded, job, "sppm", {f}));
 
+  Rounds rounds;
   for (int i = 0; i < settings.iterations; ++i) {
-    take_turn(groups, alone, frames, i);
-    say("iteration {} of {}: {:.2f} s together, {:.2f} s separately", i + 1, settings.iterations,
-        groups.front().together.back().back(), groups.front().separate.back().back());
-    if (i > 0 || settings.iterations == 1) continue;
-    for (Group& group : groups) group.together.clear(), group.separate.clear();
+    const StepSeconds joint = timed_iteration(*together.integrator, i);
+    std::vector<StepSeconds> separate;
+    for (const Run& run : alone) separate.push_back(timed_iteration(*run.integrator, i));
+    const StepSeconds sum = scaled_sum(separate, job.frames.size());
+    say("iteration {} of {}: {:.2f} s together, {:.2f} s separately", i + 1, settings.iterations, joint.back(),
+        sum.back());
+    if (i == 0 && settings.iterations > 1) continue;
+    rounds.together.push_back(joint), rounds.separate.push_back(sum);
   }
-  std::vector<Comparison> comparisons;
-  for (const Group& group : groups) comparisons.push_back(compare(group));
-  return comparisons;
+  return compare(rounds, together.integrator->statistics(), job.frames.size());
 }
 
 std::string table_of(const Comparison& c, const wg12::Speedups* paper) {

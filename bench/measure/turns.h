@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "bench/measure/run.h"
 #include "bench/report/wg12.h"
@@ -35,9 +34,8 @@ struct TurnSettings {
   std::size_t separate = 64;  // at most so many frames are rendered one by one; all others count as their mean
 };
 
-/// For each group of frames (all within the first one) what becomes of them together and separately.
-std::vector<Comparison> take_turns(const LoadedScene& loaded, const Job& job,
-                                   std::span<const std::vector<Frame>> groups, const TurnSettings& settings);
+/// All of the job's frames, together and separately.
+Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings);
 
 /// A row a step; `paper` are WG12's speedups, where there are any.
 std::string table_of(const Comparison& comparison, const wg12::Speedups* paper);

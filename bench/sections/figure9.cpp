@@ -66,9 +66,8 @@ Findings measure_figure9(const Setup& setup) {
   for (const std::filesystem::path& file : scene_files()) {
     say("figure9/{}", file.filename().string());
     const LoadedScene loaded = load(file);
-    const std::vector<std::vector<Frame>> group = {loaded.job.frames};
     const TurnSettings settings{.iterations = setup.quick ? 2 : 4, .separate = setup.quick ? 2u : 64u};
-    found.push_back(take_turns(loaded, loaded.job, group, settings).front());
+    found.push_back(take_turns(loaded, loaded.job, settings));
   }
   arrange(found);
   const auto [least, most] = std::minmax_element(

@@ -29,10 +29,9 @@ std::vector<Measured> measure_all(const std::vector<LoadedScene>& scenes, bool q
   for (const char* estimator : kEstimators) {
     all.push_back({estimator, {}});
     for (const LoadedScene& loaded : scenes) {
-      const std::vector<std::vector<Frame>> group = {loaded.job.frames};
-      say("{} at {} frames, {}", loaded.job.scene_file, group.front().size(), estimator);
+      say("{} at {} frames, {}", loaded.job.scene_file, loaded.job.frames.size(), estimator);
       const Job job = with_text(loaded.job, "estimator", estimator);
-      all.back().by_frames.push_back(take_turns(loaded, job, group, settings).front());
+      all.back().by_frames.push_back(take_turns(loaded, job, settings));
     }
   }
   return all;

@@ -16,13 +16,12 @@ struct Measured {
 
 std::vector<Measured> measure_one(const wg12::SceneRow& paper, bool quick) {
   const LoadedScene loaded = load(our_scene(paper.name));
-  const std::vector<std::vector<Frame>> group = {loaded.job.frames};
   std::vector<Measured> all;
   for (const char* estimator : {"kz11", "hj09"}) {
     say("{}, {}", paper.name, estimator);
     const TurnSettings settings{.iterations = quick ? 3 : 6, .separate = quick ? 3u : 64u};
     const Job job = with_text(loaded.job, "estimator", estimator);
-    all.push_back({&paper, estimator, take_turns(loaded, job, group, settings).front()});
+    all.push_back({&paper, estimator, take_turns(loaded, job, settings)});
     if (quick) break;
   }
   return all;

@@ -7,12 +7,11 @@ namespace dspm {
 
 Findings measure_turns(const Setup& setup) {
   const LoadedScene loaded = load(setup.scene, setup.defines);
-  const std::vector<std::vector<Frame>> group = {loaded.job.frames};
   const TurnSettings settings{.iterations = setup.quick ? 3 : 6, .separate = setup.quick ? 4u : 64u};
   std::string text;
   for (const char* estimator : {"kz11", "hj09"}) {
     const Job job = with_text(loaded.job, "estimator", estimator);
-    const Comparison c = take_turns(loaded, job, group, settings).front();
+    const Comparison c = take_turns(loaded, job, settings);
     text += fmt::format("{}:\n\n{}\n{}\n\n", estimator, table_of(c, nullptr), dynamic_shares(c));
   }
   return {text, {}};
