@@ -55,10 +55,12 @@ std::string machine_in_words() {
 }
 
 std::string date_and_commit() {
-  const std::string commit =
-      output_of("git -C '" DSPM_SOURCE_DIR "' describe --always --dirty --exclude='*' 2>/dev/null");
+  const std::string commit = output_of("git -C '" DSPM_SOURCE_DIR "' describe --always --exclude='*' 2>/dev/null");
+  // What is written here does not count.
+  const std::string changes = output_of("git -C '" DSPM_SOURCE_DIR "' status --porcelain -- . ':!docs' 2>/dev/null");
   const std::time_t now = std::time(nullptr);
-  return fmt::format("{:%Y-%m-%d}, commit {}", *std::gmtime(&now), commit.empty() ? "unknown" : commit);
+  return fmt::format("{:%Y-%m-%d}, commit {}{}", *std::gmtime(&now), commit.empty() ? "unknown" : commit,
+                     changes.empty() ? "" : " with changes");
 }
 
 }  // namespace dspm
