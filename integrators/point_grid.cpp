@@ -99,7 +99,7 @@ void PointGrid::sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32
                     last = std::min((bucket + 1) << bucket_shift_, cells);
   const auto points = std::span<const Sorted>(by_bucket_).subspan(begin, end - begin);
   // Counting sort: begin_[c] first counts the points of cell c, then walks from the cell's begin to its end.
-  std::fill(begin_.begin() + first, begin_.begin() + last, 0u);
+  std::fill_n(begin_.data() + first, last - first, 0u);
   for (const Sorted& point : points) ++begin_[point.cell];
   std::uint32_t sum = begin;
   for (std::size_t c = first; c < last; ++c) sum += std::exchange(begin_[c], sum);
