@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "core/frame_lanes.h"
+
 namespace dspm {
 
 NearestHits::NearestHits(FrameSet frames, float t_max)
@@ -12,12 +14,9 @@ NearestHits::NearestHits(FrameSet frames, float t_max)
       groups_((kMaxFrames + 3 - std::countl_zero(frames.bits())) / 4),
       limit_(t_max),
       used_(FrameSet::single(0)) {
-  const __m128i bit = _mm_set_epi32(8, 4, 2, 1);
-  for (int group = 0; group < groups_; ++group) {
-    const __m128i bits = _mm_and_si128(_mm_set1_epi32(static_cast<int>(frames.bits() >> 4 * group & 15)), bit);
-    const __m128 asked = _mm_castsi128_ps(_mm_cmpeq_epi32(bits, bit));
-    _mm_store_ps(nearest_ + 4 * group, _mm_blendv_ps(_mm_set1_ps(-kInfinity), _mm_set1_ps(t_max), asked));
-  }
+  for (int group = 0; group < groups_; ++group)
+    _mm_store_ps(nearest_ + 4 * group,
+                 _mm_blendv_ps(_mm_set1_ps(-kInfinity), _mm_set1_ps(t_max), lanes_of(frames, group)));
   std::memset(slot_, 0, static_cast<std::size_t>(4 * groups_));
   slot_frames_[0] = frames;
   slot_hit_[0] = RayHit{};

@@ -4,28 +4,11 @@
 
 #include <immintrin.h>
 
-#include "core/frames.h"
+#include "core/frame_lanes.h"
 #include "core/rgb_lanes.h"
 #include "integrators/pixel_statistics.h"
 
 namespace dspm {
-
-/// Which of four neighbouring frames take part: all bits of a lane or none.
-inline __m128 lanes_of(FrameSet frames, int group) {
-  const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
-  const __m128i bits = _mm_set1_epi32(static_cast<int>(frames.bits() >> 4 * group & 15));
-  return _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_and_si128(bits, bit), bit));
-}
-
-/// Calls fn(group, lanes) for each group of four frames that has some of `frames`.
-template <class Fn>
-void for_each_group(FrameSet frames, Fn&& fn) {
-  for (std::uint64_t rest = frames.bits(); rest != 0;) {
-    const int group = std::countr_zero(rest) / 4;
-    rest &= ~(std::uint64_t{15} << 4 * group);
-    fn(group, lanes_of(frames, group));
-  }
-}
 
 /// PassSums of four frames. M stays below 2^24, where a float is exact: there are fewer photons.
 struct FourSums {
