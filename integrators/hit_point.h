@@ -1,7 +1,6 @@
 // Hit points: where camera paths end and gather photons, for all frames at once, split where frames part. [WG12 4.1]
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -56,18 +55,6 @@ struct HitPointTile {
     return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
   }
 };
-
-/// The mean over all hit points of the root of what `radius2_of` says: what the photon map's cells should be like.
-template <class Radius2Of>
-float mean_search_radius(const std::vector<HitPointTile>& tiles, Radius2Of&& radius2_of, float fallback) {
-  double radii = 0;
-  std::size_t count = 0;
-  for (const HitPointTile& tile : tiles) {
-    count += tile.hit_points.size();
-    for (const HitPoint& hit : tile.hit_points) radii += std::sqrt(static_cast<double>(radius2_of(hit)));
-  }
-  return count == 0 ? fallback : static_cast<float>(radii / static_cast<double>(count));
-}
 
 /// Takes the tiles' counts into `statistics`.
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics);

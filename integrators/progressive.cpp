@@ -1,5 +1,8 @@
 #include "integrators/progressive.h"
 
+#include <cmath>
+#include <numeric>
+
 #include "core/parallel.h"
 #include "integrators/memory_needs.h"
 
@@ -56,9 +59,10 @@ class Progressive final : public Integrator {
 
   void iterate(int iteration) override {
     trace_camera_paths(static_cast<std::uint64_t>(iteration));
+    const float cell_size = mean_search_radius();
     for (std::int64_t first = 0; first < settings_.photons; first += batch_) {
       trace_light_paths(static_cast<std::uint64_t>(iteration), first);
-      build_photon_map();
+      build_photon_map(cell_size);
       gather_photons();
       statistics_.bytes = std::max(statistics_.bytes, bytes());
     }
@@ -101,10 +105,23 @@ class Progressive final : public Integrator {
     account(traces_, statistics_);
   }
 
-  void build_photon_map() {
+  /// What the photon map's cells should be like.
+  float mean_search_radius() {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
-    const auto radius2_of = [this](const HitPoint& hit) { return estimator_->search_radius2(hit); };
-    map_.build(traces_, scene_.frame_count(), mean_search_radius(tiles_, radius2_of, scene_.radius));
+    std::vector<double> sums(tiles_.size());
+    for_each_tile([&](const HitPointTile& tile, std::size_t t) {
+      for (const HitPoint& hit : tile.hit_points)
+        sums[t] += std::sqrt(static_cast<double>(estimator_->search_radius2(hit)));
+    });
+    std::size_t count = 0;
+    for (const HitPointTile& tile : tiles_) count += tile.hit_points.size();
+    if (count == 0) return scene_.radius;
+    return static_cast<float>(std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(count));
+  }
+
+  void build_photon_map(float cell_size) {
+    const StepTimer timer(statistics_.steps[kPhotonMap]);
+    map_.build(traces_, scene_.frame_count(), cell_size);
   }
 
   // [WG12 4.3]
