@@ -2,9 +2,9 @@
 
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "core/parallel.h"
+#include "integrators/counting_sort.h"
 #include "integrators/refit.h"
 
 namespace dspm {
@@ -42,18 +42,6 @@ bool mostly_common(const std::vector<Places>& counts) {
   return 2 * common >= all;
 }
 
-/// Turns counts into first places, classes one after the other; returns where each class begins, and the end.
-Places turn_into_places(std::vector<Places>& counts, std::size_t classes) {
-  Places begin(classes + 1);
-  std::size_t sum = 0;
-  for (std::size_t c = 0; c < classes; ++c) {
-    begin[c] = sum;
-    for (Places& trace : counts) sum += std::exchange(trace[c], sum);
-  }
-  begin[classes] = sum;
-  return begin;
-}
-
 }  // namespace
 
 void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
@@ -62,7 +50,8 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float 
   if (!by_frame)
     for (Places& trace : places) trace = {std::accumulate(trace.begin(), trace.end(), std::size_t{0})};
   const std::size_t classes = by_frame ? static_cast<std::size_t>(frames) + 1 : 1;
-  const Places begin = turn_into_places(places, classes);
+  Places begin(classes + 1);
+  turn_into_places(places, begin);
   refit(photons_, begin.back());
   for_each_trace(traces, [&](std::size_t t) {
     for (const Photon& photon : traces[t].photons) photons_[places[t][by_frame ? class_of(photon) : 0]++] = &photon;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "integrators/counting_sort.h"
 #include "integrators/refit.h"
 
 namespace dspm {
@@ -83,12 +84,7 @@ PointGrid::BucketBegins PointGrid::sort_into_buckets(std::span<const Vec3> point
   std::vector<std::array<std::uint32_t, kBuckets>> places(static_cast<std::size_t>(chunk_count(count, kGrain)));
   for_each_point([&](std::size_t chunk, std::uint32_t bucket, Sorted) { ++places[chunk][bucket]; });
   BucketBegins begins;
-  std::uint32_t sum = 0;
-  for (std::size_t b = 0; b < kBuckets; ++b) {
-    begins[b] = sum;
-    for (auto& chunk : places) sum += std::exchange(chunk[b], sum);
-  }
-  begins[kBuckets] = sum;
+  turn_into_places(places, begins);
   for_each_point(
       [&](std::size_t chunk, std::uint32_t bucket, Sorted point) { by_bucket_[places[chunk][bucket]++] = point; });
   return begins;
