@@ -31,11 +31,24 @@ class PixelEstimator {
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
 };
 
-/// How kz11's radius shrinks behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
-inline double kz11_shrink(std::int64_t i, float alpha) {
-  const auto n = static_cast<double>(i);
-  return std::sqrt((n + static_cast<double>(alpha)) / (n + 1));
-}
+/// kz11's radius, the same for all pixels and frames but for where it starts.
+class IterationRadius {
+ public:
+  float squared(const HitPoint& hit) const {
+    const float radius = hit.radius * static_cast<float>(scale_);
+    return radius * radius;
+  }
+  /// Behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+  void end_iteration(float alpha) {
+    const auto i = static_cast<double>(++iterations_);
+    scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
+  }
+  int iterations() const { return iterations_; }
+
+ private:
+  int iterations_ = 0;
+  double scale_ = 1;
+};
 
 struct EstimatorSettings {
   int pixels = 0, frames = 1;

@@ -75,14 +75,11 @@ class Kz11 final : public PixelEstimator {
   explicit Kz11(const EstimatorSettings& of) : of_(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
   static std::size_t bytes(const EstimatorSettings& of) { return of.pixel_frames() * sizeof(Rgb); }
 
-  float search_radius2(const HitPoint& hit) const override {
-    const float radius = hit.radius * static_cast<float>(scale_);
-    return radius * radius;
-  }
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
 
   void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                  GatherCounts& counts) override {
-    const float radius2 = search_radius2(hit);
+    const float radius2 = radius_.squared(hit);
     sums_[static_cast<std::size_t>(hit.pixel)] +=
         gather_at_one(hit, scattering, map, radius2, counts).phi / (kPi * radius2);
   }
@@ -92,17 +89,16 @@ class Kz11 final : public PixelEstimator {
     sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
   }
 
-  void end_iteration() override { scale_ *= kz11_shrink(++iterations_, of_.alpha); }
+  void end_iteration() override { radius_.end_iteration(of_.alpha); }
 
   Rgb radiance(int pixel, Frame) const override {
-    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
     return emitted > 0 ? sums_[static_cast<std::size_t>(pixel)] * static_cast<float>(1 / emitted) : Rgb();
   }
 
  private:
   EstimatorSettings of_;
-  int iterations_ = 0;
-  double scale_ = 1;       // radii over the initial ones
+  IterationRadius radius_;
   std::vector<Rgb> sums_;  // radiance times photons
 };
 

@@ -16,14 +16,11 @@ class Kz11 final : public PixelEstimator {
     return (static_cast<std::size_t>(of.pixels) + of.pixel_frames()) * sizeof(Rgb);
   }
 
-  float search_radius2(const HitPoint& hit) const override {
-    const float radius = hit.radius * static_cast<float>(scale_);
-    return radius * radius;
-  }
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
 
   void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                  GatherCounts& counts) override {
-    const float radius2 = search_radius2(hit);
+    const float radius2 = radius_.squared(hit);
     const Rgb per_area = hit.throughput / (kPi * radius2);
     RgbLanes shared;
     __m128 own[kMaxFrames];  // only those of the frames in with_own are there
@@ -49,11 +46,11 @@ class Kz11 final : public PixelEstimator {
     add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
 
-  void end_iteration() override { scale_ *= kz11_shrink(++iterations_, of_.alpha); }
+  void end_iteration() override { radius_.end_iteration(of_.alpha); }
 
   Rgb radiance(int pixel, Frame frame) const override {
-    if (iterations_ == 0) return {};
-    const auto emitted = static_cast<double>(iterations_ * of_.photons);
+    if (radius_.iterations() == 0) return {};
+    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
     return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
   }
 
@@ -71,8 +68,7 @@ class Kz11 final : public PixelEstimator {
   }
 
   EstimatorSettings of_;
-  int iterations_ = 0;
-  double scale_ = 1;         // s_i
+  IterationRadius radius_;
   std::vector<Rgb> shared_;  // by pixel: radiance times photons, what counts in all frames
   std::vector<Rgb> own_;     // by pixel and frame: the rest
 };
