@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "core/parallel.h"
 #include "core/rgb.h"
 #include "core/vec.h"
 
@@ -54,14 +52,5 @@ struct PixelStatistics {
  private:
   float disc() const { return kPi * (R2 == 0 ? 1 : R2); }
 };
-
-/// Ends an iteration whose sums were kept in `passes`, and empties them.
-inline void absorb(std::vector<PassSums>& passes, std::vector<PixelStatistics>& pixels, float alpha) {
-  parallel_for(static_cast<std::int64_t>(passes.size()), 1 << 14, [&](std::int64_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    pixels[at].absorb(passes[at], alpha);
-    passes[at] = {};
-  });
-}
 
 }  // namespace dspm

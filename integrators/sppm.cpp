@@ -6,7 +6,10 @@
 #include "integrators/sppm.h"
 
 #include <cassert>
+#include <utility>
+#include <vector>
 
+#include "core/parallel.h"
 #include "integrators/progressive.h"
 
 namespace dspm {
@@ -52,7 +55,10 @@ class Hj09 final : public PixelEstimator {
   }
 
   void end_iteration() override {
-    absorb(passes_, pixels_, of_.alpha);
+    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 14, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      pixels_[at].absorb(std::exchange(passes_[at], {}), of_.alpha);
+    });
     ++iterations_;
   }
 
