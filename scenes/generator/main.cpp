@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scenes/generator/subjects.h"
@@ -16,31 +15,15 @@
 namespace dspm {
 namespace {
 
-struct Subject {
-  std::string_view name, sentence;
-  void (*make)(const std::filesystem::path& directory);
-};
-
-constexpr Subject kSubjects[] = {
-    {"hall", "the cathedral of horse.dsc and figure9/", make_hall},
-    {"animal", "the glass animal of horse.dsc and figure9/", make_animal},
-    {"mirror_ball", "the mirror ball of disco.dsc", make_mirror_ball},
-    {"glass_ball", "the glass ball of disco.dsc, in 24 frames", make_glass_ball},
-    {"water", "the water of water.dsc, in 25 frames", make_water},
-    {"agave", "the plant of water.dsc", make_agave},
-    {"coffee_pot", "the product of material.dsc", make_coffee_pot},
-    {"tableware", "glass and cup of material.dsc", make_tableware},
-};
-
 std::string subject_list() {
   std::string text = "Subjects:";
-  for (const Subject& subject : kSubjects) text += fmt::format("\n  {:<12}{}", subject.name, subject.sentence);
+  for (const Subject& subject : subjects()) text += fmt::format("\n  {:<12}{}", subject.name, subject.sentence);
   return text;
 }
 
 void make(const std::vector<std::string>& names, const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
-  for (const Subject& subject : kSubjects) {
+  for (const Subject& subject : subjects()) {
     if (!names.empty() && std::find(names.begin(), names.end(), subject.name) == names.end()) continue;
     subject.make(directory);
     fmt::print("{}: {}\n", subject.name, subject.sentence);
@@ -51,7 +34,7 @@ int run(int count, char** arguments) {
   CLI::App app("Makes the meshes that the scenes in scenes/ need.");
   std::string directory = "scenes/meshes";
   std::vector<std::string> names, known;
-  for (const Subject& subject : kSubjects) known.emplace_back(subject.name);
+  for (const Subject& subject : subjects()) known.emplace_back(subject.name);
   app.add_option("--out", directory, "where the files go")->capture_default_str();
   app.add_option("subjects", names, "what to make; everything, if nothing is named")->check(CLI::IsMember(known));
   app.footer(subject_list());

@@ -1,8 +1,10 @@
 // What the generator makes. Each subject is a file of its own, which says how the thing is built and in which files and
-// units it ends; main.cpp lists them all.
+// units it ends.
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string_view>
 
 namespace dspm {
 
@@ -14,5 +16,11 @@ void make_agave(const std::filesystem::path& directory);
 void make_water(const std::filesystem::path& directory);
 void make_coffee_pot(const std::filesystem::path& directory);
 void make_tableware(const std::filesystem::path& directory);
+
+struct Subject {
+  std::string_view name, sentence;
+  void (*make)(const std::filesystem::path& directory);
+};
+std::span<const Subject> subjects();
 
 }  // namespace dspm

@@ -22,9 +22,7 @@ class ShippedScenes : public ::testing::Test {
     fs::copy(fs::path(DSPM_SOURCE_DIR) / "scenes", scenes(), fs::copy_options::recursive);
     fs::remove_all(scenes() / "meshes");
     fs::create_directory(scenes() / "meshes");
-    for (const auto make : {make_hall, make_animal, make_mirror_ball, make_glass_ball, make_agave, make_water,
-                            make_coffee_pot, make_tableware})
-      make(scenes() / "meshes");
+    for (const Subject& subject : subjects()) subject.make(scenes() / "meshes");
   }
   static void TearDownTestSuite() { copy_.reset(); }
 

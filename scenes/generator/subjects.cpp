@@ -1,0 +1,19 @@
+#include "scenes/generator/subjects.h"
+
+namespace dspm {
+
+std::span<const Subject> subjects() {
+  static constexpr Subject all[] = {
+      {"hall", "the cathedral of horse.dsc and figure9/", make_hall},
+      {"animal", "the glass animal of horse.dsc and figure9/", make_animal},
+      {"mirror_ball", "the mirror ball of disco.dsc", make_mirror_ball},
+      {"glass_ball", "the glass ball of disco.dsc, in 24 frames", make_glass_ball},
+      {"water", "the water of water.dsc, in 25 frames", make_water},
+      {"agave", "the plant of water.dsc", make_agave},
+      {"coffee_pot", "the product of material.dsc", make_coffee_pot},
+      {"tableware", "glass and cup of material.dsc", make_tableware},
+  };
+  return all;
+}
+
+}  // namespace dspm
