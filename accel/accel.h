@@ -68,6 +68,10 @@ class Accel {
 /// `shapes` and what they point to must outlive the tree; `all` are the frames of the interval: a shape that is there
 /// in all of them is static.
 using MakeAccel = std::unique_ptr<Accel>(ParamReader&, std::span<const PlacedShape> shapes, FrameSet all);
-std::span<const Plugin<MakeAccel>> accel_plugins();
+struct AccelPlugin : Plugin<MakeAccel> {
+  /// What it may hold at most while it is made, estimated before it is.
+  std::size_t (*bytes_at_most)(std::span<const PlacedShape> shapes, FrameSet all);
+};
+std::span<const AccelPlugin> accel_plugins();
 
 }  // namespace dspm

@@ -49,6 +49,8 @@ FrameSet BruteForce::occluded(const Ray& ray, FrameSet frames) const {
   return blocked;
 }
 
+std::size_t brute_force_bytes(std::span<const PlacedShape>, FrameSet) { return sizeof(BruteForce); }
+
 std::unique_ptr<Accel> make_brute_force(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet) {
   reader.finish();
   return std::make_unique<BruteForce>(shapes);

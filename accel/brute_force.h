@@ -20,6 +20,7 @@ class BruteForce final : public Accel {
   std::span<const PlacedShape> shapes_;
 };
 
+std::size_t brute_force_bytes(std::span<const PlacedShape> shapes, FrameSet all);
 std::unique_ptr<Accel> make_brute_force(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all);
 
 }  // namespace dspm

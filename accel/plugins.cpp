@@ -5,10 +5,11 @@
 
 namespace dspm {
 
-std::span<const Plugin<MakeAccel>> accel_plugins() {
-  static constexpr Plugin<MakeAccel> plugins[] = {
-      {"two-level", "a tree over what stands still, and one over what differs between frames", make_two_level},
-      {"bruteforce", "every primitive against every ray; for tests", make_brute_force},
+std::span<const AccelPlugin> accel_plugins() {
+  static constexpr AccelPlugin plugins[] = {
+      {{"two-level", "a tree over what stands still, and one over what differs between frames", make_two_level},
+       two_level_bytes},
+      {{"bruteforce", "every primitive against every ray; for tests", make_brute_force}, brute_force_bytes},
   };
   return plugins;
 }

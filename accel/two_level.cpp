@@ -88,7 +88,7 @@ std::size_t TwoLevel::memory() const {
   return bytes;
 }
 
-std::size_t tree_bytes_at_most(std::span<const PlacedShape> shapes, FrameSet all) {
+std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
   // Bytes a triangle: those of cathedrals, horses and landscapes are 60 to 80, and about 40 more for a while.
   constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;

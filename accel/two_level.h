@@ -31,8 +31,8 @@ class TwoLevel final : public Accel {
   std::vector<Tree> of_frame_;
 };
 
-/// What such trees may take at most while they are built, estimated before they are.
-std::size_t tree_bytes_at_most(std::span<const PlacedShape> shapes, FrameSet all);
+/// See AccelPlugin.
+std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all);
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all);
 

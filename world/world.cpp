@@ -1,6 +1,5 @@
 #include "world/world.h"
 
-#include "accel/two_level.h"
 #include "world/geometry.h"
 #include "world/lighting.h"
 #include "world/sharing.h"
@@ -110,7 +109,7 @@ struct World::Parts {
   float radius = kEmptySceneRadius;
   std::vector<WorldLight> lights;
   Timeline<std::shared_ptr<const Camera>> camera;
-  const Plugin<MakeAccel>* accel = nullptr;
+  const AccelPlugin* accel = nullptr;
 };
 
 World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
@@ -139,8 +138,8 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
 }
 
 std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
-  return dspm::tree_bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
-                                  FrameSet::first(static_cast<int>(frames.size())));
+  return parts_->accel->bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
+                                      FrameSet::first(static_cast<int>(frames.size())));
 }
 
 std::vector<std::string> World::explain(std::span<const Frame> frames) const {
