@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <span>
+#include <utility>
 
 #include "app/frame_intervals.h"
 #include "app/job.h"
@@ -72,8 +73,8 @@ class Run {
   void render_interval(std::size_t index);
   void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
-  void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin);
-  void add_to_video(std::size_t frames, const Integrator& integrator);
+  /// The images of the interval's frames; the last ones go to the video, too.
+  void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin, bool last);
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -125,12 +126,9 @@ void Run::render_interval(std::size_t index) {
   while (!finished()) {
     integrator->iterate(done++);
     progress_->step(static_cast<int>(index), done);
-    if (schedule.due(done) && !finished()) write(frames, *integrator, begin);
+    if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false);
   }
-  if (done > 0) {
-    write(frames, *integrator, begin);
-    add_to_video(frames.size(), *integrator);
-  }
+  if (done > 0) write(frames, *integrator, begin, true);
   report_.add(integrator->statistics());
 }
 
@@ -158,18 +156,16 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
 
-void Run::write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin) {
+void Run::write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin, bool last) {
   const Statistics statistics = integrator.statistics();
   const auto first = static_cast<std::size_t>(interval.data() - job_.frames.data());
-  for (std::size_t j = 0; j < interval.size(); ++j)
-    output_.write(first + j, integrator.estimate(static_cast<Frame>(j)), statistics.iterations, statistics.photon.paths,
-                  seconds_since(begin));
+  for (std::size_t j = 0; j < interval.size(); ++j) {
+    Image image = integrator.estimate(static_cast<Frame>(j));
+    if (last) output_.add_to_video(image);
+    output_.write(first + j, std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
+  }
   output_.write_contact_sheet();
   written_ = first + interval.size();
-}
-
-void Run::add_to_video(std::size_t frames, const Integrator& integrator) {
-  for (std::size_t j = 0; j < frames; ++j) output_.add_to_video(integrator.estimate(static_cast<Frame>(j)));
 }
 
 void explain(const World& world, const Job& job) {

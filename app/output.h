@@ -25,7 +25,7 @@ class Output {
   void write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;
-  /// To the video, where one was asked for: the last image of every frame, one after the other.
+  /// To the video, where one was asked for: an image of every frame, one after the other.
   void add_to_video(Image image);
   /// The video with what was added. Throws std::runtime_error where it cannot be made.
   void finish_video();
