@@ -146,9 +146,9 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
   const RenderSettings& s = job_.settings;
   const std::string limit =
       options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
-  messages_.say("{}: {} frame{} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file,
-                job_.frames.size(), job_.frames.size() == 1 ? "" : "s", s.crop.width(), s.crop.height(),
-                job_.integrator, iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
+  messages_.say("{}: {} of {} x {} pixels, {}, {} iterations{}, {} threads", job_.scene_file, job_.frames_in_words(),
+                s.crop.width(), s.crop.height(), job_.integrator,
+                iterations > 0 ? std::to_string(iterations) : "endless", limit, thread_count());
   messages_.say("{}: {}", job_.integrator, integrator.settings());
   messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
                 readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));

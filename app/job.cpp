@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 
+#include "app/frame_choice.h"
 #include "app/integrator_choice.h"
 
 namespace dspm {
@@ -77,18 +78,6 @@ FilmSettings make_film(const SceneDescription& description, const Options& optio
   return film;
 }
 
-std::vector<Frame> frames_of(const SceneDescription& description, const Options& options) {
-  if (!options.frames.empty()) {
-    if (options.frames.back() >= description.frame_count)
-      throw UsageError(fmt::format("--frames: there is no frame {}, the last one is {}", options.frames.back() + 1,
-                                   description.frame_count));
-    return options.frames;
-  }
-  std::vector<Frame> all(static_cast<std::size_t>(description.frame_count));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
 float number_of(const ParamList& list, std::string_view name, float fallback) {
   const Param* param = list.find(name);
   const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
@@ -127,6 +116,23 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
 
 }  // namespace
 
+std::string Job::label(Frame frame) const {
+  const std::string number = std::to_string(moment(frame) + 1);
+  if (variation(frame).empty()) return number;
+  return numbered ? variation(frame) + " " + number : variation(frame);
+}
+
+std::string Job::frames_in_words() const {
+  std::set<std::size_t> variations;
+  for (const Frame frame : frames) variations.insert(description->frames.combination_of(frame));
+  const auto counted = [](std::size_t n, const char* word) {
+    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+  };
+  if (description->axes.empty()) return counted(frames.size(), "frame");
+  const std::string in_words = counted(variations.size(), "variation");
+  return numbered ? fmt::format("{} ({})", counted(frames.size(), "frame"), in_words) : in_words;
+}
+
 int Job::iterations(const Integrator& made, const Options& options) const {
   if (options.iterations) return *options.iterations;
   const int asked = made.iterations();
@@ -144,7 +150,8 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
 Job make_job(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
   Job job;
   job.scene_file = description.files.empty() ? "-" : description.files.front()->name;
-  job.frames = frames_of(description, options);
+  job.description = &description;
+  job.frames = chosen_frames(description, options);
   job.numbered = description.frames_where.file != nullptr;
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, options, diagnostics);

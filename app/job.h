@@ -16,9 +16,10 @@ namespace dspm {
 
 struct Job {
   std::string scene_file;
-  std::vector<Frame> frames;  // of the file, ascending
-  bool numbered = false;      // the images' names have the frame's number
-  double fps = 0;             // 0: no animation
+  const SceneDescription* description = nullptr;  // outlives the job
+  std::vector<Frame> frames;                      // of the file, ascending
+  bool numbered = false;                          // the images' names have the frame's number
+  double fps = 0;                                 // 0: no animation
   FilmSettings film;
   float exposure = 1;  // image values over radiance
   RenderSettings settings;
@@ -27,6 +28,14 @@ struct Job {
   ParamList params;      // of the integrator
   SourceLocation where;  // of the Integrator directive
   std::string accel;     // a plugin's name; empty: the usual one
+
+  /// The file's frame without its variation, counted from 0, and the variation's name; empty: there is none.
+  Frame moment(Frame frame) const { return description->frames.moment(frame); }
+  const std::string& variation(Frame frame) const { return description->frames.variation(frame); }
+  /// "12", "oak-red" or "oak-red 12".
+  std::string label(Frame frame) const;
+  /// "25 frames", "8 variations" or "200 frames (8 variations)".
+  std::string frames_in_words() const;
 
   /// Iterations to go; 0: until stopped.
   int iterations(const Integrator& made, const Options& options) const;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/frame_choice.h"
 #include "lang/formatter.h"
 #include "lang/parse.h"
 #include "lang/read_file.h"
@@ -16,6 +17,7 @@ ParseOptions parse_options_of(const Options& options) {
     const std::size_t sign = define.find('=');
     parse.defines[define.substr(0, sign)] = define.substr(sign + 1);
   }
+  parse.variations = options.variations;
   return parse;
 }
 
@@ -34,9 +36,23 @@ LoadedScene::LoadedScene(const Options& options, Messages& messages) {
 std::string summary_of(const LoadedScene& loaded) {
   const SceneDescription& d = *loaded.description;
   const RenderSettings& settings = loaded.job.settings;
-  return fmt::format("{} frame{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", d.frame_count,
-                     d.frame_count == 1 ? "" : "s", settings.width, settings.height, d.shapes.size(),
-                     d.materials.size(), d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+  return fmt::format("{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", loaded.job.frames_in_words(),
+                     settings.width, settings.height, d.shapes.size(), d.materials.size(),
+                     d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+}
+
+std::string variation_names(const Options& options) {
+  Diagnostics diagnostics(options.lenient);
+  const SceneDescription description = parse_files(options.scenes, parse_options_of(options), diagnostics);
+  diagnostics.throw_if_errors();
+  std::string names;
+  std::size_t last = description.frames.combinations().size();
+  for (const Frame frame : chosen_frames(description, options)) {
+    const std::size_t combination = description.frames.combination_of(frame);
+    if (combination != last && !description.axes.empty()) names += description.frames.variation(frame) + "\n";
+    last = combination;
+  }
+  return names;
 }
 
 std::string formatted(const std::vector<std::string>& scenes) {

@@ -21,6 +21,9 @@ struct LoadedScene {
 /// Frames, pixels, shapes, ... in a line.
 std::string summary_of(const LoadedScene& loaded);
 
+/// The names of the variations that the options choose, a line each; throws SceneError and UsageError likewise.
+std::string variation_names(const Options& options);
+
 /// The scene files' text in canonical form; throws SceneError where it cannot be read.
 std::string formatted(const std::vector<std::string>& scenes);
 

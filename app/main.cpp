@@ -20,6 +20,7 @@ int run(const Options& options) {
     case Task::list: return fmt::print("{}", list_plugins()), 0;
     case Task::describe: return fmt::print("{}", describe_plugin(options.described)), 0;
     case Task::format: return fmt::print("{}", formatted(options.scenes)), 0;
+    case Task::list_variations: return fmt::print("{}", variation_names(options)), 0;
     case Task::check: return check_scene(options);
     case Task::render: return render_scene(options);
   }

@@ -47,6 +47,7 @@ void add_tasks(CLI::App& app, Options& o) {
   task("--check", Task::check, "do not render, only validate everything");
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--list", Task::list, "print the names of all plugins");
+  task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   add_text(app, "--describe", "KIND:NAME", "print a plugin's parameters, as of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
 }
@@ -65,6 +66,9 @@ void add_work(CLI::App& app, Options& o) {
            [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
   add_text(app, "--frames", "LIST", "render these frames only: 1-8,12, or every fourth: 1-32:4",
            [&](const std::string& text) { o.frames = parse_frames(text); });
+  app.add_option("--variation", o.variations, "render these variations only: oak-red, 'oak-*'; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
   add_text(app, "--cropwindow", "WINDOW", "render this part of the image only: x0,x1,y0,y1 in 0..1",
            [&](const std::string& text) { o.crop_window = parse_crop_window(text); });
   add_text(app, "--pixelbounds", "WINDOW", "likewise, in pixels",

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-enum class Task { render, check, format, list, describe };
+enum class Task { render, check, format, list, describe, list_variations };
 
 /// Every so many seconds or iterations; both zero: never.
 struct Interval {
@@ -40,7 +40,8 @@ struct Options {
   std::optional<int> iterations, photons;
   double time_limit = 0;                             // seconds; 0: none
   std::size_t memory = 0;                            // bytes that a run may take; 0: no bound
-  std::vector<Frame> frames;                         // of the file, ascending; empty: all
+  std::vector<Frame> frames;                         // of the animation, ascending; empty: all
+  std::vector<std::string> variations;               // patterns of names; empty: all
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 in parts of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
 };

@@ -33,11 +33,16 @@ Output::Output(const Job& job, const Options& options)
     expect_writable(sheet_path_);
     sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), width, height));
   }
+  const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
+                                job.description->frames.combination_of(job.frames.back());
+  if (!options.video.empty() && !is_one_variation)
+    throw UsageError("--video shows one variation: choose it by --variation");
   if (!options.video.empty()) video_.emplace(options.video, VideoFormat{width, height, static_cast<float>(job.fps)});
 }
 
 std::filesystem::path Output::name(Frame frame) const {
-  return image_name(job_.film.filename, job_.numbered ? std::optional(frame) : std::nullopt);
+  return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
+                    job_.variation(frame));
 }
 
 std::size_t Output::bytes_while_writing() const {
@@ -50,7 +55,13 @@ std::size_t Output::bytes_while_writing() const {
 ExrHeader Output::header(Frame frame) const {
   ExrHeader header;
   header.texts = {{"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", "dspm " DSPM_VERSION}};
-  header.integers = {{"frame", frame + 1}};
+  header.integers = {{"frame", job_.moment(frame) + 1}};
+  if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
+  for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {
+    const VariationAxis& axis = job_.description->axes[i];
+    const Variation& chosen = axis.variations[static_cast<std::size_t>(job_.description->frames.choice(frame, i))];
+    if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;
+  }
   header.numbers = {{"seed", static_cast<double>(job_.settings.seed)}};
   header.frames_per_second = job_.fps;
   return header;
@@ -64,7 +75,7 @@ void Output::write(std::size_t index, Image image, int iterations, std::uint64_t
   header.numbers["photons"] = static_cast<double>(photons);
   header.numbers["seconds"] = seconds;
   std::filesystem::path path = name(frame);
-  if (sheet_) sheet_->put(static_cast<int>(index), shown(image, kToneMap), fmt::format("{}", frame + 1));
+  if (sheet_) sheet_->put(static_cast<int>(index), shown(image, kToneMap), job_.label(frame));
   write_image(path, image, job_.film, header, kToneMap);
   if (png_ && path.extension() != ".png")
     write_image(path.replace_extension(".png"), std::move(image), job_.film, header, kToneMap);

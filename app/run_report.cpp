@@ -68,8 +68,13 @@ void write_job(JsonWriter& json, const Job& job) {
   for (const int edge : {crop.x0, crop.x1, crop.y0, crop.y1}) json.value(edge);
   json.end_array();
   json.key("frames").begin_array();
-  for (const Frame frame : job.frames) json.value(frame + 1);
+  for (const Frame frame : job.frames) json.value(job.moment(frame) + 1);
   json.end_array();
+  if (!job.description->axes.empty()) {
+    json.key("variations").begin_array();  // one a frame
+    for (const Frame frame : job.frames) json.value(job.variation(frame));
+    json.end_array();
+  }
 }
 
 void write_work(JsonWriter& json, const Statistics& s) {
@@ -137,8 +142,8 @@ std::string iterations_in_words(const std::vector<int>& of_intervals) {
 
 std::string table_of(const Job& job, const RunReport& report) {
   const Statistics& s = report.statistics;
-  std::string text = fmt::format("{} {}, {} frames, {} iterations, {} threads\n\n", job.scene_file, job.integrator,
-                                 job.frames.size(), iterations_in_words(report.iterations), report.threads);
+  std::string text = fmt::format("{} {}, {}, {} iterations, {} threads\n\n", job.scene_file, job.integrator,
+                                 job.frames_in_words(), iterations_in_words(report.iterations), report.threads);
   text += fmt::format("  {:<24}{:>16}{:>10}\n", "step", "seconds", "share");
   for (const StepTime& step : s.steps)
     text += fmt::format("  {:<24}{:>16.2f}{:>9.1f}%\n", step.name, step.seconds, 100 * step.seconds / report.seconds);

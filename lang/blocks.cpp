@@ -18,18 +18,19 @@ std::string_view begin_word(Block::Kind kind) {
     case Block::Kind::transform: return "TransformBegin";
     case Block::Kind::dynamic: return "DynamicBegin";
     case Block::Kind::object: return "ObjectBegin";
+    case Block::Kind::axis: return "AxisBegin";
+    case Block::Kind::variation: return "VariationBegin";
     case Block::Kind::import: break;
   }
   return "Import";
 }
 
-/// "line 12", with the file where it is another one.
-std::string place(const SourceLocation& where, const SourceLocation& seen_from) {
+}  // namespace
+
+std::string place_of(const SourceLocation& where, const SourceLocation& seen_from) {
   if (where.file == seen_from.file) return fmt::format("line {}", where.line);
   return fmt::format("{}:{}", where.file->name, where.line);
 }
-
-}  // namespace
 
 std::string begin_of(const Block& block) {
   return fmt::format("{}{}", begin_word(block.kind), block.name.empty() ? "" : fmt::format(" \"{}\"", block.name));
@@ -41,6 +42,8 @@ std::string_view end_of(Block::Kind kind) {
     case Block::Kind::transform: return "TransformEnd";
     case Block::Kind::dynamic: return "DynamicEnd";
     case Block::Kind::object: return "ObjectEnd";
+    case Block::Kind::axis: return "AxisEnd";
+    case Block::Kind::variation: return "VariationEnd";
     case Block::Kind::import: break;
   }
   return "the end of the imported file";
@@ -59,7 +62,8 @@ GraphicsState BlockStack::close(Block::Kind kind, const SourceLocation& where, c
   }
   if (innermost().kind != kind) {
     diagnostics_.error(
-        where, fmt::format("{} closes {} of {}", end_of(kind), begin_of(innermost()), place(innermost().where, where)),
+        where,
+        fmt::format("{} closes {} of {}", end_of(kind), begin_of(innermost()), place_of(innermost().where, where)),
         innermost().kind == Block::Kind::import
             ? "an imported file cannot close blocks that were opened outside it"
             : fmt::format("{} ends with {}", begin_word(innermost().kind), end_of(innermost().kind)));
@@ -94,6 +98,13 @@ void BlockStack::report_open(const Block& block) const {
 const Block* BlockStack::find(Block::Kind kind) const {
   const auto found =
       std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) { return block.kind == kind; });
+  return found == blocks_.rend() ? nullptr : &*found;
+}
+
+const Block* BlockStack::find_other(std::initializer_list<Block::Kind> kinds) const {
+  const auto found = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) {
+    return std::find(kinds.begin(), kinds.end(), block.kind) == kinds.end();
+  });
   return found == blocks_.rend() ? nullptr : &*found;
 }
 

@@ -1,6 +1,7 @@
-// The blocks of a scene's text that are open: AttributeBegin, DynamicBegin, ObjectBegin, an imported file.
+// The blocks of a scene's text that are open: AttributeBegin, DynamicBegin, VariationBegin, an imported file, ...
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,7 @@ namespace dspm {
 
 /// A block of the text, with what will be in force again behind it.
 struct Block {
-  enum class Kind { attribute, transform, dynamic, object, import };
+  enum class Kind { attribute, transform, dynamic, object, axis, variation, import };
   Kind kind;
   std::string name;  // empty where the kind has none
   SourceLocation where;
@@ -22,6 +23,8 @@ struct Block {
 /// `DynamicBegin "horse"`, and what ends it: `DynamicEnd`.
 std::string begin_of(const Block& block);
 std::string_view end_of(Block::Kind kind);
+/// "line 12", with the file where it is another one than that of `seen_from`.
+std::string place_of(const SourceLocation& where, const SourceLocation& seen_from);
 
 /// The blocks that are open, innermost last; says what is wrong with their nesting.
 class BlockStack {
@@ -40,8 +43,11 @@ class BlockStack {
 
   bool empty() const { return blocks_.empty(); }
   Block& innermost() { return blocks_.back(); }
+  bool innermost_is(Block::Kind kind) const { return !blocks_.empty() && blocks_.back().kind == kind; }
   /// The innermost block of that kind, or null.
   const Block* find(Block::Kind kind) const;
+  /// The innermost block of none of these kinds, or null.
+  const Block* find_other(std::initializer_list<Block::Kind> kinds) const;
 
  private:
   void report_open(const Block& block) const;

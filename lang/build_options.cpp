@@ -77,7 +77,7 @@ void SceneBuilder::frames(const Directive& directive) {
   scene_.frames_where = directive.where;
   const double count = directive.numbers[0];
   if (count >= 1 && count <= kMostFrames && count == std::floor(count))
-    scene_.frame_count = static_cast<int>(count);
+    scene_.moments = static_cast<int>(count);
   else
     diagnostics_.error(directive.where, fmt::format("expected a number of frames from 1 to {}", kMostFrames));
   ParamReader reader(directive.params, "Frames", directive.where, diagnostics_);

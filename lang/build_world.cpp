@@ -80,7 +80,7 @@ void SceneBuilder::close_block(Block::Kind kind, const Directive& directive) {
 void SceneBuilder::dynamic_begin(const Directive& directive) {
   const std::string& name = directive.words[0].text;
   open_block(Block::Kind::dynamic, directive, name);
-  FrameInterval frames{0, scene_.frame_count};
+  FrameInterval frames{0, scene_.moments};
   ParamReader reader(directive.params, "DynamicBegin", directive.where, diagnostics_);
   const std::vector<int> limits = reader.integers("frames", "the first and the last frame in which its shapes exist");
   reader.finish();
@@ -93,12 +93,12 @@ void SceneBuilder::dynamic_begin(const Directive& directive) {
     }
   }
   if (state_.dynamic_block >= 0) {
-    const FrameInterval outer = scene_.dynamic_blocks[static_cast<std::size_t>(state_.dynamic_block)].frames;
+    const FrameInterval outer = scene_.dynamic_blocks[static_cast<std::size_t>(state_.dynamic_block)].moments;
     frames.first = std::clamp(frames.first, outer.first, outer.last);
     frames.last = std::clamp(frames.last, frames.first, outer.last);
   }
-  state_.dynamic_block = static_cast<int>(scene_.dynamic_blocks.size());
-  scene_.dynamic_blocks.push_back({name, frames, directive.where});
+  scene_.dynamic_blocks.push_back({name, frames, directive.where, state_.dynamic_block});
+  state_.dynamic_block = static_cast<int>(scene_.dynamic_blocks.size()) - 1;
 }
 
 void SceneBuilder::object_begin(const Directive& directive) {
@@ -180,10 +180,11 @@ void SceneBuilder::material(Directive& directive) {
 }
 
 void SceneBuilder::make_named_material(Directive& directive) {
-  define(materials_, directive);
+  Variation* const variation = variation_in_force();
+  define(variation ? replaced_.materials : materials_, directive);
   std::string name = directive.words[0].text;
   if (auto use = named_plugin_use(directive, AttributeTarget::material))
-    scene_.materials.push_back({*std::move(use), std::move(name)});
+    (variation ? variation->materials : scene_.materials).push_back({*std::move(use), std::move(name)});
 }
 
 void SceneBuilder::make_named_medium(Directive& directive) {
@@ -205,10 +206,14 @@ void SceneBuilder::texture(Directive& directive) {
                        "there are: float, spectrum");
     return;
   }
-  define(is_spectrum ? spectrum_textures_ : float_textures_, directive);
+  Variation* const variation = variation_in_force();
+  if (variation)
+    define(is_spectrum ? replaced_.spectrum_textures : replaced_.float_textures, directive);
+  else
+    define(is_spectrum ? spectrum_textures_ : float_textures_, directive);
   std::string name = directive.words[0].text;
-  scene_.textures.push_back(
-      {plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
+  (variation ? variation->textures : scene_.textures)
+      .push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
 }
 
 std::string SceneBuilder::take_light_name(ParamList& params) {

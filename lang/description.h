@@ -1,5 +1,5 @@
 // What a scene's text says, as plain data with source locations: no plugin is known here, no name is looked up. Frames
-// count from 0. Lists are in the order of the text.
+// count from 0. Lists are in the order of the text. Keys and motions depend on the moment of the animation alone.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include "core/frames.h"
 #include "core/motion.h"
 #include "core/params.h"
+#include "lang/file_frames.h"
 
 namespace dspm {
 
@@ -74,8 +75,9 @@ struct ShapeUse : PluginUse {
 /// DynamicBegin .. DynamicEnd. Blocks inside one another: the shape belongs to the inner one.
 struct DynamicBlock {
   std::string name;
-  FrameInterval frames;  // those in which its shapes exist, within the enclosing block's
+  FrameInterval moments;  // those in which its shapes exist, within the enclosing block's
   SourceLocation where;
+  int outer = -1;  // the block around it, into SceneDescription::dynamic_blocks
 };
 
 /// ObjectBegin .. ObjectEnd.
@@ -104,6 +106,37 @@ struct MediumInterfaceUse {
   SourceLocation where;
 };
 
+/// `Light "key" "float scale" .5`: multiplies the strength of the lights of that name.
+struct LightScale {
+  std::string light;
+  ParamList params;  // "scale", perhaps keyed
+  SourceLocation where;
+};
+
+/// `Show "part"` or `Hide "part"`: what becomes of the Dynamic blocks of that name.
+struct PartSwitch {
+  std::string part;
+  bool shown;
+  SourceLocation where;
+};
+
+/// VariationBegin .. VariationEnd. Its definitions take the place of the scene's.
+struct Variation {
+  std::string name;
+  SourceLocation where;  // of the quoted name
+  std::vector<MaterialUse> materials;
+  std::vector<TextureUse> textures;
+  std::vector<LightScale> lights;
+  std::vector<PartSwitch> parts;
+};
+
+/// AxisBegin .. AxisEnd, or all variations outside of such blocks.
+struct VariationAxis {
+  std::string name;  // empty: of the variations outside
+  SourceLocation where;
+  std::vector<Variation> variations;
+};
+
 enum class Dialect { pbrt, dsc };  // by the main file's name; standard input counts as dsc
 
 struct SceneDescription {
@@ -114,7 +147,8 @@ struct SceneDescription {
     return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
   }
 
-  int frame_count = 1;
+  int moments = 1;              // what `Frames` says
+  FileFrames frames;            // the product of moments and variations: what is rendered
   std::optional<double> fps;    // frames a second, if given
   SourceLocation frames_where;  // of the Frames directive; no file: there is none
   SceneOptions options;
@@ -132,6 +166,7 @@ struct SceneDescription {
   std::vector<ObjectUse> instances;
   std::vector<MediumUse> media;
   std::vector<MediumInterfaceUse> medium_interfaces;
+  std::vector<VariationAxis> axes;
 };
 
 }  // namespace dspm

@@ -10,6 +10,7 @@
 #include "lang/old_pbrt.h"
 #include "lang/read_file.h"
 #include "lang/scene_builder.h"
+#include "lang/variations.h"
 
 namespace dspm {
 namespace {
@@ -61,6 +62,9 @@ class SceneReader {
 
   void finish() {
     if (!scene_.files.empty() && !is_full()) builder_.finish();
+    std::erase_if(scene_.axes,
+                  [](const VariationAxis& axis) { return axis.variations.empty(); });  // after their errors
+    scene_.frames = frames_of(scene_, options_.variations, diagnostics_);
     if (diagnostics_.error_count() > 0) return;
     for (const auto& [name, value] : options_.defines)
       if (!is_used(name)) diagnostics_.warning({}, fmt::format("-D {}: the scene has no ${}", name, name));
@@ -113,7 +117,6 @@ class SceneReader {
       if (const auto word = old_word_in(directive)) throw OldScene{old_pbrt_error(*word)};
     const DirectiveKind kind = directive.info->kind;
     if (kind != DirectiveKind::include && kind != DirectiveKind::import) return builder_.apply(std::move(directive));
-    if (builder_.is_skipping()) return;
     const SourceFile& included = open(directive.words[0], file);
     if (kind == DirectiveKind::import) builder_.begin_import(directive);
     read(included);

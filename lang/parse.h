@@ -11,7 +11,8 @@
 namespace dspm {
 
 struct ParseOptions {
-  Defines defines;  // of -D name=value
+  Defines defines = {};                      // of -D name=value
+  std::vector<std::string> variations = {};  // patterns of those that are wanted, where they are too many
 };
 
 /// Reads the files one after the other as if they were one; "-" is standard input. What is wrong goes to `diagnostics`,

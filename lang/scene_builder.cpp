@@ -31,6 +31,7 @@ bool takes_keys(DirectiveKind kind) {
     case texture:
     case light_source:
     case area_light_source:
+    case light:
     case shape:
     case attribute: return true;
     default: return false;
@@ -40,27 +41,11 @@ bool takes_keys(DirectiveKind kind) {
 }  // namespace
 
 void SceneBuilder::apply(Directive directive) {
-  if (skip_variations(directive)) return;
   if (group_ && !may_stand_between_keys(directive.info->kind)) close_forgotten_group(directive);
   if (!check_section(directive)) return;
   check_keys(directive);
-  apply_option(directive) || apply_transform(directive) || apply_block(directive) || apply_look(directive) ||
-      apply_thing(directive);
-}
-
-bool SceneBuilder::skip_variations(const Directive& directive) {
-  const DirectiveKind kind = directive.info->kind;
-  const bool opens = kind == variation_begin || kind == axis_begin;
-  const bool closes = kind == variation_end || kind == axis_end;
-  if (is_skipping()) {
-    skipped_depth_ += opens ? 1 : closes ? -1 : 0;
-    return true;
-  }
-  if (!opens && !closes && kind != show && kind != hide && kind != light) return false;
-  diagnostics_.error(directive.where, fmt::format("{}: product variations are not yet supported", directive.info->name),
-                     "render one scene a variation meanwhile");
-  skipped_depth_ = opens ? 1 : 0;
-  return true;
+  apply_variation(directive) || apply_option(directive) || apply_transform(directive) || apply_block(directive) ||
+      apply_look(directive) || apply_thing(directive);
 }
 
 void SceneBuilder::close_forgotten_group(const Directive& directive) {
@@ -90,16 +75,17 @@ void SceneBuilder::check_keys(const Directive& directive) {
       check_frame(param.key, param.where);
     else
       diagnostics_.error(param.where,
-                         fmt::format("parameters of {} cannot change between frames", directive.info->name));
+                         fmt::format("parameters of {} cannot change between frames", directive.info->name),
+                         "those of Camera, materials, textures, lights and shapes in Dynamic blocks can");
   }
 }
 
 void SceneBuilder::check_frame(int key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
-  else if (key > scene_.frame_count)
+  else if (key > scene_.moments)
     diagnostics_.warning(where, fmt::format("this key for frame {} lies outside: the scene has {} frame{}", key,
-                                            scene_.frame_count, scene_.frame_count == 1 ? "" : "s"));
+                                            scene_.moments, scene_.moments == 1 ? "" : "s"));
 }
 
 void SceneBuilder::world_begin(const SourceLocation& where) {
@@ -118,6 +104,7 @@ void SceneBuilder::world_begin(const SourceLocation& where) {
 void SceneBuilder::begin_import(const Directive& directive) {
   if (group_) close_forgotten_group(directive);
   check_section(directive);
+  is_out_of_place(directive);
   open_block(Block::Kind::import, directive, directive.words[0].text);
   outer_coordinate_systems_.push_back(scene_.coordinate_systems);
 }
@@ -135,6 +122,7 @@ void SceneBuilder::end_import() {
 void SceneBuilder::finish() {
   if (group_) diagnostics_.error(group_->where(), "these keys are not closed", "KeyframeEnd is missing");
   blocks_.check_all_closed();
+  check_replacements();
   if (!world_where_ && diagnostics_.error_count() == 0)
     diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, and so nothing to render");
 }

@@ -28,19 +28,16 @@ class SceneBuilder {
   /// To be called behind the last file.
   void finish();
 
-  /// Inside VariationBegin .. VariationEnd, which are not read yet.
-  bool is_skipping() const { return skipped_depth_ > 0; }
-
  private:
   using Places = std::map<std::string, SourceLocation>;
 
-  bool skip_variations(const Directive& directive);
   void close_forgotten_group(const Directive& directive);
   bool check_section(const Directive& directive);
   void check_keys(const Directive& directive);
   void check_frame(int key, const SourceLocation& where);
 
-  // Each carries the directive out if it is one of its own (build_options.cpp, build_transforms.cpp, build_world.cpp).
+  // Each carries the directive out if it is one of its own (build_variations.cpp, build_options.cpp, ...).
+  bool apply_variation(const Directive& directive);
   bool apply_option(Directive& directive);
   bool apply_transform(const Directive& directive);
   bool apply_block(const Directive& directive);
@@ -64,6 +61,18 @@ class SceneBuilder {
   void keyframe(const Directive& directive);
   void keyframe_end(const Directive& directive);
   void finish_group();
+
+  bool is_out_of_place(const Directive& directive);
+  void expect_top_level(const Directive& directive);
+  void axis_begin(const Directive& directive);
+  void axis_end(const Directive& directive);
+  void variation_begin(const Directive& directive);
+  void variation_end(const Directive& directive);
+  void in_variation(const Directive& directive);
+  void scale_light(const Directive& directive, Variation& variation);
+  /// The variation that is being read; null outside.
+  Variation* variation_in_force();
+  void check_replacements();
 
   void open_block(Block::Kind kind, const Directive& directive, std::string name);
   void close_block(Block::Kind kind, const Directive& directive);
@@ -95,11 +104,15 @@ class SceneBuilder {
   std::optional<SourceLocation> world_where_;  // of WorldBegin
   std::optional<KeyframeGroup> group_;         // the keys that are being read
   bool options_have_keys_ = false;
-  bool blur_told_ = false;  // since the last ActiveTransform
-  int skipped_depth_ = 0;
+  bool blur_told_ = false;                                               // since the last ActiveTransform
   std::vector<std::pair<int, SourceLocation>> keys_before_world_;        // checked when the number of frames is known
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files that are being imported
-  Places materials_, float_textures_, spectrum_textures_, media_, objects_;
+  Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
+  struct {
+    Places float_textures, spectrum_textures, materials, lights, parts;
+  } replaced_;  // by the variation in force
+  std::size_t axis_of_variation_ = 0;
+  int directives_in_variation_ = 0;
 };
 
 }  // namespace dspm

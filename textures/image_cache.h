@@ -1,4 +1,5 @@
-// Pictures that several textures, or one texture in several frames, share: each file is read once an encoding.
+// Pictures that several textures, or one texture in several frames, share: each file is read once an encoding, as long
+// as a texture holds it.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,7 @@ class ImageCache {
 
  private:
   using Key = std::tuple<std::string, ColorEncoding::Kind, float>;
-  std::map<Key, std::shared_ptr<const Image>> images_;
+  std::map<Key, std::weak_ptr<const Image>> images_;
 };
 
 }  // namespace dspm

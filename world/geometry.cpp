@@ -8,6 +8,7 @@
 #include "shapes/mesh_check.h"
 #include "shapes/mesh_repair.h"
 #include "shapes/triangle_mesh.h"
+#include "world/variations.h"
 
 namespace dspm {
 namespace {
@@ -15,25 +16,20 @@ namespace {
 using ShapeParts = std::vector<ShapePart>;
 
 /// The shapes that a directive's parameters yield, state by state.
-Timeline<ParamList> param_states(const ParamList& params, const std::vector<bool>& present) {
-  const int frames = static_cast<int>(present.size());
+Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
   const bool keyed = params.is_keyed();
-  return Timeline<ParamList>::of(
-      frames,
-      [&](Frame f) -> std::optional<ParamList> {
-        if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
-        return keyed ? params.at(f) : params;
-      },
+  return Timeline<ParamList>::of_moments(
+      frames, present, [&](Frame moment) { return keyed ? params.at(moment) : params; },
       [&](const ParamList& a, const ParamList& b) { return !keyed || a.same_values(b); });
 }
 
-Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const std::vector<bool>& present) {
-  return Timeline<Matrix4>::of(
-      static_cast<int>(present.size()),
-      [&](Frame f) -> std::optional<Matrix4> {
-        if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
-        const Matrix4 own = use.world_from_object.at(f);
-        return instance ? instance->world_from_instance.at(f) * own : own;
+Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
+                             const std::vector<bool>& present) {
+  return Timeline<Matrix4>::of_moments(
+      frames, present,
+      [&](Frame moment) {
+        const Matrix4 own = use.world_from_object.at(moment);
+        return instance ? instance->world_from_instance.at(moment) * own : own;
       },
       [](const Matrix4& a, const Matrix4& b) { return a == b; });
 }
@@ -75,15 +71,8 @@ void Geometry::refuse_unknown_objects() {
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {
   const auto* plugin = find_plugin(shape_plugins(), "shape", use.type, use.type_where, diagnostics_, unbuilt_shapes());
   if (!plugin) return;
-  const auto present_in = [&](int block) {
-    std::vector<bool> present(static_cast<std::size_t>(description_.frame_count), true);
-    if (block < 0) return present;
-    const FrameInterval frames = description_.dynamic_blocks[static_cast<std::size_t>(block)].frames;
-    for (Frame f = 0; f < description_.frame_count; ++f) present[static_cast<std::size_t>(f)] = frames.contains(f);
-    return present;
-  };
   Source source;
-  source.params = param_states(use.params, present_in(use.dynamic_block));
+  source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));
   const int errors = diagnostics_.error_count();
   for (const ParamList& params : source.params.states) {
     ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
@@ -137,10 +126,10 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   std::vector<bool> present(source.params.state_of.size());
   for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
   if (instance && instance->dynamic_block >= 0) {
-    const FrameInterval frames = description_.dynamic_blocks[static_cast<std::size_t>(instance->dynamic_block)].frames;
-    for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && frames.contains(static_cast<Frame>(f));
+    const std::vector<bool> there = presence(description_, instance->dynamic_block);
+    for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
-  const Timeline<Matrix4> matrices = placements(use, instance, present);
+  const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
   // A state of the geometry and a placement: the same shape at two places is two, so is one place with two geometries.
   using Place = std::pair<int, int>;
   const auto places = Timeline<Place>::of(

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "world/variations.h"
+
 namespace dspm {
 namespace {
 
@@ -28,12 +30,11 @@ class LightMaker {
     const auto* plugin =
         find_plugin(light_plugins(), "light", use.type, use.type_where, diagnostics_, unbuilt_lights());
     if (!plugin) return std::nullopt;
-    const FrameInterval all{0, description_.frame_count};
-    const FrameInterval frames =
-        use.dynamic_block < 0 ? all : description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].frames;
+    const std::vector<bool> present = presence(description_, use.dynamic_block);
     const auto states = timeline([&](Frame f) -> std::optional<LightState> {
-      if (!frames.contains(f)) return std::nullopt;
-      return LightState{params_at(use.params, f), use.world_from_light.at(f)};
+      if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
+      return LightState{light_params(description_, use, use.name, f),
+                        use.world_from_light.at(description_.frames.moment(f))};
     });
     auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
     if (light) light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
@@ -47,18 +48,16 @@ class LightMaker {
     const auto states = timeline([&](Frame f) -> std::optional<LightState> {
       for (const int shape : emitter.shapes)
         if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[static_cast<std::size_t>(f)])
-          return LightState{params_at(use.params, f), {}, shape};
+          return LightState{light_params(description_, use, use.name, f), {}, shape};
       return std::nullopt;
     });
     return finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
   }
 
  private:
-  static ParamList params_at(const ParamList& params, Frame f) { return params.is_keyed() ? params.at(f) : params; }
-
   template <class At>
   Timeline<LightState> timeline(At&& at) const {
-    return Timeline<LightState>::of(description_.frame_count, at,
+    return Timeline<LightState>::of(description_.frames.count(), at,
                                     [](const LightState& a, const LightState& b) { return a == b; });
   }
 

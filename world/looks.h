@@ -1,67 +1,92 @@
-// Textures and materials of a scene, with their states over the frames of the file.
+// Textures and materials of a scene, with their states over the frames of the file. All of them are looked at once, so
+// that errors are known before anything is rendered; where frames are many, what only some of them need is made anew
+// for each scene that needs it.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "lang/description.h"
 #include "materials/material.h"
 #include "textures/plugins.h"
-#include "world/timeline.h"
+#include "world/look.h"
+#include "world/scene.h"
 
 namespace dspm {
-
-using MaterialTimeline = Timeline<std::shared_ptr<const Material>>;
 
 class Looks {
  public:
   Looks(const SceneDescription& description, Diagnostics& diagnostics);
 
-  /// Index into materials() of the material in force, pbrt's default for none; an unknown name is an error.
+  /// Index of the material in force, pbrt's default for none; an unknown name is an error.
   int find(const MaterialRef& ref);
   /// A material that a geometry file brought along.
   int add(const FileMaterial& material, const SourceLocation& where);
 
-  const std::vector<MaterialTimeline>& materials() const { return materials_; }
+  /// By index, in these frames of the file. Throws SceneError where a file has changed since it was looked at.
+  std::vector<FrameStates<Material>> materials_in(const std::vector<Frame>& frames) const;
+
+  int material_count() const { return static_cast<int>(materials_.size()); }
+  /// Which state of the material holds, by frame of the file.
+  const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
   /// Light passes into bodies of this material, in some frame.
-  bool bounds_a_body(int material) const;
+  bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
   /// `material "glass"`, for messages.
-  const std::string& name_of(int material) const { return names_[static_cast<std::size_t>(material)]; }
+  const std::string& name_of(int material) const { return look(material).name; }
 
  private:
-  /// What a texture or material is made from in one frame; where it is equal, so is what is made.
-  struct State {
-    ParamList params;
-    Matrix4 placement;
-    std::vector<const void*> textures;  // that the parameters name
-    Frame frame;                        // the first in which it holds
-    friend bool operator==(const State& a, const State& b) {
-      return a.placement == b.placement && a.textures == b.textures && a.params.same_values(b.params);
-    }
+  struct MaterialLook : Look<Material> {
+    std::string name;
+    bool bounds_a_body = false;
+  };
+  template <class T>
+  struct Textures {
+    std::deque<Look<Texture<T>>> looks;  // addresses stay
+    std::map<std::string, const Look<Texture<T>>*> by_name;
   };
 
-  void add_texture(const TextureUse& use);
+  const MaterialLook& look(int material) const { return materials_[static_cast<std::size_t>(material)]; }
   template <class T>
-  void add_texture_of(const TextureUse& use);
-  int add_material(const PluginUse& use, std::string name);
-  Timeline<State> states_of(const ParamList& params, const Motion* motion) const;
-  TextureSet& textures_at(Frame frame) {
-    return textures_[textures_.size() == 1 ? 0 : static_cast<std::size_t>(frame)];
+  const Textures<T>& textures() const {
+    return std::get<Textures<T>>(textures_);
   }
-  const TextureSet& textures_at(Frame frame) const { return const_cast<Looks*>(this)->textures_at(frame); }
 
-  int frame_count_;
-  std::filesystem::path main_directory_;
-  Diagnostics& diagnostics_;
-  ImageCache images_;
-  std::vector<TextureSet> textures_;  // by frame, or one where no texture changes
-  std::vector<MaterialTimeline> materials_;
-  std::vector<std::string> names_;
+  void add_texture(const TextureUse& own);
+  template <class T>
+  void add_texture_of(const TextureUse& own);
+  int add_material(const MaterialUse& own, std::string name);
+
+  Timeline<Recipe> recipes_of(const Definition& definition) const;
+  template <class T>
+  void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const;
+  /// Whether a state is held, once made, as long as the world is there.
+  bool is_kept(const std::vector<int>& state_of, int state) const;
+  /// Makes every state to learn what is wrong, with `make(recipe, textures)`, and keeps those that are to be kept.
+  template <class T, class Make>
+  bool look_at(Look<T>& look, Make&& make);
+
+  TextureSet known_textures(const Recipe& recipe) const;
+  TextureSet made_textures(const Recipe& recipe, Diagnostics& diagnostics) const;
+  template <class T>
+  TexturePtr<T> made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const;
+  template <class T>
+  TexturePtr<T> make_texture_of(const Recipe& recipe, const TextureSet& textures, Diagnostics& diagnostics) const;
+  std::shared_ptr<const Material> make_material(const Recipe& recipe, const TextureSet& textures,
+                                                Diagnostics& diagnostics) const;
+
+  const SceneDescription& description_;
+  Diagnostics& diagnostics_;  // while the world is being made
+  mutable ImageCache images_;
+  TextureSet names_;  // of all textures so far, with something grey for each
+  std::tuple<Textures<float>, Textures<Rgb>> textures_;
+  std::vector<MaterialLook> materials_;
+  std::deque<TextureUse> texture_uses_;  // of geometry files
+  std::deque<MaterialUse> material_uses_;
   std::vector<int> of_use_;  // by index into SceneDescription::materials
-  std::map<std::string, int> by_name_;
-  std::map<std::string, int> from_files_;
+  std::map<std::string, int> by_name_, from_files_;
   int default_ = -1;
 };
 

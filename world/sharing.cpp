@@ -11,10 +11,9 @@ namespace {
 std::string counted(std::size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
 
 /// How many of a thing's states occur in the frames; "not there" is one of them.
-template <class State>
-std::size_t states_in(const Timeline<State>& line, std::span<const Frame> frames) {
+std::size_t states_in(const std::vector<int>& state_of, std::span<const Frame> frames) {
   std::set<int> seen;
-  for (const Frame f : frames) seen.insert(line.at(f));
+  for (const Frame f : frames) seen.insert(state_of[static_cast<std::size_t>(f)]);
   return seen.size();
 }
 
@@ -79,18 +78,18 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   for (std::size_t b = 0; b < moving.size(); ++b)
     lines.push_back(explain_block(description.dynamic_blocks[b], summary(moving[b], frames), frames.size()));
 
-  for (std::size_t m = 0; m < looks.materials().size(); ++m)
-    if (const std::size_t n = states_in(looks.materials()[m], frames); n > 1)
+  for (int m = 0; m < looks.material_count(); ++m)
+    if (const std::size_t n = states_in(looks.states_of(m), frames); n > 1)
       lines.push_back(fmt::format("{}: {} over the frames. Paths that meet it split into one path a state.",
-                                  looks.name_of(static_cast<int>(m)), counted(n, "state")));
+                                  looks.name_of(m), counted(n, "state")));
   for (const WorldLight& light : lights) {
-    const std::size_t n = states_in(light.states, frames);
+    const std::size_t n = states_in(light.states.state_of, frames);
     if (n > 1)
       lines.push_back(
           fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
                       light.name, counted(n, "state")));
   }
-  const std::size_t camera_states = states_in(camera, frames);
+  const std::size_t camera_states = states_in(camera.state_of, frames);
   lines.push_back(camera_states > 1
                       ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
                                     counted(camera_states, "state"))

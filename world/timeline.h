@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frames.h"
+#include "lang/file_frames.h"
 
 namespace dspm {
 
@@ -26,9 +27,25 @@ struct Timeline {
     return line;
   }
 
-  int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
+  /// Of a thing that is there in `present` (by frame of the file), and whose state, `at(moment)`, depends on the moment
+  /// alone.
+  template <class At, class Same>
+  static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same) {
+    constexpr int kUnknown = -1;
+    Timeline line;
+    line.state_of.assign(present.size(), -1);
+    std::vector<int> of_moment(static_cast<std::size_t>(frames.moments()), kUnknown);
+    for (std::size_t f = 0; f < present.size(); ++f) {
+      if (!present[f]) continue;
+      const Frame moment = frames.moment(static_cast<Frame>(f));
+      int& state = of_moment[static_cast<std::size_t>(moment)];
+      if (state == kUnknown) state = line.place(at(moment), same);
+      line.state_of[f] = state;
+    }
+    return line;
+  }
 
- private:
+  /// The index of that state, which is added where there is none like it.
   template <class Same>
   int place(State state, Same&& same) {
     // Newest first: what changes from frame to frame seldom goes back.
@@ -37,6 +54,8 @@ struct Timeline {
     states.push_back(std::move(state));
     return static_cast<int>(states.size()) - 1;
   }
+
+  int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
 };
 
 /// The frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered ones.

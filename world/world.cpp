@@ -3,6 +3,7 @@
 #include "world/geometry.h"
 #include "world/lighting.h"
 #include "world/sharing.h"
+#include "world/variations.h"
 
 namespace dspm {
 namespace {
@@ -23,10 +24,10 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
       find_plugin(camera_plugins(), "camera", use.type, use.type_where, diagnostics, unbuilt_cameras());
   if (!plugin) return cameras;
   const bool keyed = use.params.is_keyed();
-  const auto states = Timeline<State>::of(
-      description.frame_count,
-      [&](Frame f) {
-        return std::optional(State{keyed ? use.params.at(f) : use.params, use.camera_from_world.at(f)});
+  const auto states = Timeline<State>::of_moments(
+      description.frames, presence(description, kAlwaysThere),
+      [&](Frame moment) {
+        return State{keyed ? use.params.at(moment) : use.params, use.camera_from_world.at(moment)};
       },
       [](const State& a, const State& b) {
         return a.camera_from_world == b.camera_from_world && a.params.same_values(b.params);
@@ -116,15 +117,14 @@ World::World(const SceneDescription& description, const WorldOptions& options, D
     : parts_(std::make_unique<Parts>(description, options, diagnostics)) {}
 World::~World() = default;
 
-int World::frame_count() const { return parts_->description.frame_count; }
+int World::frame_count() const { return parts_->description.frames.count(); }
 
 std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   auto scene = std::make_unique<Scene>();
   scene->file_frames.assign(frames.begin(), frames.end());
   scene->center = parts_->center, scene->radius = parts_->radius;
   scene->shapes = parts_->shapes_in(scene->file_frames);
-  for (const MaterialTimeline& material : parts_->looks.materials())
-    scene->materials.push_back(cut(material, scene->file_frames));
+  scene->materials = parts_->looks.materials_in(scene->file_frames);
   for (const WorldLight& light : parts_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability});

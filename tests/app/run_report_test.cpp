@@ -39,7 +39,10 @@ TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   RunReport report;
   report.add(interval(2, 1));
   report.seconds = 4;
+  SceneDescription description;
+  description.frames = FileFrames(3, {{}});
   Job job;
+  job.description = &description;
   job.scene_file = "a \"quoted\" name.dsc";
   job.frames = {0, 2};
   const std::string table = table_of(job, report), json = json_of(job, report);

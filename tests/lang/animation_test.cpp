@@ -12,7 +12,7 @@ Matrix4 at(const std::string& directives, int key) {
 
 TEST(Animation, CountsFrames) {
   const SceneDescription scene = good("Frames 25 \"float fps\" 12.5\nWorldBegin");
-  EXPECT_EQ(scene.frame_count, 25);
+  EXPECT_EQ(scene.moments, 25);
   EXPECT_EQ(scene.fps, 12.5);
   EXPECT_EQ(scene.frames_where.line, 1);
   EXPECT_FALSE(good("Frames 3 WorldBegin").fps);
@@ -31,20 +31,20 @@ TEST(Animation, DynamicBlocksHoldShapesLightsAndInstances) {
     Shape "static")");
   ASSERT_EQ(scene.dynamic_blocks.size(), 2u);
   EXPECT_EQ(scene.dynamic_blocks[0].name, "a");
-  EXPECT_EQ(scene.dynamic_blocks[0].frames, (FrameInterval{2, 9}));
-  EXPECT_EQ(scene.dynamic_blocks[1].frames, (FrameInterval{2, 4}));
+  EXPECT_EQ(scene.dynamic_blocks[0].moments, (FrameInterval{2, 9}));
+  EXPECT_EQ(scene.dynamic_blocks[1].moments, (FrameInterval{2, 4}));
   EXPECT_EQ(scene.shapes[0].dynamic_block, -1);
   EXPECT_EQ(scene.shapes[1].dynamic_block, 0);
   EXPECT_EQ(scene.shapes[2].dynamic_block, 1);
   EXPECT_EQ(scene.shapes[3].dynamic_block, -1);
   EXPECT_EQ(scene.lights[0].dynamic_block, 0);
   EXPECT_EQ(scene.instances[0].dynamic_block, 0);
-  EXPECT_EQ(good("Frames 4 WorldBegin DynamicBegin \"a\" DynamicEnd").dynamic_blocks[0].frames, (FrameInterval{0, 4}));
+  EXPECT_EQ(good("Frames 4 WorldBegin DynamicBegin \"a\" DynamicEnd").dynamic_blocks[0].moments, (FrameInterval{0, 4}));
 }
 
 TEST(Animation, ABlockBeyondTheLastFrameIsAWarning) {
   const Parsed parsed = parse("Frames 4\nWorldBegin\nDynamicBegin \"a\" \"integer frames\" [3 9]\nDynamicEnd");
-  EXPECT_EQ(parsed.scene.dynamic_blocks[0].frames, (FrameInterval{2, 4}));
+  EXPECT_EQ(parsed.scene.dynamic_blocks[0].moments, (FrameInterval{2, 4}));
   EXPECT_EQ(parsed.messages(),
             "scene.dsc:3:18: warning: this key for frame 9 lies outside: the scene has 4 frames\n"
             "    3 | DynamicBegin \"a\" \"integer frames\" [3 9]\n"

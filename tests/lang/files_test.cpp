@@ -188,7 +188,7 @@ TEST_F(Files, DefinesAreReplaced) {
             "main.dsc:5:1: error: unknown directive Oops\n"
             "    5 | Oops\n"
             "      | ^~~~\n");
-  EXPECT_EQ(scene.frame_count, 12);
+  EXPECT_EQ(scene.moments, 12);
   EXPECT_EQ(scene.shapes.at(0).type, "a long name");
   EXPECT_EQ(floats(scene.shapes[0].params, "radius"), std::vector<float>{-2.5f});
   EXPECT_EQ(scene.shapes.at(1).type, "#a long name");

@@ -25,7 +25,7 @@ TEST(Scene, KeepsTheOptionsBlock) {
   EXPECT_EQ(scene.camera->type, "perspective");
   EXPECT_EQ(floats(scene.camera->params, "fov"), std::vector<float>{38});
   expect_near(scene.camera->camera_from_world.at(0), Matrix4::scale(-1, 1, 1));
-  EXPECT_EQ(scene.frame_count, 1);
+  EXPECT_EQ(scene.moments, 1);
 }
 
 TEST(Scene, ReadsEveryTypeOfParameter) {
