@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <span>
+#include <set>
 #include <utility>
 
 #include "app/frame_intervals.h"
@@ -74,7 +74,7 @@ class Run {
   void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The images of the interval's frames; the last ones go to the video, too.
-  void write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin, bool last);
+  void write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last);
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -86,8 +86,8 @@ class Run {
   const MemoryBound& memory_;
   Messages& messages_;
   Output output_;
-  std::vector<std::span<const Frame>> intervals_;
-  std::size_t written_ = 0;  // frames that have images
+  std::vector<FrameList> intervals_;
+  std::set<Frame> written_;  // those that have images
   RunReport report_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_ = Clock::now();
@@ -104,7 +104,7 @@ RunReport Run::render() {
 }
 
 void Run::render_interval(std::size_t index) {
-  const std::span<const Frame> frames = intervals_[index];
+  const FrameList& frames = intervals_[index];
   const std::unique_ptr<Scene> scene = world_.scene(frames);
   const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_, memory_.for_integrator());
   const int iterations = job_.iterations(*integrator, options_);
@@ -129,16 +129,16 @@ void Run::render_interval(std::size_t index) {
     if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false);
   }
   if (done > 0) write(frames, *integrator, begin, true);
-  report_.add(integrator->statistics());
+  report_.add(integrator->statistics(), frames);
 }
 
 void Run::say_end() {
-  const std::size_t left = job_.frames.size() - written_;
+  const std::size_t left = job_.frames.size() - written_.size();
   const std::string what = report_.exit_code != 0 ? "interrupted" : "done";
   const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
-  if (written_ == 0) return messages_.say("{} before the first iteration; nothing was written", what);
-  const std::string last = written_ > 1 ? " to " + output_.name(job_.frames[written_ - 1]).string() : "";
-  messages_.say("{} after {}: {}{}{}", what, readable_time(report_.seconds), output_.name(job_.frames.front()).string(),
+  if (written_.empty()) return messages_.say("{} before the first iteration; nothing was written", what);
+  const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
+  messages_.say("{} after {}: {}{}{}", what, readable_time(report_.seconds), output_.name(*written_.begin()).string(),
                 last, missing);
 }
 
@@ -156,20 +156,19 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
 
-void Run::write(std::span<const Frame> interval, const Integrator& integrator, Clock::time_point begin, bool last) {
+void Run::write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last) {
   const Statistics statistics = integrator.statistics();
-  const auto first = static_cast<std::size_t>(interval.data() - job_.frames.data());
   for (std::size_t j = 0; j < interval.size(); ++j) {
     Image image = integrator.estimate(static_cast<Frame>(j));
     if (last) output_.add_to_video(image);
-    output_.write(first + j, std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
+    output_.write(interval[j], std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
   }
   output_.write_contact_sheet();
-  written_ = first + interval.size();
+  written_.insert(interval.begin(), interval.end());
 }
 
 void explain(const World& world, const Job& job) {
-  for (const std::span<const Frame> interval : cut_into_intervals(job.frames, job.plugin->frames_together))
+  for (const FrameList& interval : FrameIntervals(*job.description, job.frames).cut(job.plugin->frames_together))
     for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
 }
 

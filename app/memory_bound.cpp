@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/frame_intervals.h"
 #include "app/run_report.h"
 #include "integrators/memory_needs.h"
 
@@ -26,12 +25,17 @@ std::size_t held() {
   return kProgram + info.uordblks + info.hblkhd;
 }
 
-/// All lengths of equal intervals, the longest first.
-std::vector<int> interval_lengths(std::span<const Frame> frames, int together) {
+int longest(const std::vector<FrameList>& intervals) {
+  std::size_t length = 0;
+  for (const FrameList& interval : intervals) length = std::max(length, interval.size());
+  return static_cast<int>(length);
+}
+
+/// All lengths that intervals may have at most, the longest first.
+std::vector<int> interval_lengths(const FrameIntervals& frames, int together) {
   std::vector<int> lengths;
   for (int most = together; most > 0; --most)
-    if (const auto length = static_cast<int>(cut_into_intervals(frames, most).front().size());
-        lengths.empty() || length < lengths.back())
+    if (const int length = longest(frames.cut(most)); lengths.empty() || length < lengths.back())
       lengths.push_back(length);
   return lengths;
 }
@@ -50,7 +54,7 @@ class MemoryBound::Trials {
   Trials(const MemoryBound& bound, const Job& job, const World& world) : bound_(bound), job_(job), world_(world) {}
 
   /// In how many batches the photons of an iteration come; 0: the interval does not fit.
-  int batches(std::span<const Frame> frames) {
+  int batches(const FrameList& frames) {
     const std::size_t before = held(), trees = world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
@@ -75,9 +79,9 @@ class MemoryBound::Trials {
   }
 
   /// Of the interval that takes most; 0: one does not fit.
-  int batches(const std::vector<std::span<const Frame>>& intervals) {
+  int batches(const std::vector<FrameList>& intervals) {
     int most = 1;
-    for (const std::span<const Frame> interval : intervals) {
+    for (const FrameList& interval : intervals) {
       const int of_interval = batches(interval);
       if (of_interval == 0) return 0;
       most = std::max(most, of_interval);
@@ -85,7 +89,7 @@ class MemoryBound::Trials {
     return most;
   }
 
-  std::span<const Frame> with_largest_trees(const std::vector<std::span<const Frame>>& intervals) const {
+  const FrameList& with_largest_trees(const std::vector<FrameList>& intervals) const {
     return *std::max_element(intervals.begin(), intervals.end(), [&](const auto& a, const auto& b) {
       return world_.tree_bytes_at_most(a) < world_.tree_bytes_at_most(b);
     });
@@ -110,22 +114,22 @@ std::size_t MemoryBound::for_integrator() const {
   return taken < bytes_ ? bytes_ - taken : 1;
 }
 
-std::vector<std::span<const Frame>> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
-                                                      const Messages& messages) {
+std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
+                                         const Messages& messages) {
   writing_ = writing;
-  const auto cut = [&](int length) { return cut_into_intervals(job.frames, length); };
-  if (bytes_ == 0) return cut(job.plugin->frames_together);
+  const FrameIntervals frames(*job.description, job.frames);
+  if (bytes_ == 0) return frames.cut(job.plugin->frames_together);
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
     throw std::runtime_error(fmt::format("{}: reading the scene took {}", bound, readable_bytes(peak)));
 
   Trials trials(*this, job, world);
-  const std::vector<int> lengths = interval_lengths(job.frames, job.plugin->frames_together);
+  const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
   auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {
-    return trials.batches(trials.with_largest_trees(cut(candidate))) == 0;
+    return trials.batches(trials.with_largest_trees(frames.cut(candidate))) == 0;
   });
   for (; length != lengths.end(); ++length) {
-    const std::vector<std::span<const Frame>> intervals = cut(*length);
+    const std::vector<FrameList> intervals = frames.cut(*length);
     if (const int batches = trials.batches(intervals); batches > 0) {
       messages.say("{}: {}", bound, in_words(intervals.size(), *length, batches));
       return intervals;

@@ -20,7 +20,7 @@ void expect_writable(const std::filesystem::path& path) { const AtomicFile trial
 }  // namespace
 
 Output::Output(const Job& job, const Options& options)
-    : job_(job), png_(options.png), sheet_path_(options.contact_sheet) {
+    : job_(job), png_(options.png), sheet_path_(options.contact_sheet), sheet_places_(job) {
   std::set<std::filesystem::path> names;
   for (const Frame frame : job.frames) {
     if (!names.insert(name(frame)).second)
@@ -31,7 +31,7 @@ Output::Output(const Job& job, const Options& options)
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) {
     expect_writable(sheet_path_);
-    sheet_.emplace(SheetLayout(static_cast<int>(job.frames.size()), width, height));
+    sheet_.emplace(sheet_places_.layout(width, height));
   }
   const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
                                 job.description->frames.combination_of(job.frames.back());
@@ -67,15 +67,14 @@ ExrHeader Output::header(Frame frame) const {
   return header;
 }
 
-void Output::write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds) {
-  const Frame frame = job_.frames[index];
+void Output::write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds) {
   for (Rgb& pixel : image.pixels) pixel = pixel * job_.exposure;
   ExrHeader header = this->header(frame);
   header.integers["iterations"] = iterations;
   header.numbers["photons"] = static_cast<double>(photons);
   header.numbers["seconds"] = seconds;
   std::filesystem::path path = name(frame);
-  if (sheet_) sheet_->put(static_cast<int>(index), shown(image, kToneMap), job_.label(frame));
+  if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.label(frame));
   write_image(path, image, job_.film, header, kToneMap);
   if (png_ && path.extension() != ".png")
     write_image(path.replace_extension(".png"), std::move(image), job_.film, header, kToneMap);

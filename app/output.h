@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/job.h"
-#include "film/contact_sheet.h"
+#include "app/sheet_places.h"
 #include "film/video.h"
 #include "image/exr.h"
 
@@ -21,8 +21,8 @@ class Output {
   std::filesystem::path name(Frame frame) const;
   /// What writing takes in memory, at most.
   std::size_t bytes_while_writing() const;
-  /// Writes the image of the job's frame number `index` (radiance over the crop), over an earlier one.
-  void write(std::size_t index, Image image, int iterations, std::uint64_t photons, double seconds);
+  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one.
+  void write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;
   /// To the video, where one was asked for: an image of every frame, one after the other.
@@ -36,6 +36,7 @@ class Output {
   const Job& job_;
   bool png_;
   std::filesystem::path sheet_path_;
+  SheetPlaces sheet_places_;
   std::optional<ContactSheet> sheet_;
   std::optional<Video> video_;
 };

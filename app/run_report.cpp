@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <utility>
 
 #include "app/json.h"
@@ -90,13 +91,19 @@ void write_work(JsonWriter& json, const Statistics& s) {
   }
   json.end_object();
   json.member("invalid", s.invalid);
+}
+
+/// Frame by frame of the job, as far as they were rendered.
+void write_energy(JsonWriter& json, const RunReport& report) {
+  std::map<Frame, const EnergyBalance*> of_frame;
+  for (std::size_t i = 0; i < report.frames.size(); ++i) of_frame[report.frames[i]] = &report.statistics.energy[i];
   json.key("energy").begin_array();
-  for (const EnergyBalance& e : s.energy) {
+  for (const auto& [frame, energy] : of_frame) {
     json.begin_object();
-    json.member("emitted", e.emitted);
-    json.member("absorbed", e.absorbed);
-    json.member("escaped", e.escaped);
-    json.member("terminated", e.terminated);
+    json.member("emitted", energy->emitted);
+    json.member("absorbed", energy->absorbed);
+    json.member("escaped", energy->escaped);
+    json.member("terminated", energy->terminated);
     json.end_object();
   }
   json.end_array();
@@ -104,7 +111,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
 
 }  // namespace
 
-void RunReport::add(const Statistics& interval) {
+void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_interval) {
   Statistics& sum = statistics;
   iterations.push_back(interval.iterations);
   sum.iterations += interval.iterations;
@@ -116,6 +123,7 @@ void RunReport::add(const Statistics& interval) {
   sum.photons_found += interval.photons_found;
   sum.invalid += interval.invalid;
   sum.energy.insert(sum.energy.end(), interval.energy.begin(), interval.energy.end());
+  if (!interval.energy.empty()) frames.insert(frames.end(), of_interval.begin(), of_interval.end());
   sum.bytes = std::max(sum.bytes, interval.bytes);
 }
 
@@ -182,6 +190,7 @@ std::string json_of(const Job& job, const RunReport& report) {
   for (const StepTime& step : s.steps) json.member(key_of(step.name), step.seconds);
   json.end_object();
   write_work(json, s);
+  write_energy(json, report);
   json.key("memory").begin_object();
   json.member("peak_bytes", peak_memory());
   json.member("tree_bytes", report.tree_bytes);

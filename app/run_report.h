@@ -17,10 +17,11 @@ struct RunReport {
   int threads = 0;
   std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
-  Statistics statistics;  // all intervals together
+  Statistics statistics;      // all intervals together
+  std::vector<Frame> frames;  // those that the energy balances are of, in their order
 
-  /// Adds what an interval's integrator did.
-  void add(const Statistics& interval);
+  /// Adds what the integrator of an interval of these frames did.
+  void add(const Statistics& interval, const std::vector<Frame>& of_interval);
 };
 
 /// The largest memory of this process so far, in bytes.

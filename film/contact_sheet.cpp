@@ -29,6 +29,18 @@ SheetLayout::SheetLayout(int count, int width, int height, int max_width) {
     if (badness(count, c, aspect) < badness(count, columns, aspect)) columns = c;
   }
   rows = (count + columns - 1) / columns;
+  fit(width, height, max_width);
+}
+
+SheetLayout SheetLayout::table(int columns, int rows, int width, int height, int max_width) {
+  SheetLayout layout;
+  layout.columns = columns, layout.rows = rows;
+  layout.fit(width, height, max_width);
+  return layout;
+}
+
+void SheetLayout::fit(int width, int height, int max_width) {
+  const double aspect = static_cast<double>(width) / height;
   image_width = std::clamp((max_width - kGap) / columns - kGap, 1, width);
   image_height = std::max(1, static_cast<int>(std::lround(image_width / aspect)));
   text_scale = image_width >= 384 ? 2 : 1;

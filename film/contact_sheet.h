@@ -16,10 +16,16 @@ struct SheetLayout {
 
   /// For `count` images of width x height pixels; the sheet is at most `max_width` wide where that is possible at all.
   SheetLayout(int count, int width, int height, int max_width = 2048);
+  /// Of that shape, whatever it looks like.
+  static SheetLayout table(int columns, int rows, int width, int height, int max_width = 2048);
   int sheet_width() const;
   int sheet_height() const;
   /// Where image i lies, counted row by row from 0; the label is below it.
   PixelRect place(int i) const;
+
+ private:
+  SheetLayout() = default;
+  void fit(int width, int height, int max_width);
 };
 
 class ContactSheet {

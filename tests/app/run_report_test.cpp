@@ -22,8 +22,8 @@ Statistics interval(int iterations, double seconds) {
 
 TEST(RunReport, AddsIntervals) {
   RunReport report;
-  report.add(interval(2, 1));
-  report.add(interval(3, 10));
+  report.add(interval(2, 1), {2});
+  report.add(interval(3, 10), {0});
   const Statistics& s = report.statistics;
   EXPECT_EQ(report.iterations, (std::vector<int>{2, 3}));
   EXPECT_EQ(s.iterations, 5);
@@ -37,7 +37,7 @@ TEST(RunReport, AddsIntervals) {
 
 TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   RunReport report;
-  report.add(interval(2, 1));
+  report.add(interval(2, 1), {0});
   report.seconds = 4;
   SceneDescription description;
   description.frames = FileFrames(3, {{}});
