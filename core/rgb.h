@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dspm {
 
@@ -35,6 +36,16 @@ inline Rgb operator*(Rgb a, const Rgb& b) { return a *= b; }
 inline Rgb operator*(Rgb a, float s) { return a *= s; }
 inline Rgb operator*(float s, Rgb a) { return a *= s; }
 inline Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b / s}; }
+
+/// a / b by component, where b has nothing only where a has nothing.
+inline std::optional<Rgb> ratio(const Rgb& a, const Rgb& b) {
+  Rgb result;
+  for (int c = 0; c < 3; ++c) {
+    if (b[c] == 0 && a[c] != 0) return std::nullopt;
+    result[c] = a[c] == 0 ? 0 : a[c] / b[c];
+  }
+  return result;
+}
 
 inline bool is_black(const Rgb& c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 inline float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }

@@ -19,8 +19,7 @@ class PixelEstimator {
   virtual float search_radius2(const HitPoint& hit) const = 0;
   /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
   /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
-  virtual void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
-                         GatherCounts& counts) = 0;
+  virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
   /// Light that needs no photons. Likewise for different pixels at the same time.
   virtual void see(const SeenLight& light) = 0;
   /// Once an iteration, after all gathers.

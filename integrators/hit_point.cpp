@@ -15,6 +15,35 @@ constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
 // What is rougher is no specular lobe.
 constexpr float kLeastRoughness = 1e-4f;
 
+/// How frames go on.
+struct Way {
+  FrameSet frames;
+  Rgb factor;
+  BsdfSample sample;
+
+  std::optional<Rgb> along(const Way& first) const {
+    const bool same = sample.wi == first.sample.wi && sample.specular == first.sample.specular &&
+                      sample.eta_scale == first.sample.eta_scale;
+    return same ? std::optional(factor) : std::nullopt;
+  }
+};
+
+/// How frames end in a hit point.
+struct End {
+  FrameSet frames;
+  LobeChoice choice;
+  bool constant;  // f is, and then stands here; else it is the bsdf's
+  Rgb f;
+  BsdfSlot bsdf;
+
+  std::optional<Rgb> along(const End& first) const {
+    if (constant != first.constant || choice.lobes != first.choice.lobes) return std::nullopt;
+    if (constant) return f / choice.chance;
+    const auto ratio = this == &first ? Rgb(1) : bsdf->ratio_to(*first.bsdf, choice.lobes);
+    return ratio ? std::optional(*ratio / choice.chance) : std::nullopt;
+  }
+};
+
 class HitPointTracer {
  public:
   HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointTile& out)
@@ -81,74 +110,104 @@ class HitPointTracer {
 
   void follow(const PathState& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) {
-      for_each_escape(scene_, part.frames, path.ray.direction,
-                      [&](FrameSet frames, const Rgb& radiance, const SceneLight&, const Light&) {
-                        see(frames, path.throughput * radiance);
-                      });
+      for_each_escape(
+          scene_, part.frames, path.ray.direction,
+          [&](FrameSet frames, const Rgb& radiance, const SceneLight&, const Light&) { see(path, frames, radiance); });
       return;
     }
     const Vec3 wo = -path.ray.direction;
-    const float length = path.length + part.hit.t;
-    for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
-      for_each_emission(scene_, {frames, part.hit}, point, wo,
-                        [&](FrameSet lit, const Rgb& radiance, const Light&) { see(lit, path.throughput * radiance); });
+    const SurfacePoint point = scene_.surface_point(part.hit);
+    for_each_emission(scene_, part, point, wo,
+                      [&](FrameSet frames, const Rgb& radiance, const Light&) { see(path, frames, radiance); });
+    if (path.bounces >= settings_.max_depth) return;
+    PathState arrived = path;
+    arrived.length += part.hit.t;
+    FrameArray<End> ends;
+    FrameArray<Way> ways;
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       met_dynamic_ |= frames != frames_;
-      PathState branch = path;
-      branch.frames = frames;
-      branch.length = length;
-      scatter(branch, point, bsdf, wo, random);
+      arrived.frames = frames;
+      const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
+      if (choice.rough)
+        end(ends, arrived, point, bsdf, wo, choice, random);
+      else
+        go_on(ways, arrived, point, bsdf, wo, choice, random);
+    });
+    arrived.frames = part.frames;
+    add_hit_points(arrived, ends, point, wo);
+    push(arrived, ways, point, random);
+  }
+
+  void end(FrameArray<End>& ends, const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+           const LobeChoice& choice, const PathRandom& random) {
+    if (settings_.sample_direct)
+      add_direct_light(path, point, bsdf, wo, choice.lobes, choice.chance, random, [](float) { return 1.f; });
+    std::optional<Rgb> constant;
+    if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
+    if (constant && is_black(*constant)) return;
+    ends.add({path.frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
+  }
+
+  /// Frames whose scattering functions are multiples of one another have a hit point in common.
+  void add_hit_points(const PathState& path, const FrameArray<End>& ends, const SurfacePoint& point, const Vec3& wo) {
+    for_each_joint(ends, settings_.mixture, [&](const End& first, std::span<const FrameFactor> factors) {
+      PathState ended = path;
+      if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep_all)) return;
+      HitPoint& hit = out_.hit_points.emplace_back();
+      hit.p = point.p;
+      hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
+      hit.throughput = ended.throughput, hit.strands = ended.strands;
+      hit.frames = ended.frames, hit.pixel = pixel_;
+      hit.radius = radius(ended.length);
+      if (first.constant) return;
+      const LobeSet lobes = first.choice.lobes;
+      hit.scattering = static_cast<int>(out_.scatterings.size());
+      out_.scatterings.push_back({first.bsdf, wo, point.p_error, lobes, first.bsdf->transmits(lobes)});
     });
   }
 
-  /// Ends the path in a hit point, or follows a lobe that is too smooth to gather on.
-  void scatter(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const PathRandom& random) {
-    if (path.bounces >= settings_.max_depth) return;
-    const int bounce = path.bounces;
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
-    path.throughput *= 1 / choice.chance;
-    if (choice.rough) return end(path, point, bsdf, wo, choice.lobes, random);
+  /// A lobe that is too smooth to gather on is followed.
+  void go_on(FrameArray<Way>& ways, const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+             const LobeChoice& choice, const PathRandom& random) {
     // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from
     // it.
     if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
-      add_direct_light(path, point, bsdf, wo, glossy, random, [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
-    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, choice.lobes);
-    if (!sample) return;
-    extend(path, point, *sample);
-    if (is_black(path.throughput)) return;
-    if (!is_finite(path.throughput)) return reject(path.frames);
-    if (!survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette))) return;
-    stack_.push(path);
+      add_direct_light(path, point, bsdf, wo, glossy, choice.chance, random,
+                       [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
+    if (const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes))
+      ways.add({path.frames, sample->weight / choice.chance, *sample});
   }
 
-  void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, LobeSet lobes,
-           const PathRandom& random) {
-    if (settings_.sample_direct) add_direct_light(path, point, bsdf, wo, lobes, random, [](float) { return 1.f; });
-    std::optional<Rgb> constant;
-    if (!settings_.keep_bsdf) constant = bsdf.lambertian(lobes);
-    if (constant && is_black(*constant)) return;
-    HitPoint& hit = out_.hit_points.emplace_back();
-    hit.p = point.p;
-    hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
-    hit.throughput = constant ? path.throughput * *constant : path.throughput;
-    hit.frames = path.frames, hit.pixel = pixel_;
-    hit.radius = radius(path.length);
-    if (constant) return;
-    hit.scattering = static_cast<int>(out_.scatterings.size());
-    out_.scatterings.push_back({BsdfSlot::copy_of(bsdf), wo, point.p_error, lobes, bsdf.transmits(lobes)});
+  void push(const PathState& path, const FrameArray<Way>& ways, const SurfacePoint& point, const PathRandom& random) {
+    for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
+      PathState& branch = stack_.push(path);
+      move_on(branch, point, first.sample);
+      const float u = random.number(path.bounces, kRoulette);
+      const auto roulette = [&](const Strand*, FrameSet frames, const Rgb&, const Rgb& after) {
+        if (!is_finite(after)) return reject(frames), Rgb();
+        const float p = roulette_chance(after, branch.eta_scale, path.bounces);
+        return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      };
+      const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
+      if (!multiply(branch, factors, out_.strands, by_ratio, roulette)) stack_.drop();
+    });
   }
 
   template <class Weight>
   void add_direct_light(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-                        LobeSet lobes, const PathRandom& random, Weight&& weight) {
+                        LobeSet lobes, float chance, const PathRandom& random, Weight&& weight) {
     sample_direct_light(
         scene_, path.frames, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
         [&](const Vec3&, float pdf_w) { return weight(pdf_w); },
-        [&](FrameSet frames, const Rgb& radiance) { see(frames, path.throughput * radiance); });
+        [&](FrameSet frames, const Rgb& radiance) { see(path, frames, radiance / chance); });
   }
 
-  void see(FrameSet frames, const Rgb& radiance) {
-    if (!is_finite(radiance)) return reject(frames);
-    out_.seen.push_back({pixel_, frames, radiance});
+  void see(const PathState& path, FrameSet frames, const Rgb& radiance) {
+    for_each_strand(out_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
+      const Rgb seen = path.throughput * weight * radiance;
+      if (!is_finite(seen)) return reject(alike);
+      out_.seen.push_back({pixel_, alike, seen});
+    });
   }
   void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
 
@@ -175,6 +234,7 @@ class HitPointTracer {
 void clear(HitPointTile& tile) {
   tile.hit_points.clear();
   tile.scatterings.clear();
+  tile.strands.clear();
   tile.seen.clear();
   tile.paths = {}, tile.invalid = 0;
 }
@@ -189,7 +249,7 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
     sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.scatterings.capacity() * sizeof(Scattering) +
-           tile.seen.capacity() * sizeof(SeenLight);
+           tile.seen.capacity() * sizeof(SeenLight) + tile.strands.bytes();
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integrators/integrator.h"
+#include "integrators/strand.h"
 
 namespace dspm {
 
@@ -13,9 +14,10 @@ struct HitPoint {
   Vec3 ng;         // on the camera path's side
   Rgb throughput;  // of the path, over the chance that it ended here; times f where there is no `scattering`
   FrameSet frames;
-  float radius;         // to start with: the scene's, or from the pixel's footprint
-  int pixel;            // within the crop, row by row
-  int scattering = -1;  // index in the tile; negative where f is constant
+  float radius;            // to start with: the scene's, or from the pixel's footprint
+  int pixel;               // within the crop, row by row
+  int scattering = -1;     // index in the tile; negative where f is constant
+  StrandList strands = 0;  // in the tile's table: what frames have times the throughput, where they differ
 };
 
 /// What a hit point needs besides where f is not constant: most hit points do without, so it is kept apart.
@@ -40,12 +42,14 @@ struct HitPointSettings {
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
   bool keep_bsdf = false;      // every hit point has its `scattering`
+  bool mixture = false;        // frames that differ in looks only share paths; else they part
 };
 
 /// The hit points of one tile of pixels.
 struct HitPointTile {
   std::vector<HitPoint> hit_points;  // at most one for a pixel and frame
   std::vector<Scattering> scatterings;
+  StrandTable strands;
   std::vector<SeenLight> seen;
   PathCounts paths;
   std::uint64_t invalid = 0;  // non-finite contributions that were kept out

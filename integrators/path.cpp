@@ -107,7 +107,8 @@ class PixelTracer {
     extend(path, point, *sample);
     path.from = point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
-    if (!is_black(path.throughput) && survives(path, roulette_chance(path, bounce), random.number(bounce, kRoulette)))
+    if (!is_black(path.throughput) &&
+        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), random.number(bounce, kRoulette)))
       stack_.push(path);
   }
 

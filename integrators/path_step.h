@@ -6,21 +6,24 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "core/rng.h"
 #include "integrators/statistics.h"
+#include "integrators/strand.h"
 #include "world/scene.h"
 
 namespace dspm {
 
 /// A path is a value. When frames part, so do copies of it, with disjoint sets.
 struct PathState {
-  Ray ray;              // the next segment
-  Rgb throughput;       // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
-  FrameSet frames;      // the frames in which this very path exists; shrinks, never grows
-  int bounces = 0;      // scatterings so far
-  float length = 0;     // of the segments so far, in world units
-  float eta_scale = 1;  // of the refractions so far: what throughput will get back on the way out
+  Ray ray;                 // the next segment
+  Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
+  FrameSet frames;         // the frames in which this very path exists; shrinks, never grows
+  int bounces = 0;         // scatterings so far
+  float length = 0;        // of the segments so far, in world units
+  float eta_scale = 1;     // of the refractions so far: what throughput will get back on the way out
+  StrandList strands = 0;  // what frames carry times the throughput, where they differ
 };
 
 /// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at
@@ -42,17 +45,21 @@ class PathStack {
   int count_ = 0;
 };
 
-/// Calls fn(FrameSet, const SurfacePoint&, const Bsdf&) for each scattering that the part's frames find at its hit:
+/// Calls fn(FrameSet, const Bsdf&), or fn(FrameSet, const SurfacePoint&, const Bsdf&), for each scattering that the part's frames find at its hit:
 /// one, unless the material differs between them.
 template <class Fn>
-void for_each_surface(const Scene& scene, const FrameHit& part, Fn&& fn) {
+void for_each_surface(const Scene& scene, const FrameHit& part, const SurfacePoint& point, Fn&& fn) {
   const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
-  const SurfacePoint point = scene.surface_point(part.hit);
   scene.materials[static_cast<std::size_t>(shape.material)].for_each(part.frames,
                                                                      [&](FrameSet frames, const Material& material) {
                                                                        BsdfSlot slot;
-                                                                       fn(frames, point, material.bsdf(point, slot));
+                                                                       fn(frames, material.bsdf(point, slot));
                                                                      });
+}
+template <class Fn>
+void for_each_surface(const Scene& scene, const FrameHit& part, Fn&& fn) {
+  const SurfacePoint point = scene.surface_point(part.hit);
+  for_each_surface(scene, part, point, [&](FrameSet frames, const Bsdf& bsdf) { fn(frames, point, bsdf); });
 }
 
 /// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const
@@ -111,18 +118,85 @@ inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const Vec3& wo, c
   return bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, transport, lobes);
 }
 
-/// Moves `path` on along the sampled direction.
-inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
-  path.throughput *= sample.weight;
+/// Moves `path` on along the sampled direction; its throughput is left to the caller.
+inline void move_on(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
   path.ray = point.spawn(sample.wi);
   ++path.bounces;
 }
+inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
+  path.throughput *= sample.weight;
+  move_on(path, point, sample);
+}
+
+/// By how much a scattering or a light changes what these frames carry.
+struct FrameFactor {
+  FrameSet frames;
+  Rgb factor;
+};
+
+/// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be one, with the first of them and
+/// the factors of all; for each item alone unless they are to `join`. An item has `frames`, and along(first) gives its
+/// factor if it can go along with `first`, itself included.
+template <class Item, class Fn>
+void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
+  std::uint64_t joined = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if ((joined >> i & 1) != 0) continue;
+    FrameArray<FrameFactor> parts;
+    parts.add({items[i].frames, *items[i].along(items[i])});
+    for (std::size_t j = i + 1; join && j < items.size(); ++j) {
+      if ((joined >> j & 1) != 0) continue;
+      const std::optional<Rgb> factor = items[j].along(items[i]);
+      if (!factor) continue;
+      joined |= std::uint64_t{1} << j;
+      parts.add({items[j].frames, *factor});
+    }
+    fn(items[i], std::span<const FrameFactor>(parts));
+  }
+}
+
+/// Whether what is left of a throughput depends on how it changes, not on how large it is.
+enum class ByRatio { no, yes };
+
+/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it: black takes frames out
+/// of the path, as frames without a factor are. left(weights, FrameSet, before, after) is asked once for frames that
+/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by grey `weights` only (null: they do
+/// not). Returns whether there is anything left.
+template <class Left>
+bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable& table, ByRatio by_ratio,
+              Left&& left) {
+  const Strand* list = table.of(path.strands);
+  if (factors.size() == 1 && (list == nullptr || (list->grey && by_ratio == ByRatio::yes))) {
+    path.frames &= factors[0].frames;
+    path.throughput = left(list, path.frames, path.throughput, path.throughput * factors[0].factor);
+    return !is_black(path.throughput);
+  }
+  Strands next;
+  for_each_strand(list, path.frames, [&](FrameSet frames, const Rgb& weight) {
+    const Rgb before = path.throughput * weight;
+    for (const FrameFactor& f : factors) {
+      const FrameSet common = frames & f.frames;
+      if (common.empty()) continue;
+      const Rgb after = left(nullptr, common, before, before * f.factor);
+      if (!is_black(after)) next.add(common, after);
+    }
+  });
+  if (next.strands().empty()) return false;
+  path.frames = next.frames();
+  path.throughput = next.take_common();
+  path.strands = next.strands().size() == 1 ? 0 : table.add(next.strands());
+  return true;
+}
+
+/// For multiply().
+inline Rgb keep_all(const Strand*, FrameSet, const Rgb&, const Rgb& after) { return after; }
+
+inline constexpr int kFirstRouletteBounce = 4;  // of camera paths
 
 /// A camera path's chance to go on after `bounce`: its throughput, as it would be outside of glass.
-inline float roulette_chance(const PathState& path, int bounce) {
-  constexpr int kFirstRouletteBounce = 4;
-  return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(path.throughput) / path.eta_scale);
+inline float roulette_chance(const Rgb& throughput, float eta_scale, int bounce) {
+  return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(throughput) / eta_scale);
 }
 
 /// Russian roulette: survives where u < p, and is divided by p. Frames share u, so they decide alike where p is equal.

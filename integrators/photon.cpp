@@ -12,6 +12,31 @@ struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
 };
 
+/// How frames start.
+struct Start {
+  FrameSet frames;
+  Rgb flux;
+  Ray ray;
+
+  std::optional<Rgb> along(const Start& first) const {
+    const bool same = ray.origin == first.ray.origin && ray.direction == first.ray.direction;
+    return same ? std::optional(flux) : std::nullopt;
+  }
+};
+
+/// How frames go on.
+struct Way {
+  FrameSet frames;
+  Rgb factor;
+  BsdfSample sample;
+  unsigned kind;
+
+  std::optional<Rgb> along(const Way& first) const {
+    const bool same = sample.wi == first.sample.wi && sample.specular == first.sample.specular && kind == first.kind;
+    return same ? std::optional(factor) : std::nullopt;
+  }
+};
+
 double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b); }
 
 class PhotonTracer {
@@ -40,31 +65,42 @@ class PhotonTracer {
     if (chosen.probability == 0) return;
     const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
     const Vec2 u_point = random.pair(0, kLightPoint), u_direction = random.pair(0, kLightDirection);
+    FrameArray<Start> starts;
     light.states.for_each(frames_, [&](FrameSet frames, const Light& state) {
       const auto emission = state.emit(u_point, u_direction);
       if (!emission || is_black(emission->flux)) return;
       const Rgb flux = emission->flux / chosen.probability;
       if (!is_finite(flux)) return reject(frames);
-      balance(frames, [&](EnergyBalance& e) { e.emitted += sum(flux); });
-      stack_.push({{emission->ray, flux, frames}, kDirectPhotons});
+      starts.add({frames, flux, emission->ray});
+    });
+    for_each_joint(starts, settings_.mixture, [&](const Start& first, std::span<const FrameFactor> flux) {
+      PhotonPath& path = stack_.push({{first.ray, Rgb(1), frames_}, kDirectPhotons});
+      multiply(path, flux, out_.strands, ByRatio::yes, keep_all);
+      balance(path, path.frames, &EnergyBalance::emitted);
     });
   }
 
   void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
-    if (part.hit.missed()) return balance(part.frames, [&](EnergyBalance& e) { e.escaped += sum(path.throughput); });
-    for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
-      met_dynamic_ |= frames != frames_;
+    if (part.hit.missed()) return balance(path, part.frames, &EnergyBalance::escaped);
+    const Vec3 wo = -path.ray.direction;
+    const SurfacePoint point = scene_.surface_point(part.hit);
+    FrameSet gathering;
+    FrameArray<Way> ways;
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
+      if (const auto way = way_on(path, frames, bsdf, point, wo, random)) ways.add(*way);
+    });
+    store(path, gathering, point, wo);
+    for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
       PhotonPath& branch = stack_.push(path);
-      branch.frames = frames;
-      const Vec3 wo = -path.ray.direction;
-      store(branch, point, bsdf, wo);
-      if (!scatter(branch, point, bsdf, wo, random)) stack_.drop();
+      branch.kind = first.kind;
+      move_on(branch, point, first.sample);
+      if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
     });
   }
 
-  void store(const PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wi) {
-    if ((path.kind & settings_.kinds) == 0) return;
-    if (bsdf.lobes(settings_.least_alpha) == 0) return;
+  void store(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
+    if (frames.empty() || (path.kind & settings_.kinds) == 0) return;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
       // Where the normals disagree about the side, no scattering function gives anything.
@@ -72,49 +108,62 @@ class PhotonTracer {
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }
-    out_.photons.push_back({point.p, wi, flux, path.frames});
-    out_.stored.add(path.frames.count());
+    out_.photons.push_back({point.p, wi, flux, frames, path.strands});
+    out_.stored.add(frames.count());
   }
 
-  /// Whether the path goes on.
-  bool scatter(PhotonPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-               const PathRandom& random) {
-    const double before = sum(path.throughput);
-    const auto account = [&](double absorbed, double terminated) {
-      balance(path.frames, [&](EnergyBalance& e) { e.absorbed += absorbed, e.terminated += terminated; });
-      return false;
-    };
+  /// Where these frames go on; nothing where they end.
+  std::optional<Way> way_on(const PhotonPath& path, FrameSet frames, const Bsdf& bsdf, const SurfacePoint& point,
+                            const Vec3& wo, const PathRandom& random) {
     const int bounce = path.bounces;
-    if (bounce + 1 >= settings_.max_depth) return account(0, before);
-
+    if (bounce + 1 >= settings_.max_depth) return end(path, frames, &EnergyBalance::terminated);
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
-    path.kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
-    if (path.kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons)) return account(0, before);
-
+    const unsigned kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
+    if (kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
+      return end(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
-    if (!sample) return account(before, 0);
-    const float largest = max_component(path.throughput);
-    extend(path, point, *sample);
-    path.throughput *= shading_correction(point, wo, sample->wi) / choice.chance;
-    if (!is_finite(path.throughput)) {
-      reject(path.frames);
-      return account(0, before);
-    }
-    const double scattered = sum(path.throughput);
-    const float p = std::min(1.f, max_component(path.throughput) / largest);
-    const bool alive = p > 0 && survives(path, p, random.number(bounce, kRoulette));
-    account(before - scattered, alive ? scattered - sum(path.throughput) : scattered);
-    return alive;
+    if (!sample) return end(path, frames, &EnergyBalance::absorbed);
+    return Way{frames, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance), *sample, kind};
+  }
+
+  /// Whether the path goes on, in some of its frames.
+  bool scatter(PhotonPath& path, std::span<const FrameFactor> factors, float u) {
+    met_dynamic_ |= factors[0].frames != frames_;
+    const auto roulette = [&](const Strand* weights, FrameSet frames, const Rgb& before, const Rgb& after) {
+      const bool valid = is_finite(after);
+      if (!valid) reject(frames);
+      const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
+      const Rgb left = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      balance(weights, frames, [&](EnergyBalance& e, const Rgb& weight) {
+        const double scattered = valid ? sum(after * weight) : sum(before * weight);
+        e.absorbed += sum(before * weight) - scattered, e.terminated += scattered - sum(left * weight);
+      });
+      return left;
+    };
+    return multiply(path, factors, out_.strands, ByRatio::yes, roulette);
   }
 
   void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
 
-  /// Frames in the full set share one balance, the last; it is added to each of them in the end.
+  std::nullopt_t end(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
+    balance(path, frames, entry);
+    return std::nullopt;
+  }
+
+  /// Adds what these frames of the path carry.
+  void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
+    balance(out_.strands.of(path.strands), frames,
+            [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(path.throughput * weight); });
+  }
+  /// Calls fn(balance, weight) for these frames. Frames in the full set share one balance, the last; it is added to
+  /// each of them in the end.
   template <class Fn>
-  void balance(FrameSet frames, Fn&& fn) {
-    if (frames == frames_) return fn(out_.energy.back());
-    frames.for_each([&](Frame f) { fn(out_.energy[static_cast<std::size_t>(f)]); });
+  void balance(const Strand* weights, FrameSet frames, Fn&& fn) {
+    for_each_strand(weights, frames, [&](FrameSet alike, const Rgb& weight) {
+      if (alike == frames_) return fn(out_.energy.back(), weight);
+      alike.for_each([&](Frame f) { fn(out_.energy[static_cast<std::size_t>(f)], weight); });
+    });
   }
 
   const Scene& scene_;
@@ -127,6 +176,7 @@ class PhotonTracer {
 
 void clear(PhotonTrace& trace, int frames) {
   trace.photons.clear();
+  trace.strands.clear();
   trace.paths = {}, trace.stored = {}, trace.invalid = 0;
   trace.energy.assign(static_cast<std::size_t>(frames) + 1, {});
 }
@@ -150,7 +200,7 @@ void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
 
 std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
   std::size_t sum = 0;
-  for (const PhotonTrace& trace : traces) sum += trace.photons.capacity() * sizeof(Photon);
+  for (const PhotonTrace& trace : traces) sum += trace.photons.capacity() * sizeof(Photon) + trace.strands.bytes();
   return sum;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/rng.h"
 #include "integrators/statistics.h"
+#include "integrators/strand.h"
 #include "world/scene.h"
 
 namespace dspm {
@@ -16,6 +17,7 @@ struct Photon {
   Vec3 wi;   // towards where it came from, unit length
   Rgb flux;  // in W; already holds |cos(wi, ns) / cos(wi, ng)| of its surface, so that a gather needs no cosine
   FrameSet frames;
+  StrandList strands = 0;  // in its trace's table: what frames have times the flux, where they differ
 };
 
 /// Photons by what happened to them before they are stored.
@@ -32,11 +34,13 @@ struct PhotonSettings {
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: nothing is stored for them alone
   unsigned kinds = kAllPhotons;  // those that are stored
+  bool mixture = false;          // frames that differ in looks only share paths; else they part
 };
 
 /// What a range of photon paths left behind.
 struct PhotonTrace {
   std::vector<Photon> photons;  // by path index, then branch; a frame's photons of one path by bounce
+  StrandTable strands;
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame

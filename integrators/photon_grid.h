@@ -1,33 +1,47 @@
 // Photons sorted by place, ready to be gathered.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "core/parallel.h"
 #include "core/rgb_lanes.h"
 #include "integrators/photon.h"
 #include "integrators/point_grid.h"
+#include "integrators/refit.h"
 
 namespace dspm {
 
+/// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant;
+/// nobody looks at the fourth, bytes of the next member.
+struct alignas(32) GatheredPhoton {
+  Vec3 wi;
+  Rgb flux;
+  FrameSet frames;
+
+  __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
+  RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
+};
+
+/// One whose flux differs between its frames.
+struct GatheredStrands {
+  Vec3 wi;
+  Rgb flux;
+  FrameSet frames;
+  const Strand* strands;
+};
+
 /// Photons of a cell keep the order in which they are given.
+template <class Gathered>
 class PhotonGrid {
  public:
-  /// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant;
-  /// nobody looks at the fourth, bytes of the next member.
-  struct alignas(32) Gathered {
-    Vec3 wi;
-    Rgb flux;
-    FrameSet frames;
+  /// Of `count` photons: photon(i) is the i-th, gathered(i) what is kept of it. `cell_size` suits a typical search
+  /// radius.
+  template <class PhotonOf, class GatheredOf>
+  void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered);
 
-    __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
-    RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
-  };
-
-  /// `cell_size` suits a typical search radius.
-  void build(std::span<const Photon* const> photons, float cell_size);
-
-  std::size_t bytes() const;
+  std::size_t bytes() const {
+    return grid_.bytes() + photons_.capacity() * sizeof(Gathered) + points_.capacity() * sizeof(Vec3);
+  }
   /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were
   /// tested.
   template <class Fn>
@@ -42,5 +56,23 @@ class PhotonGrid {
   std::vector<Gathered> photons_;
   std::vector<Vec3> points_;
 };
+
+template <class Gathered>
+template <class PhotonOf, class GatheredOf>
+void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered) {
+  constexpr std::int64_t kGrain = 1 << 14;
+  const auto photons = static_cast<std::int64_t>(count);
+  refit(points_, count);
+  parallel_for(photons, kGrain, [&](std::int64_t number) {
+    const auto i = static_cast<std::size_t>(number);
+    points_[i] = photon(i).p;
+  });
+  grid_.build(points_, cell_size);
+  refit(photons_, count);
+  parallel_for(photons, kGrain, [&](std::int64_t place) {
+    const auto i = static_cast<std::size_t>(place);
+    photons_[i] = gathered(grid_.order()[i]);
+  });
+}
 
 }  // namespace dspm

@@ -1,7 +1,7 @@
 #include "integrators/photon_map.h"
 
+#include <algorithm>
 #include <numeric>
-#include <span>
 
 #include "core/parallel.h"
 #include "integrators/counting_sort.h"
@@ -13,8 +13,9 @@ namespace {
 /// For each class of photons how many a trace has, and later where they go.
 using Places = std::vector<std::size_t>;
 
-/// 0 for what frames have in common, 1 + f for what frame f has alone.
-std::size_t class_of(const Photon& photon) {
+/// 0 for what frames have in common, 1 + f for what frame f has alone, then those with strands.
+std::size_t class_of(const Photon& photon, std::size_t frames) {
+  if (photon.strands != 0) return frames + 1;
   return photon.frames.count() > 1 ? 0 : static_cast<std::size_t>(photon.frames.lowest()) + 1;
 }
 
@@ -23,56 +24,79 @@ void for_each_trace(const std::vector<PhotonTrace>& traces, Fn&& fn) {
   parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t t) { fn(static_cast<std::size_t>(t)); });
 }
 
-std::vector<Places> count(const std::vector<PhotonTrace>& traces, int frames) {
+std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t frames) {
   std::vector<Places> counts(traces.size());
   for_each_trace(traces, [&](std::size_t t) {
+    counts[t].resize(frames + 2);
     if (frames == 1) {
-      counts[t] = {traces[t].photons.size()};
+      counts[t][0] = traces[t].photons.size();
       return;
     }
-    counts[t].resize(static_cast<std::size_t>(frames) + 1);
-    for (const Photon& photon : traces[t].photons) ++counts[t][class_of(photon)];
+    for (const Photon& photon : traces[t].photons) ++counts[t][class_of(photon, frames)];
   });
   return counts;
 }
 
+/// So that it is not worth the while to keep frames apart.
 bool mostly_common(const std::vector<Places>& counts) {
   std::size_t common = 0, all = 0;
-  for (const Places& trace : counts) common += trace[0], all = std::accumulate(trace.begin(), trace.end(), all);
+  for (const Places& trace : counts) common += trace[0], all = std::accumulate(trace.begin(), trace.end() - 1, all);
   return 2 * common >= all;
 }
 
 }  // namespace
 
-void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
+void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size) {
+  const auto frames = static_cast<std::size_t>(frame_count);
   std::vector<Places> places = count(traces, frames);
   const bool by_frame = !mostly_common(places);
   if (!by_frame)
-    for (Places& trace : places) trace = {std::accumulate(trace.begin(), trace.end(), std::size_t{0})};
-  const std::size_t classes = by_frame ? static_cast<std::size_t>(frames) + 1 : 1;
-  Places begin(classes + 1);
+    for (Places& trace : places) {
+      trace[0] = std::accumulate(trace.begin(), trace.end() - 1, std::size_t{0});
+      std::fill(trace.begin() + 1, trace.end() - 1, 0);
+    }
+  Places begin(frames + 3);
   turn_into_places(places, begin);
+  const std::size_t first_strands = begin[frames + 1];
   refit(photons_, begin.back());
+  refit(strands_, begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
-    for (const Photon& photon : traces[t].photons) photons_[places[t][by_frame ? class_of(photon) : 0]++] = &photon;
+    for (const Photon& photon : traces[t].photons) {
+      const std::size_t all = frames == 1 ? 0 : class_of(photon, frames), c = by_frame || all > frames ? all : 0;
+      const std::size_t place = places[t][c]++;
+      photons_[place] = &photon;
+      if (c > frames) strands_[place - first_strands] = traces[t].strands.of(photon.strands);
+    }
   });
 
-  const auto photons_of = [&](std::size_t first, std::size_t end) {
-    return std::span<const Photon* const>(photons_).subspan(begin[first], begin[end] - begin[first]);
+  const auto build = [&](PhotonGrid<GatheredPhoton>& grid, std::size_t first, std::size_t end) {
+    const auto photon = [&, at = begin[first]](std::size_t i) -> const Photon& { return *photons_[at + i]; };
+    grid.build(begin[end] - begin[first], cell_size, photon, [&](std::size_t i) {
+      return GatheredPhoton{photon(i).wi, photon(i).flux, photon(i).frames};
+    });
   };
-  of_frame_.resize(classes - 1);
+  of_frame_.resize(by_frame ? frames : 0);
   // A grid of few photons has no work for all threads: the grids are built side by side.
-  parallel_for(static_cast<std::int64_t>(classes) + 1, 1, [&](std::int64_t grid) {
+  parallel_for(static_cast<std::int64_t>(of_frame_.size()) + 3, 1, [&](std::int64_t grid) {
     const auto i = static_cast<std::size_t>(grid);
-    if (i == 0) common_.build(photons_of(0, 1), cell_size);
-    if (i == 1) single_.build(photons_of(1, classes), cell_size);
-    if (i >= 2) of_frame_[i - 2].build(photons_of(i - 1, i), cell_size);
+    if (i == 0) build(common_, 0, 1);
+    if (i == 1) build(single_, 1, frames + 1);
+    if (i == 2) build_with_strands(first_strands, cell_size);
+    if (i >= 3) build(of_frame_[i - 3], i - 2, i - 1);
+  });
+}
+
+void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
+  const auto photon = [&](std::size_t i) -> const Photon& { return *photons_[first + i]; };
+  with_strands_.build(strands_.size(), cell_size, photon, [&](std::size_t i) {
+    return GatheredStrands{photon(i).wi, photon(i).flux, photon(i).frames, strands_[i]};
   });
 }
 
 std::size_t PhotonMap::bytes() const {
-  std::size_t sum = photons_.capacity() * sizeof(Photon*) + common_.bytes() + single_.bytes();
-  for (const PhotonGrid& grid : of_frame_) sum += grid.bytes();
+  std::size_t sum = (photons_.capacity() + strands_.capacity()) * sizeof(Photon*) + common_.bytes() + single_.bytes() +
+                    with_strands_.bytes();
+  for (const auto& grid : of_frame_) sum += grid.bytes();
   return sum;
 }
 

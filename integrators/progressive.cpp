@@ -129,7 +129,7 @@ class Progressive final : public Integrator {
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
-      for (const HitPoint& hit : tile.hit_points) estimator_->gather_at(hit, tile.scattering_of(hit), map_, counts[t]);
+      for (const HitPoint& hit : tile.hit_points) estimator_->gather_at(hit, tile, map_, counts[t]);
     });
     account(counts, statistics_);
   }

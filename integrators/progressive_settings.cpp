@@ -24,9 +24,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones are followed");
-  if (params.flag("mixture", false,
-                  "false: paths split where frames differ in looks only; sharing them is not built yet"))
-    params.unsupported("mixture", "one path with a weight for each frame");
+  const bool mixture = params.flag(
+      "mixture", true, "frames that differ in looks only share paths, with a weight each; false: they part");
   params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
@@ -43,6 +42,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
   s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
+  s.photon.mixture = s.hit_point.mixture = mixture;
   s.hit_point.sample_direct = sampled;
   return s;
 }

@@ -39,11 +39,10 @@ class Hj09 final : public PixelEstimator {
     return R2 > 0 ? R2 : hit.radius * hit.radius;
   }
 
-  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
-                 GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const auto at = static_cast<std::size_t>(hit.pixel);
     pixels_[at].begin(hit.radius * hit.radius);
-    const PassSums sums = gather_at_one(hit, scattering, map, pixels_[at].R2, counts);
+    const PassSums sums = gather_at_one(hit, tile.scattering_of(hit), map, pixels_[at].R2, counts);
     if (of_.batched)
       passes_[at] += sums;
     else
@@ -83,11 +82,10 @@ class Kz11 final : public PixelEstimator {
 
   float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
 
-  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
-                 GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = radius_.squared(hit);
     sums_[static_cast<std::size_t>(hit.pixel)] +=
-        gather_at_one(hit, scattering, map, radius2, counts).phi / (kPi * radius2);
+        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / (kPi * radius2);
   }
 
   // Every iteration emits as many photons, so what was seen is weighted by them and needs no sums of its own.

@@ -50,6 +50,9 @@ class Bsdf {
   /// gathering then sums flux first and multiplies once (of light on the wrong side of ns the gatherer takes care).
   /// Nothing for all else.
   virtual std::optional<Rgb> lambertian(LobeSet) const { return std::nullopt; }
+  /// f over that of `other`, a scattering at the same point, where that is one colour for all directions: what differs
+  /// in colour only is then evaluated once. Nothing where it is not, or cannot be told.
+  virtual std::optional<Rgb> ratio_to(const Bsdf& /*other*/, LobeSet) const { return std::nullopt; }
 
  protected:
   ~Bsdf() = default;

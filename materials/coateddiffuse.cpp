@@ -18,6 +18,8 @@
 // pbrt estimates the same layers by a random walk, whose values are random; this is exact for a smooth coat without a
 // medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth.
 // [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces]
+#include <typeinfo>
+
 #include "core/sampling.h"
 #include "materials/fresnel.h"
 #include "materials/interface.h"
@@ -73,6 +75,13 @@ class CoatedDiffuse final : public Bsdf {
 
   float share(const Vec3& wo, LobeSet lobes) const override {
     return share_of(fresnel_dielectric(std::max(0.f, frame_.local(wo, frame_.side(wo)).z), eta_), lobes);
+  }
+
+  std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {
+    if (typeid(other) != typeid(CoatedDiffuse)) return std::nullopt;
+    const auto& o = static_cast<const CoatedDiffuse&>(other);
+    if (eta_ != o.eta_ || ((lobes & kCoat) && !(smooth_ && o.smooth_))) return std::nullopt;
+    return ratio(base_, o.base_);
   }
 
  private:

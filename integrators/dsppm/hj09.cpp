@@ -51,8 +51,7 @@ class Hj09 final : public PixelEstimator {
     return radii.largest();
   }
 
-  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
-                 GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
     // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
     Extremes radii;
@@ -66,24 +65,27 @@ class Hj09 final : public PixelEstimator {
     std::uint32_t shared_M = 0;
     RgbLanes shared_phi;
     const float smallest2 = radii.smallest();
-    gather(hit, scattering, map, radii.largest(), counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
-      if (frames == hit.frames && distance2 <= smallest2) {
-        ++shared_M, shared_phi += flux;
-        return;
-      }
-      for_each_group(frames, [&](int group, __m128 there) {
-        const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
-        sums[group].add(_mm_and_ps(there, within), flux.rgb());
-      });
-    });
+    gather(hit, tile.scattering_of(hit), map, radii.largest(), counts,
+           [&](FrameSet frames, RgbLanes flux, float distance2) {
+             if (frames == hit.frames && distance2 <= smallest2) {
+               ++shared_M, shared_phi += flux;
+               return;
+             }
+             for_each_group(frames, [&](int group, __m128 there) {
+               const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
+               sums[group].add(_mm_and_ps(there, within), flux.rgb());
+             });
+           });
 
     const PassSums shared{shared_M, shared_phi.rgb()};
-    for_each_group(hit.frames, [&](int group, __m128 lanes) {
-      const FourSums total = sums[group].total(lanes, shared, hit.throughput);
-      if (of_.batched)
-        passes_[index(hit.pixel, group)] += total;
-      else
-        pixel[group].absorb(total, of_.alpha);
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      for_each_group(frames, [&](int group, __m128 lanes) {
+        const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight);
+        if (of_.batched)
+          passes_[index(hit.pixel, group)] += total;
+        else
+          pixel[group].absorb(total, of_.alpha);
+      });
     });
   }
 

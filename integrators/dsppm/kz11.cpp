@@ -18,14 +18,13 @@ class Kz11 final : public PixelEstimator {
 
   float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
 
-  void gather_at(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
-                 GatherCounts& counts) override {
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = radius_.squared(hit);
     const Rgb per_area = hit.throughput / (kPi * radius2);
     RgbLanes shared;
     __m128 own[kMaxFrames];  // only those of the frames in with_own are there
     FrameSet with_own;
-    gather(hit, scattering, map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
+    gather(hit, tile.scattering_of(hit), map, radius2, counts, [&](FrameSet frames, RgbLanes flux, float) {
       if (frames == hit.frames) {
         shared += flux;
         return;
@@ -37,8 +36,11 @@ class Kz11 final : public PixelEstimator {
         sum = _mm_add_ps(sum, flux.lanes);
       });
     });
-    add(hit.pixel, hit.frames, shared.rgb() * per_area);
-    with_own.for_each([&](Frame f) { own_[index(hit.pixel, f)] += RgbLanes(own[f]).rgb() * per_area; });
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      const Rgb times = per_area * weight;
+      add(hit.pixel, frames, shared.rgb() * times);
+      (frames & with_own).for_each([&](Frame f) { own_[index(hit.pixel, f)] += RgbLanes(own[f]).rgb() * times; });
+    });
   }
 
   // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.

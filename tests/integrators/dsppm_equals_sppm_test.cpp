@@ -78,8 +78,8 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
         RandomScene(seed, frames)
             .text(fmt::format(
                 "Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
-                "\"string estimator\" \"{}\" \"integer seed\" {}",
-                i % 3 == 2 ? "sampled" : "photons", estimator, i));
+                "\"string estimator\" \"{}\" \"bool mixture\" {} \"integer seed\" {}",
+                i % 3 == 2 ? "sampled" : "photons", estimator, i % 5 != 4, i));
     SCOPED_TRACE(text);
     TestScene test(text);
     const Comparison one = compare(test);

@@ -126,7 +126,16 @@ class RandomScene {
       return whole(0, 3) == 0 ? std::string(" \"texture roughness\" \"grain\"")
                               : fmt::format(" \"float roughness\" {}", real(low, high));
     };
-    switch (whole(0, 10)) {
+    switch (whole(0, 15)) {
+      case 11: return "Material \"coateddiffuse\"" + keyed("rgb reflectance", "[.8 .1 .1]", "[.1 .2 .9]") + "\n";
+      case 12:
+        return "Material \"coateddiffuse\" \"texture reflectance\" \"" + any_texture() + "\"" +
+               keyed("float roughness", "0.05", "0.4") + "\n";
+      case 13:
+        return "Material \"conductor\"" + keyed("rgb reflectance", "[.9 .6 .2]", "[.6 .7 .9]") + rough(0.1f, 0.3f) +
+               "\n";
+      case 14: return "Material \"conductor\"" + keyed("float roughness", "0.3", "0.02") + "\n";
+      case 15: return "Material \"dielectric\"" + keyed("float roughness", "0", "0.3") + "\n";
       case 0: return "Material \"diffuse\" \"rgb reflectance\" [.6 .2 .3]\n";
       case 1: return "Material \"conductor\"\n";
       case 2: return "Material \"conductor\"" + rough(0.01f, 0.5f) + "\n";

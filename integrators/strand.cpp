@@ -1,0 +1,50 @@
+#include "integrators/strand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dspm {
+namespace {
+
+// Of two products of the same colours in different order.
+constexpr float kRoundings = 1e-6f;
+
+bool nearly_equal(float a, float b) { return std::abs(a - b) <= kRoundings * std::max(std::abs(a), std::abs(b)); }
+
+/// How many times b is a, if it is a multiple.
+std::optional<float> multiple_of(const Rgb& a, const Rgb& b) {
+  const float s = max_component(a) / max_component(b);
+  for (int c = 0; c < 3; ++c)
+    if (!nearly_equal(a[c], s * b[c])) return std::nullopt;
+  return s;
+}
+
+}  // namespace
+
+Rgb Strands::take_common() {
+  const Rgb common = strands_[0].weight;
+  FrameArray<float> multiples;
+  for (const Strand& strand : strands_) {
+    const auto multiple = multiple_of(strand.weight, common);
+    if (!multiple) return Rgb(1);
+    multiples.add(*multiple);
+  }
+  if (std::all_of(multiples.begin(), multiples.end(), [](float m) { return nearly_equal(m, 1); })) {
+    strands_.shrink(0);
+    strands_.add({frames_, Rgb(1), 0, true});
+    return common;
+  }
+  for (std::size_t i = 0; i < strands_.size(); ++i) strands_[i].weight = Rgb(multiples[i]), strands_[i].grey = true;
+  return common;
+}
+
+StrandList StrandTable::add(std::span<const Strand> strands) {
+  const auto list = static_cast<StrandList>(strands_.size());
+  strands_.insert(strands_.end(), strands.begin(), strands.end());
+  for (std::size_t i = 0; i < strands.size(); ++i)
+    strands_[list + i].rest = static_cast<std::uint16_t>(strands.size() - 1 - i);
+  return list;
+}
+
+}  // namespace dspm

@@ -1,0 +1,67 @@
+// Frames that differ in looks or in light only share a path, each with a throughput of its own: the strands of a path.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/frame_array.h"
+#include "core/rgb.h"
+
+namespace dspm {
+
+/// Frames of a path that carry the same. The strands of a list lie behind one another and have disjoint sets; they may
+/// hold frames that the path has left.
+struct Strand {
+  FrameSet frames;
+  Rgb weight;              // times the path's throughput
+  std::uint16_t rest = 0;  // strands that follow in the list
+  bool grey = false;       // all weights of the list are: what depends on colour alone is the same for all frames
+};
+
+/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list that is one of weight 1.
+template <class Fn>
+void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
+  if (list == nullptr) return fn(frames, Rgb(1));
+  for (;; ++list) {
+    if (const FrameSet common = list->frames & frames; !common.empty()) fn(common, list->weight);
+    if (list->rest == 0) return;
+  }
+}
+
+/// A number of a list in its table; 0: none, all frames carry the path's throughput.
+using StrandList = std::uint32_t;
+
+/// What the frames of a path carry, before it becomes a list.
+class Strands {
+ public:
+  void add(FrameSet frames, const Rgb& weight) {
+    strands_.add({frames, weight});
+    frames_ |= frames;
+  }
+  FrameSet frames() const { return frames_; }
+  std::span<const Strand> strands() const { return strands_; }
+  /// Divides out what all have in common, and returns it: a colour of which all weights are multiples; 1 if there is
+  /// none. Weights that are one and the same become a single strand.
+  Rgb take_common();
+
+ private:
+  FrameArray<Strand> strands_;
+  FrameSet frames_;
+};
+
+/// The lists of many paths.
+class StrandTable {
+ public:
+  StrandTable() : strands_(1) {}  // list 0 is none
+  void clear() { strands_.resize(1); }
+  const Strand* of(StrandList list) const { return list == 0 ? nullptr : &strands_[list]; }
+  StrandList add(std::span<const Strand> strands);
+  std::size_t filled_bytes() const { return strands_.size() * sizeof(Strand); }
+  std::size_t bytes() const { return strands_.capacity() * sizeof(Strand); }
+
+ private:
+  std::vector<Strand> strands_;
+};
+
+}  // namespace dspm
