@@ -66,7 +66,8 @@ class PixelTracer {
   void follow(const TracedPath& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) return escape(path, part.frames);
     const Vec3 wo = -path.ray.direction;
-    for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+    const SurfacePoint point = scene_.surface_point(part.hit);
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       met_dynamic_ |= frames != scene_.frames();
       add_emission(path, {frames, part.hit}, point, wo);
       if (path.bounces >= max_depth_) return;

@@ -45,21 +45,18 @@ class PathStack {
   int count_ = 0;
 };
 
-/// Calls fn(FrameSet, const Bsdf&), or fn(FrameSet, const SurfacePoint&, const Bsdf&), for each scattering that the part's frames find at its hit:
-/// one, unless the material differs between them.
+inline const FrameStates<Material>& material_at(const Scene& scene, const RayHit& hit) {
+  return scene.materials[static_cast<std::size_t>(scene.shapes[static_cast<std::size_t>(hit.shape)].material)];
+}
+
+/// Calls fn(FrameSet, const Bsdf&) for each scattering that the part's frames find at its hit: one, unless the material
+/// differs between them.
 template <class Fn>
 void for_each_surface(const Scene& scene, const FrameHit& part, const SurfacePoint& point, Fn&& fn) {
-  const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
-  scene.materials[static_cast<std::size_t>(shape.material)].for_each(part.frames,
-                                                                     [&](FrameSet frames, const Material& material) {
-                                                                       BsdfSlot slot;
-                                                                       fn(frames, material.bsdf(point, slot));
-                                                                     });
-}
-template <class Fn>
-void for_each_surface(const Scene& scene, const FrameHit& part, Fn&& fn) {
-  const SurfacePoint point = scene.surface_point(part.hit);
-  for_each_surface(scene, part, point, [&](FrameSet frames, const Bsdf& bsdf) { fn(frames, point, bsdf); });
+  material_at(scene, part.hit).for_each(part.frames, [&](FrameSet frames, const Material& material) {
+    BsdfSlot slot;
+    fn(frames, material.bsdf(point, slot));
+  });
 }
 
 /// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const
@@ -156,24 +153,12 @@ void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   }
 }
 
-/// Whether what is left of a throughput depends on how it changes, not on how large it is.
-enum class ByRatio { no, yes };
-
-/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it: black takes frames out
-/// of the path, as frames without a factor are. left(weights, FrameSet, before, after) is asked once for frames that
-/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by grey `weights` only (null: they do
-/// not). Returns whether there is anything left.
+/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it, frame by frame.
 template <class Left>
-bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable& table, ByRatio by_ratio,
-              Left&& left) {
-  const Strand* list = table.of(path.strands);
-  if (factors.size() == 1 && (list == nullptr || (list->grey && by_ratio == ByRatio::yes))) {
-    path.frames &= factors[0].frames;
-    path.throughput = left(list, path.frames, path.throughput, path.throughput * factors[0].factor);
-    return !is_black(path.throughput);
-  }
+[[gnu::noinline]] bool multiply_strands(PathState& path, std::span<const FrameFactor> factors, StrandTable& table,
+                                        Left&& left) {
   Strands next;
-  for_each_strand(list, path.frames, [&](FrameSet frames, const Rgb& weight) {
+  for_each_strand(table.of(path.strands), path.frames, [&](FrameSet frames, const Rgb& weight) {
     const Rgb before = path.throughput * weight;
     for (const FrameFactor& f : factors) {
       const FrameSet common = frames & f.frames;
@@ -187,6 +172,24 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   path.throughput = next.take_common();
   path.strands = next.strands().size() == 1 ? 0 : table.add(next.strands());
   return true;
+}
+
+/// Whether what is left of a throughput depends on how it changes, not on how large it is.
+enum class ByRatio { no, yes };
+
+/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it: black takes frames out
+/// of the path, as frames without a factor are. left(weights, FrameSet, before, after) is asked once for frames that
+/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by grey `weights` only (null: they do
+/// not). Returns whether there is anything left.
+template <class Left>
+bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable& table, ByRatio by_ratio,
+              Left&& left) {
+  const Strand* list = table.of(path.strands);
+  if (factors.size() > 1 || (list != nullptr && !(list->grey && by_ratio == ByRatio::yes)))
+    return multiply_strands(path, factors, table, left);
+  path.frames &= factors[0].frames;
+  path.throughput = left(list, path.frames, path.throughput, path.throughput * factors[0].factor);
+  return !is_black(path.throughput);
 }
 
 /// For multiply().

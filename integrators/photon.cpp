@@ -84,23 +84,34 @@ class PhotonTracer {
     if (part.hit.missed()) return balance(path, part.frames, &EnergyBalance::escaped);
     const Vec3 wo = -path.ray.direction;
     const SurfacePoint point = scene_.surface_point(part.hit);
+    if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(path, part, point, wo, random);
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (bsdf.lobes(settings_.least_alpha) != 0) store(path, frames, point, wo);
+      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, unsigned kind, const Rgb& factor) {
+        const FrameFactor all{frames, factor};
+        go_on(path, point, sample, kind, {&all, 1}, random);
+      });
+    });
+  }
+
+  [[gnu::noinline]] void follow_together(const PhotonPath& path, const FrameHit& part, const SurfacePoint& point,
+                                         const Vec3& wo, const PathRandom& random) {
     FrameSet gathering;
     FrameArray<Way> ways;
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
-      if (const auto way = way_on(path, frames, bsdf, point, wo, random)) ways.add(*way);
+      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, unsigned kind, const Rgb& factor) {
+        ways.add({frames, factor, sample, kind});
+      });
     });
-    store(path, gathering, point, wo);
+    if (!gathering.empty()) store(path, gathering, point, wo);
     for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
-      PhotonPath& branch = stack_.push(path);
-      branch.kind = first.kind;
-      move_on(branch, point, first.sample);
-      if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
+      go_on(path, point, first.sample, first.kind, factors, random);
     });
   }
 
   void store(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
-    if (frames.empty() || (path.kind & settings_.kinds) == 0) return;
+    if ((path.kind & settings_.kinds) == 0) return;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
       // Where the normals disagree about the side, no scattering function gives anything.
@@ -112,19 +123,28 @@ class PhotonTracer {
     out_.stored.add(frames.count());
   }
 
-  /// Where these frames go on; nothing where they end.
-  std::optional<Way> way_on(const PhotonPath& path, FrameSet frames, const Bsdf& bsdf, const SurfacePoint& point,
-                            const Vec3& wo, const PathRandom& random) {
+  /// Calls fn(const BsdfSample&, kind, factor) unless these frames end.
+  template <class Fn>
+  void way_on(const PhotonPath& path, FrameSet frames, const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo,
+              const PathRandom& random, Fn&& fn) {
     const int bounce = path.bounces;
-    if (bounce + 1 >= settings_.max_depth) return end(path, frames, &EnergyBalance::terminated);
+    if (bounce + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
     const unsigned kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
     if (kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
-      return end(path, frames, &EnergyBalance::terminated);
+      return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
-    if (!sample) return end(path, frames, &EnergyBalance::absorbed);
-    return Way{frames, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance), *sample, kind};
+    if (!sample) return balance(path, frames, &EnergyBalance::absorbed);
+    fn(*sample, kind, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance));
+  }
+
+  void go_on(const PhotonPath& path, const SurfacePoint& point, const BsdfSample& sample, unsigned kind,
+             std::span<const FrameFactor> factors, const PathRandom& random) {
+    PhotonPath& branch = stack_.push(path);
+    branch.kind = kind;
+    move_on(branch, point, sample);
+    if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
   }
 
   /// Whether the path goes on, in some of its frames.
@@ -135,9 +155,10 @@ class PhotonTracer {
       if (!valid) reject(frames);
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb left = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
-      balance(weights, frames, [&](EnergyBalance& e, const Rgb& weight) {
-        const double scattered = valid ? sum(after * weight) : sum(before * weight);
-        e.absorbed += sum(before * weight) - scattered, e.terminated += scattered - sum(left * weight);
+      const double arrived = sum(before), scattered = valid ? sum(after) : arrived;
+      const double absorbed = arrived - scattered, terminated = scattered - sum(left);
+      balance(weights, frames, [&](EnergyBalance& e, const Rgb& grey) {
+        e.absorbed += absorbed * static_cast<double>(grey.r), e.terminated += terminated * static_cast<double>(grey.r);
       });
       return left;
     };
@@ -145,11 +166,6 @@ class PhotonTracer {
   }
 
   void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
-
-  std::nullopt_t end(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
-    balance(path, frames, entry);
-    return std::nullopt;
-  }
 
   /// Adds what these frames of the path carry.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {

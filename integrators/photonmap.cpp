@@ -167,7 +167,8 @@ class PhotonMapper final : public Integrator {
       counts.paths.segments.add(path.frames.count());
       for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) continue;
-        for_each_surface(scene_, part, [&](FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf) {
+        const SurfacePoint point = scene_.surface_point(part.hit);
+        for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
           PathState branch = path;
           branch.frames = frames;
           end_or_follow(branch, point, bsdf, from, random, stack, counts, add);

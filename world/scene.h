@@ -22,6 +22,12 @@ struct FrameStates {
   };
   std::vector<State> states;
 
+  /// Whether these frames are in more than one state, or partly lack the thing.
+  bool differs_in(FrameSet frames) const {
+    for (const State& s : states)
+      if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
+    return false;
+  }
   /// Calls fn(FrameSet, const T&) for each state that holds in some of `frames`.
   template <class Fn>
   void for_each(FrameSet frames, Fn&& fn) const {
