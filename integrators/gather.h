@@ -18,31 +18,21 @@ struct GatherCounts {
   std::uint64_t invalid = 0;
 };
 
-/// Calls fn(frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that counts for
-/// the hit point in some frame, strand by strand: photons which arrive at the back of the surface do not, unless its
-/// lobes let light pass. Throughput is left to the caller.
+/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that
+/// counts for the hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let
+/// light pass. Throughput is left to the caller, and so are the photon's strands, mostly null.
 template <class Fn>
 void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
             GatherCounts& counts, Fn&& fn) {
   SharedCount within;
-  const auto give = [&fn](const auto& photon, FrameSet frames, const Rgb& flux, float distance2) {
-    if constexpr (requires { photon.strands; })
-      for_each_strand(photon.strands, frames,
-                      [&](FrameSet alike, const Rgb& weight) { fn(alike, RgbLanes(flux * weight), distance2); });
-    else
-      fn(frames, RgbLanes(flux), distance2);
-  };
   std::uint64_t tested = 0;
   if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
     const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
     tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
-      if constexpr (requires { photon.strands; }) {
-        if (!frames.empty() && dot(photon.wi, hit.ng) > 0) give(photon, frames, photon.flux, distance2);
-      } else if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0) {
-        fn(frames, photon.flux_lanes(), distance2);
-      }
+      if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
+        fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
     });
   } else {
     tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
@@ -52,7 +42,7 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
       const Rgb flux =
           photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
       counts.invalid += !is_finite(flux);
-      give(photon, frames, is_finite(flux) ? flux : Rgb(), distance2);
+      fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
     });
   }
   counts.found += within;

@@ -183,7 +183,7 @@ class HitPointTracer {
       PathState& branch = stack_.push(path);
       move_on(branch, point, first.sample);
       const float u = random.number(path.bounces, kRoulette);
-      const auto roulette = [&](const Strand*, FrameSet frames, const Rgb&, const Rgb& after) {
+      const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
         if (!is_finite(after)) return reject(frames), Rgb();
         const float p = roulette_chance(after, branch.eta_scale, path.bounces);
         return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();

@@ -126,12 +126,6 @@ inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample&
   move_on(path, point, sample);
 }
 
-/// By how much a scattering or a light changes what these frames carry.
-struct FrameFactor {
-  FrameSet frames;
-  Rgb factor;
-};
-
 /// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be one, with the first of them and
 /// the factors of all; for each item alone unless they are to `join`. An item has `frames`, and along(first) gives its
 /// factor if it can go along with `first`, itself included.
@@ -163,7 +157,7 @@ template <class Left>
     for (const FrameFactor& f : factors) {
       const FrameSet common = frames & f.frames;
       if (common.empty()) continue;
-      const Rgb after = left(nullptr, common, before, before * f.factor);
+      const Rgb after = left(StrandList{0}, common, before, before * f.factor);
       if (!is_black(after)) next.add(common, after);
     }
   });
@@ -179,8 +173,8 @@ enum class ByRatio { no, yes };
 
 /// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it: black takes frames out
 /// of the path, as frames without a factor are. left(weights, FrameSet, before, after) is asked once for frames that
-/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by grey `weights` only (null: they do
-/// not). Returns whether there is anything left.
+/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by the grey list `weights` only (0: they
+/// do not). Returns whether there is anything left.
 template <class Left>
 bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable& table, ByRatio by_ratio,
               Left&& left) {
@@ -188,12 +182,12 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   if (factors.size() > 1 || (list != nullptr && !(list->grey && by_ratio == ByRatio::yes)))
     return multiply_strands(path, factors, table, left);
   path.frames &= factors[0].frames;
-  path.throughput = left(list, path.frames, path.throughput, path.throughput * factors[0].factor);
+  path.throughput = left(path.strands, path.frames, path.throughput, path.throughput * factors[0].factor);
   return !is_black(path.throughput);
 }
 
 /// For multiply().
-inline Rgb keep_all(const Strand*, FrameSet, const Rgb&, const Rgb& after) { return after; }
+inline Rgb keep_all(StrandList, FrameSet, const Rgb&, const Rgb& after) { return after; }
 
 inline constexpr int kFirstRouletteBounce = 4;  // of camera paths
 

@@ -12,16 +12,44 @@ struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
 };
 
-/// How frames start.
+/// What the paths of a light start with, in frames that get the same but for colour.
 struct Start {
+  const Light* light;
   FrameSet frames;
-  Rgb flux;
-  Ray ray;
+  Rgb factor;  // of the light's flux
+  StrandList strands;
+};
 
-  std::optional<Rgb> along(const Start& first) const {
-    const bool same = ray.origin == first.ray.origin && ray.direction == first.ray.direction;
-    return same ? std::optional(flux) : std::nullopt;
+/// For every light of the scene how its paths start, and the strands for that.
+class Starts {
+ public:
+  Starts(const Scene& scene, bool mixture) {
+    for (const SceneLight& light : scene.lights) {
+      std::vector<Start>& starts = of_light_.emplace_back();
+      for (const SceneLight::Alike& alike : light.alike)
+        if (mixture) {
+          add(*alike.light, alike.factors, starts);
+        } else {
+          for (const FrameFactor& f : alike.factors) add(*alike.light, {&f, 1}, starts);
+        }
+    }
   }
+  const std::vector<Start>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
+  const StrandTable& strands() const { return strands_; }
+
+ private:
+  void add(const Light& light, std::span<const FrameFactor> factors, std::vector<Start>& starts) {
+    Strands strands;
+    for (const FrameFactor& f : factors)
+      if (!is_black(f.factor)) strands.add(f.frames, f.factor);
+    if (strands.strands().empty()) return;
+    const Rgb common = strands.take_common();
+    const StrandList list = strands.strands().size() == 1 ? 0 : strands_.add(strands.strands());
+    starts.push_back({&light, strands.frames(), common, list});
+  }
+
+  std::vector<std::vector<Start>> of_light_;
+  StrandTable strands_;
 };
 
 /// How frames go on.
@@ -41,8 +69,8 @@ double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>
 
 class PhotonTracer {
  public:
-  PhotonTracer(const Scene& scene, const PhotonSettings& settings, PhotonTrace& out)
-      : scene_(scene), settings_(settings), frames_(scene.frames()), out_(out) {}
+  PhotonTracer(const Scene& scene, const PhotonSettings& settings, const Starts& starts, PhotonTrace& out)
+      : scene_(scene), settings_(settings), starts_(starts), frames_(scene.frames()), out_(out) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
     const PathRandom random(settings_.seed, settings_.stream, path_index, iteration);
@@ -63,21 +91,19 @@ class PhotonTracer {
   void start(const PathRandom& random) {
     const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
     if (chosen.probability == 0) return;
-    const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
     const Vec2 u_point = random.pair(0, kLightPoint), u_direction = random.pair(0, kLightDirection);
-    FrameArray<Start> starts;
-    light.states.for_each(frames_, [&](FrameSet frames, const Light& state) {
-      const auto emission = state.emit(u_point, u_direction);
-      if (!emission || is_black(emission->flux)) return;
-      const Rgb flux = emission->flux / chosen.probability;
-      if (!is_finite(flux)) return reject(frames);
-      starts.add({frames, flux, emission->ray});
-    });
-    for_each_joint(starts, settings_.mixture, [&](const Start& first, std::span<const FrameFactor> flux) {
-      PhotonPath& path = stack_.push({{first.ray, Rgb(1), frames_}, kDirectPhotons});
-      multiply(path, flux, out_.strands, ByRatio::yes, keep_all);
+    for (const Start& start : starts_.of(chosen.index)) {
+      const auto emission = start.light->emit(u_point, u_direction);
+      if (!emission || is_black(emission->flux)) continue;
+      const Rgb flux = emission->flux * start.factor / chosen.probability;
+      if (!is_finite(flux)) {
+        reject(start.frames);
+        continue;
+      }
+      PhotonPath& path = stack_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
+      path.strands = start.strands;
       balance(path, path.frames, &EnergyBalance::emitted);
-    });
+    }
   }
 
   void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
@@ -150,7 +176,7 @@ class PhotonTracer {
   /// Whether the path goes on, in some of its frames.
   bool scatter(PhotonPath& path, std::span<const FrameFactor> factors, float u) {
     met_dynamic_ |= factors[0].frames != frames_;
-    const auto roulette = [&](const Strand* weights, FrameSet frames, const Rgb& before, const Rgb& after) {
+    const auto roulette = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_finite(after);
       if (!valid) reject(frames);
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
@@ -169,38 +195,47 @@ class PhotonTracer {
 
   /// Adds what these frames of the path carry.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
-    balance(out_.strands.of(path.strands), frames,
+    balance(path.strands, frames,
             [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(path.throughput * weight); });
   }
-  /// Calls fn(balance, weight) for these frames. Frames in the full set share one balance, the last; it is added to
-  /// each of them in the end.
+  /// Calls fn(balance, weight) for these frames. What all frames have by a grey list of a light has a balance of its
+  /// own, which comes to that of the frames in the end.
   template <class Fn>
-  void balance(const Strand* weights, FrameSet frames, Fn&& fn) {
-    for_each_strand(weights, frames, [&](FrameSet alike, const Rgb& weight) {
-      if (alike == frames_) return fn(out_.energy.back(), weight);
+  void balance(StrandList weights, FrameSet frames, Fn&& fn) {
+    const Strand* list = out_.strands.of(weights);
+    if (frames == frames_ && weights < out_.own_strands && (list == nullptr || list->grey))
+      return fn(out_.energy[static_cast<std::size_t>(scene_.frame_count()) + weights], Rgb(1));
+    for_each_strand(list, frames, [&](FrameSet alike, const Rgb& weight) {
       alike.for_each([&](Frame f) { fn(out_.energy[static_cast<std::size_t>(f)], weight); });
     });
   }
 
   const Scene& scene_;
   const PhotonSettings& settings_;
+  const Starts& starts_;
   FrameSet frames_;
   PhotonTrace& out_;
   PathStack<PhotonPath> stack_;
   bool met_dynamic_ = false;
 };
 
-void clear(PhotonTrace& trace, int frames) {
+void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
   trace.photons.clear();
-  trace.strands.clear();
+  trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.invalid = 0;
-  trace.energy.assign(static_cast<std::size_t>(frames) + 1, {});
+  trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
 }
 
-void finish_balance(PhotonTrace& trace, FrameSet frames) {
-  const EnergyBalance shared = trace.energy.back();
-  trace.energy.pop_back();
-  frames.for_each([&](Frame f) { trace.energy[static_cast<std::size_t>(f)] += shared; });
+void finish_balance(PhotonTrace& trace, int frames) {
+  for (StrandList list = 0; list < trace.own_strands; ++list) {
+    const EnergyBalance shared = trace.energy[static_cast<std::size_t>(frames) + list];
+    if (shared.emitted == 0 && shared.escaped == 0 && shared.absorbed == 0 && shared.terminated == 0) continue;
+    for_each_strand(trace.strands.of(list), FrameSet::first(frames), [&](FrameSet alike, const Rgb& grey) {
+      alike.for_each(
+          [&](Frame f) { trace.energy[static_cast<std::size_t>(f)] += shared * static_cast<double>(grey.r); });
+    });
+  }
+  trace.energy.resize(static_cast<std::size_t>(frames));
 }
 
 }  // namespace
@@ -222,14 +257,15 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
 
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
+  const Starts starts(scene, settings.mixture);
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, kPathsPerChunk)));
   parallel_chunks(end - first, kPathsPerChunk, [&](std::int64_t chunk, std::int64_t chunk_end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / kPathsPerChunk)];
-    clear(trace, scene.frame_count());
-    PhotonTracer tracer(scene, settings, trace);
+    clear(trace, starts.strands(), scene.frame_count());
+    PhotonTracer tracer(scene, settings, starts, trace);
     for (std::int64_t i = first + chunk; i < first + chunk_end; ++i)
       tracer.trace(static_cast<std::uint64_t>(i), iteration);
-    finish_balance(trace, scene.frames());
+    finish_balance(trace, scene.frame_count());
   });
   return reuse;
 }

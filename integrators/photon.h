@@ -41,6 +41,7 @@ struct PhotonSettings {
 struct PhotonTrace {
   std::vector<Photon> photons;  // by path index, then branch; a frame's photons of one path by bounce
   StrandTable strands;
+  StrandList own_strands = 1;  // earlier lists are the lights', the same in all traces
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame

@@ -23,12 +23,12 @@ struct alignas(32) GatheredPhoton {
 };
 
 /// One whose flux differs between its frames.
-struct GatheredStrands {
-  Vec3 wi;
-  Rgb flux;
-  FrameSet frames;
+struct GatheredStrands : GatheredPhoton {
   const Strand* strands;
 };
+
+inline const Strand* strands_of(const GatheredPhoton&) { return nullptr; }
+inline const Strand* strands_of(const GatheredStrands& photon) { return photon.strands; }
 
 /// Photons of a cell keep the order in which they are given.
 template <class Gathered>

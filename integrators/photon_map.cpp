@@ -65,9 +65,14 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
       const std::size_t all = frames == 1 ? 0 : class_of(photon, frames), c = by_frame || all > frames ? all : 0;
       const std::size_t place = places[t][c]++;
       photons_[place] = &photon;
-      if (c > frames) strands_[place - first_strands] = traces[t].strands.of(photon.strands);
+      // The lights' lists are the same in all traces.
+      if (c > frames)
+        strands_[place - first_strands] =
+            traces[photon.strands < traces[t].own_strands ? 0 : t].strands.of(photon.strands);
     }
   });
+
+  if (!traces.empty()) of_lights_ = traces[0].strands.lists_before(traces[0].own_strands);
 
   const auto build = [&](PhotonGrid<GatheredPhoton>& grid, std::size_t first, std::size_t end) {
     const auto photon = [&, at = begin[first]](std::size_t i) -> const Photon& { return *photons_[at + i]; };
@@ -89,7 +94,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
 void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
   const auto photon = [&](std::size_t i) -> const Photon& { return *photons_[first + i]; };
   with_strands_.build(strands_.size(), cell_size, photon, [&](std::size_t i) {
-    return GatheredStrands{photon(i).wi, photon(i).flux, photon(i).frames, strands_[i]};
+    return GatheredStrands{{photon(i).wi, photon(i).flux, photon(i).frames}, strands_[i]};
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "integrators/photon_grid.h"
@@ -18,6 +19,10 @@ class PhotonMap {
   /// The traces' strands must stay.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size);
 
+  /// A list of a light's strands: many photons have it.
+  bool is_of_light(const Strand* strands) const {
+    return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
+  }
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
   /// Calls fn(const GatheredPhoton&, distance squared) or fn(const GatheredStrands&, distance squared) for all photons
@@ -42,6 +47,7 @@ class PhotonMap {
 
   std::vector<const Photon*> photons_;  // common ones, those of each frame, those with strands
   std::vector<const Strand*> strands_;  // of the latter
+  std::span<const Strand> of_lights_;
   PhotonGrid<GatheredPhoton> common_, single_;
   std::vector<PhotonGrid<GatheredPhoton>> of_frame_;  // what is in single_, frame by frame; empty where common_ has all
   PhotonGrid<GatheredStrands> with_strands_;

@@ -24,9 +24,10 @@ std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scat
   radius = how.nearest > 0 ? std::min(hit.radius, how.radius) : how.radius;
   while (true) {
     photons.clear();
-    gather(hit, scattering, map, radius * radius, counts, [&](FrameSet frames, RgbLanes flux, float distance2) {
-      photons.push_back({distance2, frames, flux.rgb()});
-    });
+    gather(hit, scattering, map, radius * radius, counts,
+           [&](const Strand*, FrameSet frames, RgbLanes flux, float distance2) {
+             photons.push_back({distance2, frames, flux.rgb()});
+           });
     if (how.nearest == 0 || radius >= how.radius || enough_for_all(photons, hit.frames, how.nearest)) break;
     radius = std::min(2 * radius, how.radius);
   }

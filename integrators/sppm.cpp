@@ -19,7 +19,8 @@ PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const 
                        GatherCounts& counts) {
   PassSums sums;
   RgbLanes phi;
-  gather(hit, scattering, map, radius2, counts, [&](FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+  gather(hit, scattering, map, radius2, counts,
+         [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
   sums.phi = phi.rgb() * hit.throughput;
   return sums;
 }

@@ -45,6 +45,7 @@ struct EnergyBalance {
     emitted += o.emitted, absorbed += o.absorbed, escaped += o.escaped, terminated += o.terminated;
     return *this;
   }
+  EnergyBalance operator*(double s) const { return {emitted * s, absorbed * s, escaped * s, terminated * s}; }
 };
 
 struct StepTime {

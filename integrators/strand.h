@@ -1,6 +1,7 @@
 // Frames that differ in looks or in light only share a path, each with a throughput of its own: the strands of a path.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -56,12 +57,39 @@ class StrandTable {
   StrandTable() : strands_(1) {}  // list 0 is none
   void clear() { strands_.resize(1); }
   const Strand* of(StrandList list) const { return list == 0 ? nullptr : &strands_[list]; }
+  std::span<const Strand> lists_before(StrandList list) const { return std::span(strands_).first(list); }
+  /// The number of the next list to be added.
+  StrandList end() const { return static_cast<StrandList>(strands_.size()); }
   StrandList add(std::span<const Strand> strands);
-  std::size_t filled_bytes() const { return strands_.size() * sizeof(Strand); }
   std::size_t bytes() const { return strands_.capacity() * sizeof(Strand); }
 
  private:
   std::vector<Strand> strands_;
+};
+
+/// A sum for each of a few lists.
+template <class Sum>
+class FewListSums {
+ public:
+  /// Null where there are too many lists already.
+  Sum* of(const Strand* list) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (lists_[i] == list) return &sums_[i];
+    if (count_ == lists_.size()) return nullptr;
+    lists_[count_] = list, sums_[count_] = {};
+    return &sums_[count_++];
+  }
+  /// Calls fn(list, sum).
+  template <class Fn>
+  void for_each(Fn&& fn) const {
+    for (std::size_t i = 0; i < count_; ++i) fn(lists_[i], sums_[i]);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+  std::array<const Strand*, kMost> lists_;
+  std::array<Sum, kMost> sums_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace dspm

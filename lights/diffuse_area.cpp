@@ -89,6 +89,12 @@ class DiffuseArea final : public Light {
     return is_black(emitted(point, -d)) ? 0 : pdf_a * length2(d) * length(d) / std::abs(dot(point.ng, d));
   }
 
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const DiffuseArea*>(&other);
+    if (o == nullptr || !(&placed_ == &o->placed_ && two_sided_ == o->two_sided_)) return std::nullopt;
+    return ratio(radiance_, o->radiance_);
+  }
+
  private:
   float sides() const { return two_sided_ ? 2.f : 1.f; }
 

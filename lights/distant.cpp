@@ -33,6 +33,12 @@ class Distant final : public Light {
     return Illumination{wi_, kInfinity, irradiance_, 0};
   }
 
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Distant*>(&other);
+    if (o == nullptr || !(wi_ == o->wi_)) return std::nullopt;
+    return ratio(irradiance_, o->irradiance_);
+  }
+
  private:
   SceneSphere scene_;
   Vec3 wi_;

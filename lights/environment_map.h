@@ -25,6 +25,9 @@ class EnvironmentMap {
   float pdf_w(const Vec3& direction) const;
   /// Only where the map is not black.
   Sample sample(Vec2 u) const;
+  friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
+    return a.mapping_ == b.mapping_ && a.image_ == b.image_;
+  }
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.
   Rgb fluence() const;

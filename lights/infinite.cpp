@@ -62,6 +62,12 @@ class Infinite final : public Light {
     return map_.pdf_w(w) * density_scale(w);
   }
 
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Infinite*>(&other);
+    if (o == nullptr || !(to_world_ == o->to_world_) || !(map_ == o->map_)) return std::nullopt;
+    return ratio(Rgb(scale_), Rgb(o->scale_));
+  }
+
  private:
   Vec3 to_light(const Vec3& direction) const { return normalize(to_world_.inverse_vector(direction)); }
 

@@ -38,6 +38,10 @@ class Light {
   /// Draws a direction from which p may be lit; nothing where these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
 
+  /// This light over `other`, where they differ by that colour only, whatever the place and direction: photons of both
+  /// then start alike. Nothing where they do not, or where it cannot be told.
+  virtual std::optional<Rgb> ratio_to(const Light& /*other*/) const { return std::nullopt; }
+
   /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.
@@ -52,7 +56,7 @@ class Light {
 /// What a light is made from besides its parameters.
 struct LightContext {
   Transform to_world;
-  Vec3 scene_center;                   // the sphere around everything, over all frames of the file
+  Vec3 scene_center;  // the sphere around everything, over all frames of the file
   float scene_radius = 1;
   const PlacedShape* shape = nullptr;  // of an area light; outlives the light
 };

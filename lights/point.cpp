@@ -34,6 +34,12 @@ class Point final : public Light {
     return Illumination{d / distance, distance, intensity_ / (distance * distance), 0};
   }
 
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Point*>(&other);
+    if (o == nullptr || !(p_ == o->p_)) return std::nullopt;
+    return ratio(intensity_, o->intensity_);
+  }
+
  private:
   Vec3 p_;
   Rgb intensity_;

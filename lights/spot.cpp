@@ -65,6 +65,13 @@ class Spot final : public Light {
     return Illumination{wi, distance, intensity_ * (share / (distance * distance)), 0};
   }
 
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Spot*>(&other);
+    if (o == nullptr || !(p_ == o->p_ && basis_.z == o->basis_.z && inner_ == o->inner_ && outer_ == o->outer_))
+      return std::nullopt;
+    return ratio(intensity_, o->intensity_);
+  }
+
  private:
   float falloff(const Vec3& w) const {
     const float versine = 0.5f * length2(w - basis_.z);

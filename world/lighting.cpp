@@ -115,4 +115,18 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   return lights;
 }
 
+std::vector<SceneLight::Alike> group_alike(const FrameStates<Light>& states) {
+  std::vector<SceneLight::Alike> groups;
+  const auto join = [&](const FrameStates<Light>::State& state) {
+    for (SceneLight::Alike& group : groups)
+      if (const auto ratio = state.object->ratio_to(*group.light)) {
+        group.factors.push_back({state.frames, *ratio});
+        return;
+      }
+    groups.push_back({state.object, {{state.frames, Rgb(1)}}});
+  };
+  for (const auto& state : states.states) join(state);
+  return groups;
+}
+
 }  // namespace dspm

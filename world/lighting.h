@@ -20,4 +20,7 @@ struct WorldLight {
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Vec3& center,
                                     float radius, Diagnostics& diagnostics);
 
+/// See SceneLight::alike.
+std::vector<SceneLight::Alike> group_alike(const FrameStates<Light>& states);
+
 }  // namespace dspm

@@ -36,11 +36,24 @@ struct FrameStates {
   }
 };
 
+/// What frames have is that of others times a colour.
+struct FrameFactor {
+  FrameSet frames;
+  Rgb factor;
+};
+
 /// A light and the chance that a photon path or a direct light sample chooses it: in proportion to its mean power over
 /// all frames of the file.
 struct SceneLight {
+  /// States that differ in strength or colour only: `light` is the first of them, a factor says what the others send
+  /// over what it sends.
+  struct Alike {
+    std::shared_ptr<const Light> light;
+    std::vector<FrameFactor> factors;
+  };
   FrameStates<Light> states;
   float probability = 0;
+  std::vector<Alike> alike;  // all states in groups
 };
 
 struct ChosenLight {

@@ -15,9 +15,9 @@ struct FourSums {
   __m128 M, phi[3];
 
   static FourSums none() { return {_mm_setzero_ps(), {_mm_setzero_ps(), _mm_setzero_ps(), _mm_setzero_ps()}}; }
-  /// One photon more in the frames of `lanes`.
-  void add(__m128 lanes, const Rgb& flux) {
-    M = _mm_add_ps(M, _mm_and_ps(lanes, _mm_set1_ps(1)));
+  /// Photons more in the frames of `lanes`.
+  void add(__m128 lanes, const Rgb& flux, float photons = 1) {
+    M = _mm_add_ps(M, _mm_and_ps(lanes, _mm_set1_ps(photons)));
     for (int c = 0; c < 3; ++c) phi[c] = _mm_add_ps(phi[c], _mm_and_ps(lanes, _mm_set1_ps(flux[c])));
   }
   /// With what all frames of `lanes` share, and times the path's throughput.

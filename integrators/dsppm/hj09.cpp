@@ -62,22 +62,34 @@ class Hj09 final : public PixelEstimator {
       sums[group] = FourSums::none();
     });
 
-    std::uint32_t shared_M = 0;
+    PassSums shared;
     RgbLanes shared_phi;
+    FewListSums<PassSums> lists;
     const float smallest2 = radii.smallest();
+    const auto add_strands = [&](const Strand* strands, FrameSet frames, const Rgb& flux, float photons,
+                                 float distance2) {
+      for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+        for_each_group(alike, [&](int group, __m128 there) {
+          const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
+          sums[group].add(_mm_and_ps(there, within), flux * weight, photons);
+        });
+      });
+    };
     gather(hit, tile.scattering_of(hit), map, radii.largest(), counts,
-           [&](FrameSet frames, RgbLanes flux, float distance2) {
-             if (frames == hit.frames && distance2 <= smallest2) {
-               ++shared_M, shared_phi += flux;
-               return;
-             }
-             for_each_group(frames, [&](int group, __m128 there) {
-               const __m128 within = _mm_cmple_ps(_mm_set1_ps(distance2), pixel[group].R2());
-               sums[group].add(_mm_and_ps(there, within), flux.rgb());
-             });
+           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
+             const bool for_all = frames == hit.frames && distance2 <= smallest2;
+             if (for_all && strands == nullptr)
+               ++shared.M, shared_phi += flux;
+             else if (PassSums* sum = for_all && map.is_of_light(strands) ? lists.of(strands) : nullptr)
+               *sum += {1, flux.rgb()};
+             else
+               add_strands(strands, frames, flux.rgb(), 1, distance2);
            });
+    shared.phi = shared_phi.rgb();
+    lists.for_each([&](const Strand* list, const PassSums& sum) {
+      add_strands(list, hit.frames, sum.phi, static_cast<float>(sum.M), 0);
+    });
 
-    const PassSums shared{shared_M, shared_phi.rgb()};
     for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
       for_each_group(frames, [&](int group, __m128 lanes) {
         const FourSums total = sums[group].total(lanes, shared, hit.throughput * weight);
