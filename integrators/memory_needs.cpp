@@ -19,7 +19,7 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
     sum += tile.hit_points.size() * sizeof(HitPoint) + tile.scatterings.size() * sizeof(Scattering) +
-           tile.seen.size() * sizeof(SeenLight);
+           tile.seen.size() * sizeof(SeenLight) + tile.strands.end() * sizeof(Strand);
   return sum;
 }
 
@@ -54,7 +54,8 @@ double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
   PhotonMap map;
   map.build(traces, scene.frame_count(), 2 * scene.radius);  // a single cell: for few photons there would be too many
-  const double photons = static_cast<double>(map.size() * sizeof(Photon));
+  double photons = static_cast<double>(map.size() * sizeof(Photon));
+  for (const PhotonTrace& trace : traces) photons += static_cast<double>(trace.strands.end() * sizeof(Strand));
   return kSlack * (kWithCells * static_cast<double>(map.bytes()) + photons) / kPaths;
 }
 
