@@ -121,76 +121,104 @@ class HitPointTracer {
                       [&](FrameSet frames, const Rgb& radiance, const Light&) { see(path, frames, radiance); });
     if (path.bounces >= settings_.max_depth) return;
     PathState arrived = path;
-    arrived.length += part.hit.t;
+    arrived.length += part.hit.t, arrived.frames = part.frames;
+    if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(arrived, part, point, wo, random);
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+      arrived.frames = frames;
+      const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
+      if (choice.rough) {
+        end(arrived, point, bsdf, wo, choice, random, [&](const std::optional<Rgb>& constant) {
+          const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
+          add_hit_point(arrived, {&f, 1}, point, wo, constant ? nullptr : &bsdf, choice.lobes);
+        });
+      } else {
+        go_on(arrived, point, bsdf, wo, choice, random, [&](const BsdfSample& sample) {
+          const FrameFactor f{frames, sample.weight / choice.chance};
+          push(arrived, {&f, 1}, point, sample, random);
+        });
+      }
+    });
+  }
+
+  /// Where the material differs between the frames.
+  [[gnu::noinline]] void follow_together(const PathState& path, const FrameHit& part, const SurfacePoint& point,
+                                         const Vec3& wo, const PathRandom& random) {
     FrameArray<End> ends;
     FrameArray<Way> ways;
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
-      met_dynamic_ |= frames != frames_;
-      arrived.frames = frames;
+      PathState branch = path;
+      branch.frames = frames;
+      met_dynamic_ = true;
       const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
       if (choice.rough)
-        end(ends, arrived, point, bsdf, wo, choice, random);
+        end(branch, point, bsdf, wo, choice, random, [&](const std::optional<Rgb>& constant) {
+          ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
+        });
       else
-        go_on(ways, arrived, point, bsdf, wo, choice, random);
+        go_on(branch, point, bsdf, wo, choice, random, [&](const BsdfSample& sample) {
+          ways.add({frames, sample.weight / choice.chance, sample});
+        });
     });
-    arrived.frames = part.frames;
-    add_hit_points(arrived, ends, point, wo);
-    push(arrived, ways, point, random);
+    // Frames whose scattering functions are multiples of one another have a hit point in common.
+    for_each_joint(ends, settings_.mixture, [&](const End& first, std::span<const FrameFactor> factors) {
+      add_hit_point(path, factors, point, wo, first.constant ? nullptr : &*first.bsdf, first.choice.lobes);
+    });
+    for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
+      push(path, factors, point, first.sample, random);
+    });
   }
 
-  void end(FrameArray<End>& ends, const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-           const LobeChoice& choice, const PathRandom& random) {
+  /// Calls fn(f where it is constant) unless nothing can be gathered.
+  template <class Fn>
+  void end(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo, const LobeChoice& choice,
+           const PathRandom& random, Fn&& fn) {
     if (settings_.sample_direct)
       add_direct_light(path, point, bsdf, wo, choice.lobes, choice.chance, random, [](float) { return 1.f; });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
-    if (constant && is_black(*constant)) return;
-    ends.add({path.frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
+    if (!constant || !is_black(*constant)) fn(constant);
   }
 
-  /// Frames whose scattering functions are multiples of one another have a hit point in common.
-  void add_hit_points(const PathState& path, const FrameArray<End>& ends, const SurfacePoint& point, const Vec3& wo) {
-    for_each_joint(ends, settings_.mixture, [&](const End& first, std::span<const FrameFactor> factors) {
-      PathState ended = path;
-      if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep_all)) return;
-      HitPoint& hit = out_.hit_points.emplace_back();
-      hit.p = point.p;
-      hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
-      hit.throughput = ended.throughput, hit.strands = ended.strands;
-      hit.frames = ended.frames, hit.pixel = pixel_;
-      hit.radius = radius(ended.length);
-      if (first.constant) return;
-      const LobeSet lobes = first.choice.lobes;
-      hit.scattering = static_cast<int>(out_.scatterings.size());
-      out_.scatterings.push_back({first.bsdf, wo, point.p_error, lobes, first.bsdf->transmits(lobes)});
-    });
+  /// `bsdf`: null where f is constant and among the factors.
+  void add_hit_point(const PathState& path, std::span<const FrameFactor> factors, const SurfacePoint& point,
+                     const Vec3& wo, const Bsdf* bsdf, LobeSet lobes) {
+    PathState ended = path;
+    if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep_all)) return;
+    HitPoint& hit = out_.hit_points.emplace_back();
+    hit.p = point.p;
+    hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
+    hit.throughput = ended.throughput, hit.strands = ended.strands;
+    hit.frames = ended.frames, hit.pixel = pixel_;
+    hit.radius = radius(ended.length);
+    if (bsdf == nullptr) return;
+    hit.scattering = static_cast<int>(out_.scatterings.size());
+    out_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), wo, point.p_error, lobes, bsdf->transmits(lobes)});
   }
 
-  /// A lobe that is too smooth to gather on is followed.
-  void go_on(FrameArray<Way>& ways, const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-             const LobeChoice& choice, const PathRandom& random) {
+  /// Calls fn(const BsdfSample&) unless the frames end.
+  template <class Fn>
+  void go_on(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+             const LobeChoice& choice, const PathRandom& random, Fn&& fn) {
     // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from
     // it.
     if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
       add_direct_light(path, point, bsdf, wo, glossy, choice.chance, random,
                        [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
-    if (const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes))
-      ways.add({path.frames, sample->weight / choice.chance, *sample});
+    if (const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes)) fn(*sample);
   }
 
-  void push(const PathState& path, const FrameArray<Way>& ways, const SurfacePoint& point, const PathRandom& random) {
-    for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
-      PathState& branch = stack_.push(path);
-      move_on(branch, point, first.sample);
-      const float u = random.number(path.bounces, kRoulette);
-      const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
-        if (!is_finite(after)) return reject(frames), Rgb();
-        const float p = roulette_chance(after, branch.eta_scale, path.bounces);
-        return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
-      };
-      const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
-      if (!multiply(branch, factors, out_.strands, by_ratio, roulette)) stack_.drop();
-    });
+  void push(const PathState& path, std::span<const FrameFactor> factors, const SurfacePoint& point,
+            const BsdfSample& sample, const PathRandom& random) {
+    PathState& branch = stack_.push(path);
+    move_on(branch, point, sample);
+    const float u = random.number(path.bounces, kRoulette);
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+      if (!is_finite(after)) return reject(frames), Rgb();
+      const float p = roulette_chance(after, branch.eta_scale, path.bounces);
+      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+    };
+    const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
+    if (!multiply(branch, factors, out_.strands, by_ratio, roulette)) stack_.drop();
   }
 
   template <class Weight>

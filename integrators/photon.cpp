@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "integrators/path_step.h"
+#include "integrators/photon_starts.h"
 
 namespace dspm {
 namespace {
@@ -10,46 +11,6 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
-};
-
-/// What the paths of a light start with, in frames that get the same but for colour.
-struct Start {
-  const Light* light;
-  FrameSet frames;
-  Rgb factor;  // of the light's flux
-  StrandList strands;
-};
-
-/// For every light of the scene how its paths start, and the strands for that.
-class Starts {
- public:
-  Starts(const Scene& scene, bool mixture) {
-    for (const SceneLight& light : scene.lights) {
-      std::vector<Start>& starts = of_light_.emplace_back();
-      for (const SceneLight::Alike& alike : light.alike)
-        if (mixture) {
-          add(*alike.light, alike.factors, starts);
-        } else {
-          for (const FrameFactor& f : alike.factors) add(*alike.light, {&f, 1}, starts);
-        }
-    }
-  }
-  const std::vector<Start>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
-  const StrandTable& strands() const { return strands_; }
-
- private:
-  void add(const Light& light, std::span<const FrameFactor> factors, std::vector<Start>& starts) {
-    Strands strands;
-    for (const FrameFactor& f : factors)
-      if (!is_black(f.factor)) strands.add(f.frames, f.factor);
-    if (strands.strands().empty()) return;
-    const Rgb common = strands.take_common();
-    const StrandList list = strands.strands().size() == 1 ? 0 : strands_.add(strands.strands());
-    starts.push_back({&light, strands.frames(), common, list});
-  }
-
-  std::vector<std::vector<Start>> of_light_;
-  StrandTable strands_;
 };
 
 /// How frames go on.
@@ -69,7 +30,7 @@ double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>
 
 class PhotonTracer {
  public:
-  PhotonTracer(const Scene& scene, const PhotonSettings& settings, const Starts& starts, PhotonTrace& out)
+  PhotonTracer(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts, PhotonTrace& out)
       : scene_(scene), settings_(settings), starts_(starts), frames_(scene.frames()), out_(out) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
@@ -92,7 +53,7 @@ class PhotonTracer {
     const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
     if (chosen.probability == 0) return;
     const Vec2 u_point = random.pair(0, kLightPoint), u_direction = random.pair(0, kLightDirection);
-    for (const Start& start : starts_.of(chosen.index)) {
+    for (const PhotonStart& start : starts_.of(chosen.index)) {
       const auto emission = start.light->emit(u_point, u_direction);
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.probability;
@@ -212,7 +173,7 @@ class PhotonTracer {
 
   const Scene& scene_;
   const PhotonSettings& settings_;
-  const Starts& starts_;
+  const PhotonStarts& starts_;
   FrameSet frames_;
   PhotonTrace& out_;
   PathStack<PhotonPath> stack_;
@@ -257,7 +218,7 @@ std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
 
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
-  const Starts starts(scene, settings.mixture);
+  const PhotonStarts starts(scene, settings.mixture);
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, kPathsPerChunk)));
   parallel_chunks(end - first, kPathsPerChunk, [&](std::int64_t chunk, std::int64_t chunk_end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / kPathsPerChunk)];

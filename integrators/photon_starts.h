@@ -1,0 +1,35 @@
+// How photon paths leave the lights: in all frames at once that get the same but for colour.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "integrators/strand.h"
+#include "world/scene.h"
+
+namespace dspm {
+
+/// One path for each number that a light is given.
+struct PhotonStart {
+  const Light* light;
+  FrameSet frames;
+  Rgb factor;  // of the light's flux
+  StrandList strands;
+};
+
+class PhotonStarts {
+ public:
+  /// mixture: frames that differ in strength or colour only start together.
+  PhotonStarts(const Scene& scene, bool mixture);
+  const std::vector<PhotonStart>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
+  /// What paths start with: the first lists of every trace.
+  const StrandTable& strands() const { return strands_; }
+
+ private:
+  void add(const Light& light, std::span<const FrameFactor> factors, std::vector<PhotonStart>& starts);
+
+  std::vector<std::vector<PhotonStart>> of_light_;
+  StrandTable strands_;
+};
+
+}  // namespace dspm
