@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
+#include "integrators/joint_path.h"
 #include "integrators/tiles.h"
 
 namespace dspm {
@@ -14,19 +15,6 @@ constexpr int kTileSide = 32;
 constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
 // What is rougher is no specular lobe.
 constexpr float kLeastRoughness = 1e-4f;
-
-/// How frames go on.
-struct Way {
-  FrameSet frames;
-  Rgb factor;
-  BsdfSample sample;
-
-  std::optional<Rgb> along(const Way& first) const {
-    const bool same = sample.wi == first.sample.wi && sample.specular == first.sample.specular &&
-                      sample.eta_scale == first.sample.eta_scale;
-    return same ? std::optional(factor) : std::nullopt;
-  }
-};
 
 /// How frames end in a hit point.
 struct End {
@@ -156,7 +144,7 @@ class HitPointTracer {
         });
       else
         go_on(branch, point, bsdf, wo, choice, random, [&](const BsdfSample& sample) {
-          ways.add({frames, sample.weight / choice.chance, sample});
+          ways.add({frames, sample.weight / choice.chance, sample, false});
         });
     });
     // Frames whose scattering functions are multiples of one another have a hit point in common.

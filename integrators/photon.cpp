@@ -1,7 +1,7 @@
 #include "integrators/photon.h"
 
 #include "core/parallel.h"
-#include "integrators/path_step.h"
+#include "integrators/joint_path.h"
 #include "integrators/photon_starts.h"
 
 namespace dspm {
@@ -13,18 +13,9 @@ struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
 };
 
-/// How frames go on.
-struct Way {
-  FrameSet frames;
-  Rgb factor;
-  BsdfSample sample;
-  unsigned kind;
-
-  std::optional<Rgb> along(const Way& first) const {
-    const bool same = sample.wi == first.sample.wi && sample.specular == first.sample.specular && kind == first.kind;
-    return same ? std::optional(factor) : std::nullopt;
-  }
-};
+unsigned kind_after(const PhotonPath& path, bool rough) {
+  return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
+}
 
 double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b); }
 
@@ -74,9 +65,9 @@ class PhotonTracer {
     if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(path, part, point, wo, random);
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) store(path, frames, point, wo);
-      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, unsigned kind, const Rgb& factor) {
+      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
-        go_on(path, point, sample, kind, {&all, 1}, random);
+        go_on(path, point, sample, rough, {&all, 1}, random);
       });
     });
   }
@@ -87,13 +78,13 @@ class PhotonTracer {
     FrameArray<Way> ways;
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
-      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, unsigned kind, const Rgb& factor) {
-        ways.add({frames, factor, sample, kind});
+      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
+        ways.add({frames, factor, sample, rough});
       });
     });
     if (!gathering.empty()) store(path, gathering, point, wo);
     for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
-      go_on(path, point, first.sample, first.kind, factors, random);
+      go_on(path, point, first.sample, first.rough, factors, random);
     });
   }
 
@@ -110,7 +101,7 @@ class PhotonTracer {
     out_.stored.add(frames.count());
   }
 
-  /// Calls fn(const BsdfSample&, kind, factor) unless these frames end.
+  /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
   template <class Fn>
   void way_on(const PhotonPath& path, FrameSet frames, const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo,
               const PathRandom& random, Fn&& fn) {
@@ -118,18 +109,17 @@ class PhotonTracer {
     if (bounce + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
-    const unsigned kind = choice.rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
-    if (kind == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
+    if (kind_after(path, choice.rough) == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
       return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
     if (!sample) return balance(path, frames, &EnergyBalance::absorbed);
-    fn(*sample, kind, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance));
+    fn(*sample, choice.rough, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance));
   }
 
-  void go_on(const PhotonPath& path, const SurfacePoint& point, const BsdfSample& sample, unsigned kind,
+  void go_on(const PhotonPath& path, const SurfacePoint& point, const BsdfSample& sample, bool rough,
              std::span<const FrameFactor> factors, const PathRandom& random) {
     PhotonPath& branch = stack_.push(path);
-    branch.kind = kind;
+    branch.kind = kind_after(path, rough);
     move_on(branch, point, sample);
     if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
   }
