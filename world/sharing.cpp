@@ -80,13 +80,17 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
 
   for (int m = 0; m < looks.material_count(); ++m)
     if (const std::size_t n = states_in(looks.states_of(m), frames); n > 1)
-      lines.push_back(fmt::format("{}: {} over the frames. Paths that meet it split into one path a state.",
-                                  looks.name_of(m), counted(n, "state")));
+      lines.push_back(
+          fmt::format("{}: {} over the frames. Paths that meet it stay together where its states send them "
+                      "the same way, as colours and textures do; others split.",
+                      looks.name_of(m), counted(n, "state")));
   for (const WorldLight& light : lights) {
     const std::size_t n = states_in(light.states.state_of, frames);
     if (n > 1)
       lines.push_back(
-          fmt::format("{}: {} over the frames. Its photon paths are traced once a state, those of other lights once.",
+          fmt::format("{}: {} over the frames. Photon paths are traced once for states that differ in strength or "
+                      "colour only, else "
+                      "once a state; those of other lights once.",
                       light.name, counted(n, "state")));
   }
   const std::size_t camera_states = states_in(camera.state_of, frames);
