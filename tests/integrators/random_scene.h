@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "core/frames.h"
 #include "tests/integrators/scene_files.h"
 
 namespace dspm::testing {
@@ -21,7 +22,7 @@ class RandomScene {
                     textures() + room() + light() + table();
     for (int i = 0; i < 2; ++i) s += "AttributeBegin\n" + place() + material() + still_shape() + "AttributeEnd\n";
     for (int i = 0; i < 3; ++i) s += dynamic(i);
-    return s;
+    return s + product();
   }
 
  private:
@@ -189,6 +190,23 @@ class RandomScene {
       case 1: return s + "Shape \"plymesh\" \"string filename\" " + files()["blob.%03d.ply"] + " DynamicEnd\n";
       default: return s + still_shape() + "DynamicEnd\n";
     }
+  }
+
+  /// A ball in finishes of any kind, under a lamp that some of them dim.
+  std::string product() {
+    const int finishes = whole(2, 4);
+    if (frames_ * finishes > kMaxFrames || whole(0, 2) > 0) return "";
+    std::string s = "MakeNamedMaterial \"finish\" \"string type\" \"diffuse\"\nAttributeBegin " + place() +
+                    "NamedMaterial \"finish\" Shape \"sphere\" \"float radius\" 0.5 AttributeEnd\n"
+                    "LightSource \"point\" \"string name\" \"lamp\" \"rgb I\" [2 3 2] \"point3 from\" [-1 1.2 -1]\n";
+    for (int i = 0; i < finishes; ++i) {
+      std::string made = material();
+      made.replace(0, std::string("Material ").size(), "MakeNamedMaterial \"finish\" \"string type\" ");
+      s += fmt::format("VariationBegin \"f{}\" {}", i, made);
+      if (whole(0, 1)) s += fmt::format("Light \"lamp\" \"float scale\" {}\n", real(0, 2));
+      s += "VariationEnd\n";
+    }
+    return s;
   }
 
   static const SceneFiles& files() {
