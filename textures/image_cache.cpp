@@ -1,5 +1,7 @@
 #include "textures/image_cache.h"
 
+#include <algorithm>
+
 namespace dspm {
 
 std::shared_ptr<const Image> ImageCache::read(const std::filesystem::path& path, const ColorEncoding& encoding) {
@@ -8,6 +10,11 @@ std::shared_ptr<const Image> ImageCache::read(const std::filesystem::path& path,
   std::shared_ptr<const Image> image = known.lock();
   if (!image) known = image = std::make_shared<const Image>(read_image(path, encoding));
   return image;
+}
+
+int ImageCache::alive() const {
+  return static_cast<int>(
+      std::count_if(images_.begin(), images_.end(), [](const auto& entry) { return !entry.second.expired(); }));
 }
 
 }  // namespace dspm

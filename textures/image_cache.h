@@ -16,6 +16,8 @@ class ImageCache {
  public:
   /// Throws std::runtime_error as read_image does.
   std::shared_ptr<const Image> read(const std::filesystem::path& path, const ColorEncoding& encoding);
+  /// How many are held by textures.
+  int alive() const;
 
  private:
   using Key = std::tuple<std::string, ColorEncoding::Kind, float>;

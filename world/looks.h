@@ -29,6 +29,9 @@ class Looks {
   /// By index, in these frames of the file. Throws SceneError where a file has changed since it was looked at.
   std::vector<FrameStates<Material>> materials_in(const std::vector<Frame>& frames) const;
 
+  /// How many pictures are in memory for textures.
+  int pictures_held() const { return images_.alive(); }
+
   int material_count() const { return static_cast<int>(materials_.size()); }
   /// Which state of the material holds, by frame of the file.
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }

@@ -139,6 +139,8 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   return scene;
 }
 
+int World::pictures_held() const { return parts_->looks.pictures_held(); }
+
 std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
   return parts_->accel->bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
                                       FrameSet::first(static_cast<int>(frames.size())));

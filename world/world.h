@@ -30,6 +30,8 @@ class World {
   /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
   /// a world agree in what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
+  /// How many pictures the textures hold of those that are made: those of this world's scenes, and what all need.
+  int pictures_held() const;
   /// What the trees of that scene may take at most while it is made, in bytes: an estimate, without making it.
   std::size_t tree_bytes_at_most(std::span<const Frame> frames) const;
   /// What is shared between frames and what is not, and why: a sentence a line, for --explain.
