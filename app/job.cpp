@@ -116,12 +116,6 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::string Job::label(Frame frame) const {
-  const std::string number = std::to_string(moment(frame) + 1);
-  if (variation(frame).empty()) return number;
-  return numbered ? variation(frame) + " " + number : variation(frame);
-}
-
 std::string Job::frames_in_words() const {
   std::set<std::size_t> variations;
   for (const Frame frame : frames) variations.insert(description->frames.combination_of(frame));

@@ -32,8 +32,6 @@ struct Job {
   /// The file's frame without its variation, counted from 0, and the variation's name; empty: there is none.
   Frame moment(Frame frame) const { return description->frames.moment(frame); }
   const std::string& variation(Frame frame) const { return description->frames.variation(frame); }
-  /// "12", "oak-red" or "oak-red 12".
-  std::string label(Frame frame) const;
   /// "25 frames", "8 variations" or "200 frames (8 variations)".
   std::string frames_in_words() const;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/atomic_file.h"
@@ -26,7 +27,9 @@ Output::Output(const Job& job, const Options& options)
     if (!names.insert(name(frame)).second)
       throw UsageError(fmt::format("several frames would be written to {}", name(frame).string()));
   }
-  expect_writable(name(job.frames.front()));
+  expect_writable(*std::max_element(names.begin(), names.end(), [](const auto& a, const auto& b) {
+    return a.string().size() < b.string().size();  // names may be too long
+  }));
   if (!options.stats.empty() && options.stats != "table" && options.stats != "-") expect_writable(options.stats);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) {
@@ -74,7 +77,7 @@ void Output::write(Frame frame, Image image, int iterations, std::uint64_t photo
   header.numbers["photons"] = static_cast<double>(photons);
   header.numbers["seconds"] = seconds;
   std::filesystem::path path = name(frame);
-  if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.label(frame));
+  if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
   write_image(path, image, job_.film, header, kToneMap);
   if (png_ && path.extension() != ".png")
     write_image(path.replace_extension(".png"), std::move(image), job_.film, header, kToneMap);

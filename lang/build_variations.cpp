@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lang/scene_builder.h"
+#include "lang/source_text.h"
 
 namespace dspm {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using enum DirectiveKind;
 using Kind = Block::Kind;
 
-constexpr std::size_t kNamesListed = 20;
+constexpr std::size_t kNamesListed = 20, kMostAxes = 64;
 constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
 
 /// On every common system, and without meaning in patterns.
@@ -96,6 +97,8 @@ void SceneBuilder::axis_begin(const Directive& directive) {
   const Argument& name = directive.words[0];
   expect_top_level(directive);
   if (name.text.empty()) diagnostics_.error(name.where, "an axis needs a name");
+  if (scene_.axes.size() == kMostAxes)
+    throw SyntaxError(directive.where, fmt::format("there are more than {} axes", kMostAxes));
   define(axes_, directive);
   open_block(Kind::axis, directive, name.text);
   scene_.axes.push_back({name.text, directive.where, {}});
@@ -121,14 +124,11 @@ void SceneBuilder::variation_begin(const Directive& directive) {
     axis = std::find_if(scene_.axes.begin(), scene_.axes.end(), [](const auto& each) { return each.name.empty(); });
     if (axis == scene_.axes.end()) axis = scene_.axes.insert(axis, {{}, directive.where, {}});
   }
-  const auto same = std::find_if(axis->variations.begin(), axis->variations.end(),
-                                 [&](const Variation& each) { return each.name == name.text; });
-  if (same != axis->variations.end())
-    diagnostics_.error(name.where, fmt::format("VariationBegin \"{}\" a second time", name.text),
-                       fmt::format("the first stands in {}:{}", same->where.file->name, same->where.line));
+  axis_of_variation_ = static_cast<std::size_t>(axis - scene_.axes.begin());
+  variations_.resize(scene_.axes.size());
+  define(variations_[axis_of_variation_], directive);
   open_block(Kind::variation, directive, name.text);
   axis->variations.push_back({name.text, name.where, {}, {}, {}, {}});
-  axis_of_variation_ = static_cast<std::size_t>(axis - scene_.axes.begin());
   directives_in_variation_ = 0;
   replaced_ = {};
 }
@@ -180,27 +180,30 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
 }
 
 void SceneBuilder::check_replacements() {
-  const std::set<std::string> materials = names_of_places(materials_);
+  const std::set<std::string> materials = names_of_places(materials_), colours = names_of_places(spectrum_textures_),
+                              numbers = names_of_places(float_textures_);
   std::set<std::string> lights, parts;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
   for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
   lights.erase("");
   for (const DynamicBlock& block : scene_.dynamic_blocks) parts.insert(block.name);
+  const auto expect = [&](const char* thing, const std::string& name, const std::set<std::string>& names,
+                          const SourceLocation& where, const std::string& if_none) {
+    if (diagnostics_.error_count() < kErrorsShown) expect_name(name, thing, names, where, if_none, diagnostics_);
+  };
   for (const VariationAxis& axis : scene_.axes)
     for (const Variation& variation : axis.variations) {
       for (const MaterialUse& use : variation.materials)
-        expect_name(use.name, "material", materials, use.where, "MakeNamedMaterial names materials", diagnostics_);
+        expect("material", use.name, materials, use.where, "MakeNamedMaterial names materials");
       for (const TextureUse& use : variation.textures)
-        expect_name(use.name, use.is_spectrum ? "spectrum texture" : "float texture",
-                    names_of_places(use.is_spectrum ? spectrum_textures_ : float_textures_), use.where,
-                    "Texture defines one", diagnostics_);
+        expect(use.is_spectrum ? "spectrum texture" : "float texture", use.name, use.is_spectrum ? colours : numbers,
+               use.where, "Texture defines one");
       for (const LightScale& scale : variation.lights)
-        expect_name(scale.light, "light", lights, scale.where,
-                    fmt::format("\"string name\" \"{}\" among its parameters names a light", scale.light),
-                    diagnostics_);
+        expect("light", scale.light, lights, scale.where,
+               fmt::format("\"string name\" \"{}\" among its parameters names a light", scale.light));
       for (const PartSwitch& part : variation.parts)
-        expect_name(part.part, "Dynamic block", parts, part.where,
-                    fmt::format("DynamicBegin \"{}\" .. DynamicEnd makes a part", part.part), diagnostics_);
+        expect("Dynamic block", part.part, parts, part.where,
+               fmt::format("DynamicBegin \"{}\" .. DynamicEnd makes a part", part.part));
     }
 }
 

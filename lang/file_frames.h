@@ -30,6 +30,11 @@ class FileFrames {
   Frame moment(Frame f) const { return f % moments_; }
   std::size_t combination_of(Frame f) const { return static_cast<std::size_t>(f / moments_); }
   const std::string& variation(Frame f) const { return combinations_[combination_of(f)].name; }
+  /// "12", "oak-red" or "oak-red 12".
+  std::string label(Frame f) const {
+    const std::string number = std::to_string(moment(f) + 1);
+    return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
+  }
   /// Which of the axis's variations.
   int choice(Frame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 

@@ -110,7 +110,8 @@ class SceneBuilder {
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
     Places float_textures, spectrum_textures, materials, lights, parts;
-  } replaced_;  // by the variation in force
+  } replaced_;                      // by the variation in force
+  std::vector<Places> variations_;  // by axis
   std::size_t axis_of_variation_ = 0;
   int directives_in_variation_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/glob.h"
+#include "lang/keyframe_group.h"
 
 namespace dspm {
 namespace {
@@ -99,7 +100,7 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
   std::map<std::string_view, const Combination*> seen;
   for (const Combination& each : combinations) {
     const auto [first, is_new] = seen.emplace(each.name, &each);
-    if (is_new) continue;
+    if (is_new || diagnostics.error_count() >= kErrorsShown) continue;
     std::size_t axis = 0;  // where the two part
     while (axis + 1 < scene.axes.size() && first->second->choices[axis] == each.choices[axis]) ++axis;
     const auto choice = [&](const Combination& c) -> const Variation& {
@@ -120,16 +121,18 @@ std::vector<Combination> matching_combinations(const std::vector<VariationAxis>&
 
 FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
                      Diagnostics& diagnostics) {
-  constexpr std::size_t kMost = kMostCombinations;
-  std::vector<Combination> combinations = matching_combinations(scene.axes, {"*"}, kMost + 1);
-  const bool too_many = combinations.size() > kMost;
-  if (too_many && !patterns.empty()) combinations = matching_combinations(scene.axes, patterns, kMost + 1);
-  if (combinations.size() > kMost) {
+  const int most = std::clamp(kMostFrames / scene.moments, 1, kMostCombinations);
+  const std::size_t one_more = static_cast<std::size_t>(most) + 1;
+  std::vector<Combination> combinations = matching_combinations(scene.axes, {"*"}, one_more);
+  const auto too_many = [&] { return combinations.size() == one_more; };
+  if (too_many() && !patterns.empty()) combinations = matching_combinations(scene.axes, patterns, one_more);
+  if (too_many()) {
+    const std::string product = product_in_words(scene.axes),
+                      limit = fmt::format("more than {}{}", most,
+                                          most == kMostCombinations ? "" : fmt::format(" of {} frames", scene.moments));
     diagnostics.error(scene.axes.front().where,
-                      patterns.empty() ? fmt::format("the axes make {} variations, more than {}",
-                                                     product_in_words(scene.axes), kMostCombinations)
-                                       : fmt::format("--variation chooses more than {} of the {} variations",
-                                                     kMostCombinations, product_in_words(scene.axes)),
+                      patterns.empty() ? fmt::format("the axes make {} variations, {}", product, limit)
+                                       : fmt::format("--variation chooses {} of the {} variations", limit, product),
                       "--variation 'oak-*' chooses some by their names");
     combinations.clear();
   }

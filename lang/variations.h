@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// More are made of none but chosen ones; chosen ones are never more.
+/// More, or more frames of all of them, are taken for a mistake unless they are chosen by name.
 inline constexpr int kMostCombinations = 10'000;
 
 /// The combinations whose names match one of `patterns` (with * and ?), in the order of the text, the last axis

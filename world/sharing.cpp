@@ -66,7 +66,11 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("{} rendered together.", counted(frames.size(), "frame")));
+  const FileFrames& file = description.frames;
+  const std::string names = description.axes.empty() || frames.empty()
+                                ? ""
+                                : fmt::format(": {} to {}", file.label(frames.front()), file.label(frames.back()));
+  lines.push_back(fmt::format("{} rendered together{}.", counted(frames.size(), "frame"), names));
 
   std::vector<const WorldShape*> still;
   std::vector<std::vector<const WorldShape*>> moving(description.dynamic_blocks.size());

@@ -25,6 +25,12 @@ DynamicBegin "d" "integer frames" [2 7]
   AttributeEnd
   ObjectInstance "o"
 DynamicEnd
+LightSource "point" "string name" "l"
+AxisBegin "x"
+  VariationBegin "a" MakeNamedMaterial "m" "string type" "conductor" Show "d" VariationEnd
+  VariationBegin "b" Texture "t" "float" "constant" "float value@3" 1 Light "l" "float scale" 2 VariationEnd
+AxisEnd
+VariationBegin "c" Hide "d" VariationEnd
 )";
 
 void read(const std::string& text) {
@@ -88,6 +94,13 @@ std::string repeated(const std::string& text, int times) {
   return result;
 }
 
+/// With 0, 1, 2, ... put in.
+std::string numbered(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += fmt::format(fmt::runtime(text), i);
+  return result;
+}
+
 /// A megabyte of each takes far less than a second when the time is linear, minutes when it is quadratic.
 TEST(Hostile, TakesLinearTime) {
   const std::pair<const char*, std::string> cases[] = {
@@ -109,6 +122,14 @@ TEST(Hostile, TakesLinearTime) {
       {"WorldBegin {}", repeated("$y ", 300000)},
       {"WorldBegin {}", repeated("# c\n", 250000)},
       {"WorldBegin DynamicBegin \"a\" {}", repeated("Keyframe 1 Translate 1 0 0 ", 40000)},
+      {"WorldBegin {}", repeated("VariationBegin \"a\" Hide \"b\" VariationEnd ", 30000)},
+      {"WorldBegin AxisBegin \"x\" {}", numbered("VariationBegin \"{}\" Hide \"b\" VariationEnd ", 30000)},
+      {"WorldBegin DynamicBegin \"b\" DynamicEnd {}",
+       numbered("VariationBegin \"{}\" Hide \"b\" VariationEnd ", 30000)},
+      {"WorldBegin {}", repeated("AxisBegin \"a\" ", 70000)},
+      {"WorldBegin {}", numbered("AxisBegin \"{}\" VariationBegin \"a\" Hide \"b\" VariationEnd AxisEnd ", 15000)},
+      {"WorldBegin DynamicBegin \"b\" DynamicEnd {}",
+       numbered("AxisBegin \"{}\" VariationBegin \"a\" Hide \"b\" VariationEnd AxisEnd ", 15000)},
       {"WorldBegin {}", repeated("Texture \"a\" \"float\" \"b\" ", 40000)},
   };
   for (const auto& [frame, filling] : cases)

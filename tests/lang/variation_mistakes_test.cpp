@@ -134,6 +134,16 @@ TEST(VariationMistakes, ManyCombinationsTakeAChoice) {
   EXPECT_NE(diagnostics.all()[0].message.find("--variation chooses more than 10000"), std::string::npos);
 }
 
+TEST(VariationMistakes, ManyVariationsOfLongAnimationsTakeAChoice) {
+  std::string text = "Frames 5000 WorldBegin MakeNamedMaterial \"seat\" \"string type\" \"diffuse\"\nAxisBegin \"a\"\n";
+  for (int i = 0; i < 21; ++i)
+    text +=
+        fmt::format("VariationBegin \"{}\" MakeNamedMaterial \"seat\" \"string type\" \"diffuse\" VariationEnd\n", i);
+  const Parsed parsed = parse(text + "AxisEnd");
+  ASSERT_EQ(parsed.diagnostics.error_count(), 1);
+  EXPECT_EQ(parsed.diagnostics.all()[0].message, "the axes make 21 variations, more than 20 of 5000 frames");
+}
+
 TEST(VariationMistakes, AnAxisStandsAfterWorldBegin) {
   EXPECT_EQ(parse("AxisBegin \"a\"\nVariationBegin \"b\" VariationEnd AxisEnd\n").diagnostics.all()[0].message,
             "AxisBegin must stand after WorldBegin");
