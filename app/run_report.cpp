@@ -54,6 +54,7 @@ void write_paths(JsonWriter& json, const char* name, const PathCounts& paths) {
   json.member("dynamic_share", paths.dynamic_share());
   json.member("segments", paths.segments.done);
   json.member("shadow_rays", paths.shadow_rays);
+  json.member("weighted", paths.weighted);
   json.end_object();
 }
 
@@ -169,6 +170,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   line("rays", rays(s.camera), rays(s.photon));
   text += fmt::format("  {:<24}{:>15.1f}%{:>17.1f}%\n", "met something dynamic", 100 * s.camera.dynamic_share(),
                       100 * s.photon.dynamic_share());
+  line("ends with weights", s.camera.weighted, s.photon.weighted);
   text += fmt::format("\n  memory: {} at most, of which trees {}, integrator {}\n", readable_bytes(peak_memory()),
                       readable_bytes(report.tree_bytes), readable_bytes(s.bytes));
   if (s.invalid > 0) text += fmt::format("  {} contributions were not finite and were left out\n", grouped(s.invalid));

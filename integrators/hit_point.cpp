@@ -178,6 +178,7 @@ class HitPointTracer {
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = pixel_;
     hit.radius = radius(ended.length);
+    out_.paths.weighted += ended.strands != 0;
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(out_.scatterings.size());
     out_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), wo, point.p_error, lobes, bsdf->transmits(lobes)});

@@ -99,6 +99,7 @@ class PhotonTracer {
     }
     out_.photons.push_back({point.p, wi, flux, frames, path.strands});
     out_.stored.add(frames.count());
+    out_.paths.weighted += path.strands != 0;
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.

@@ -27,9 +27,11 @@ struct PathCounts {
   std::uint64_t paths = 0;          // started
   std::uint64_t dynamic_paths = 0;  // met in at least one frame what is not there in all
   std::uint64_t shadow_rays = 0;
+  std::uint64_t weighted = 0;  // hit points, or photons stored, in which frames have weights of their own
 
   PathCounts& operator+=(const PathCounts& o) {
     segments += o.segments, paths += o.paths, dynamic_paths += o.dynamic_paths, shadow_rays += o.shadow_rays;
+    weighted += o.weighted;
     return *this;
   }
   double dynamic_share() const {

@@ -47,6 +47,9 @@ TEST(JointPaths, ColoursShareEverything) {
     EXPECT_GT(joint.photon.segments.factor(), 0.8 * kFrames);
     EXPECT_LT(apart.photon.segments.factor(), 0.75 * kFrames);
     EXPECT_LT(joint.photon_tests.done, apart.photon_tests.done);
+    EXPECT_GT(joint.camera.weighted, 0u);
+    EXPECT_GT(joint.photon.weighted, 0u);
+    EXPECT_EQ(apart.camera.weighted + apart.photon.weighted, 0u);
   }
 }
 
