@@ -54,8 +54,20 @@ class PhotonTracer {
       }
       PhotonPath& path = stack_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
       path.strands = start.strands;
+      if (start.varied != nullptr && !weigh(path, *start.varied)) {
+        stack_.drop();
+        continue;
+      }
       balance(path, path.frames, &EnergyBalance::emitted);
     }
+  }
+
+  /// Gives each state of a light its share of a photon that starts as the first's; whether any has one.
+  bool weigh(PhotonPath& path, const SceneLight::Alike& alike) {
+    FrameArray<FrameFactor> weights;
+    for (const auto& [frames, light] : alike.states)
+      weights.add({frames, light->ratio_along(*alike.states.front().object, path.ray)});
+    return multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
 
   void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {

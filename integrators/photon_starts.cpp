@@ -5,10 +5,21 @@ namespace dspm {
 PhotonStarts::PhotonStarts(const Scene& scene, bool mixture) {
   for (const SceneLight& light : scene.lights) {
     std::vector<PhotonStart>& starts = of_light_.emplace_back();
+    if (!mixture) {
+      light.states.for_each(scene.frames(), [&](FrameSet frames, const Light& state) {
+        starts.push_back({&state, frames, Rgb(1), 0});
+      });
+      continue;
+    }
     for (const SceneLight::Alike& alike : light.alike) {
-      const std::size_t together = mixture ? alike.factors.size() : 1;
-      for (std::size_t i = 0; i < alike.factors.size(); i += together)
-        add(*alike.light, std::span(alike.factors).subspan(i, together), starts);
+      const Light& first = *alike.states.front().object;
+      if (alike.factors.empty()) {
+        FrameSet frames;
+        for (const auto& state : alike.states) frames |= state.frames;
+        starts.push_back({&first, frames, Rgb(1), 0, &alike});
+      } else {
+        add(first, alike.factors, starts);
+      }
     }
   }
 }

@@ -15,6 +15,7 @@ struct PhotonStart {
   FrameSet frames;
   Rgb factor;  // of the light's flux
   StrandList strands;
+  const SceneLight::Alike* varied = nullptr;  // whose weights depend on where the photon goes
 };
 
 class PhotonStarts {

@@ -42,6 +42,13 @@ class Light {
   /// then start alike. Nothing where they do not, or where it cannot be told.
   virtual std::optional<Rgb> ratio_to(const Light& /*other*/) const { return std::nullopt; }
 
+  /// Whether photons of this light may start as `other` draws them, with weights of at most kMostWeight times those that
+  /// this light itself would give.
+  virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
+  /// Then the flux of this light for such a photon over that of `other`.
+  virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
+  static constexpr float kMostWeight = 2;
+
   /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.

@@ -72,6 +72,18 @@ class Spot final : public Light {
     return ratio(intensity_, o->intensity_);
   }
 
+  // A cone within the other. Their falloffs then are such that no weight exceeds the share of the cones.
+  bool starts_like(const Light& other) const override {
+    const auto* o = dynamic_cast<const Spot*>(&other);
+    return o != nullptr && p_ == o->p_ && basis_.z == o->basis_.z && inner_ <= o->inner_ && outer_ <= o->outer_ &&
+           o->inner_ + o->outer_ <= kMostWeight * (inner_ + outer_) && ratio(intensity_, o->intensity_);
+  }
+  Rgb ratio_along(const Light& other, const Ray& start) const override {
+    const auto& o = static_cast<const Spot&>(other);
+    const float theirs = o.falloff(start.direction);
+    return theirs > 0 ? *ratio(intensity_, o.intensity_) * (falloff(start.direction) / theirs) : Rgb();
+  }
+
  private:
   float falloff(const Vec3& w) const {
     const float versine = 0.5f * length2(w - basis_.z);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "world/variations.h"
@@ -116,16 +117,29 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
 }
 
 std::vector<SceneLight::Alike> group_alike(const FrameStates<Light>& states) {
+  using State = FrameStates<Light>::State;
   std::vector<SceneLight::Alike> groups;
-  const auto join = [&](const FrameStates<Light>::State& state) {
-    for (SceneLight::Alike& group : groups)
-      if (const auto ratio = state.object->ratio_to(*group.light)) {
-        group.factors.push_back({state.frames, *ratio});
+  const auto join = [&](const State& state) {
+    for (auto& [members, factors] : groups) {
+      if (state.object->starts_like(*members.front().object)) return members.push_back(state);
+      const auto is_like_state = [&](const State& member) { return member.object->starts_like(*state.object); };
+      if (std::all_of(members.begin(), members.end(), is_like_state)) {
+        members.insert(members.begin(), state);
         return;
       }
-    groups.push_back({state.object, {{state.frames, Rgb(1)}}});
+    }
+    groups.push_back({{state}, {}});
   };
-  for (const auto& state : states.states) join(state);
+  for (const State& state : states.states) join(state);
+  for (auto& [members, factors] : groups)
+    for (const State& member : members) {
+      const auto ratio = member.object->ratio_to(*members.front().object);
+      if (!ratio) {
+        factors.clear();
+        break;
+      }
+      factors.push_back({member.frames, *ratio});
+    }
   return groups;
 }
 

@@ -98,7 +98,7 @@ class RandomScene {
         return "AttributeBegin Translate 0 1.45 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [15 14 12]" +
                keyed("float scale", "1", "0") + "Shape \"disk\" \"float radius\" 0.5 AttributeEnd\n" +
                "LightSource \"spot\" \"rgb I\" [9 9 9] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " +
-               keyed("float coneangle", "30", "50") + "\n";
+               keyed("float scale", "1", "2") + "\n";
       case 0: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [0.4 1.2 -1]\n";
       case 1:
         return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " +
