@@ -2,21 +2,10 @@
 // busy for both: the four steps and the total as in WG12's table 1, each beside its sharing factor.
 #pragma once
 
-#include <array>
-
-#include "bench/measure/run.h"
+#include "bench/measure/rounds.h"
 #include "bench/report/wg12.h"
 
 namespace dspm {
-
-/// The steps of an iteration, and last their sum.
-inline constexpr std::array<const char*, 5> kSteps = {"hit points", "photons", "photon map", "statistics", "all"};
-using StepSeconds = std::array<double, kSteps.size()>;
-
-/// One more iteration.
-StepSeconds timed_iteration(Integrator& integrator, int iteration);
-/// Step by step.
-StepSeconds medians(const std::vector<StepSeconds>& rounds);
 
 struct Comparison {
   int frames = 0;

@@ -19,6 +19,9 @@ std::span<const Section> sections() {
       {"sibenik", "the same with the paper's own models, where they are", measure_sibenik},
       {"scenes", "WG12 table 3: disco, water and material", measure_scenes},
       {"figure9", "WG12 figure 9: the speedup over the shares of dynamic photons and hit points", measure_figure9},
+      {"looks", "variations of a product against one of them, and their noise", measure_looks},
+      {"fabrics", "time and memory of up to 500 fabrics", measure_fabrics},
+      {"lamp", "a lamp that dims, a camera that moves", measure_lamp},
       {"memory", "WG12 table 2: peak memory over the number of frames", measure_memory},
       {"frames", "time and memory of up to 256 frames", measure_frames},
       {"threads", "from one thread to all", measure_threads},
@@ -33,6 +36,7 @@ std::span<const Section> sections() {
 std::span<const Section> scene_sections() {
   static constexpr Section kSections[] = {
       {"turns", "dsppm on all frames against sppm on each", measure_turns},
+      {"looks", "all frames against one of them, and their noise", measure_looks},
       {"threads", "from one thread to all", measure_threads},
       {"error", "time to equal error of the integrators and estimators", measure_error},
   };

@@ -1,0 +1,30 @@
+// Integrators that take turns, iteration by iteration, so that a busy machine is busy for all of them: what they take
+// step by step, and the ratios of that.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bench/measure/run.h"
+
+namespace dspm {
+
+/// The steps of an iteration, and last their sum.
+inline constexpr std::array<const char*, 5> kSteps = {"hit points", "photons", "photon map", "statistics", "all"};
+using StepSeconds = std::array<double, kSteps.size()>;
+/// By round, an iteration of each.
+using Rounds = std::vector<StepSeconds>;
+
+/// One more iteration.
+StepSeconds timed_iteration(Integrator& integrator, int iteration);
+/// Step by step.
+StepSeconds medians(const Rounds& rounds);
+/// Medians of the rounds' ratios.
+StepSeconds ratios(const Rounds& over, const Rounds& under);
+
+/// Runs that stand for one another, as several frames of a scene one by one: what they take is their mean.
+using Group = std::vector<Run>;
+/// By group. The first iteration, in which buffers grow, does not count where there are more.
+std::vector<Rounds> in_turns(const std::vector<Group>& groups, int iterations);
+
+}  // namespace dspm

@@ -1,0 +1,40 @@
+#include "bench/measure/share.h"
+
+#include "bench/report/table.h"
+
+namespace dspm {
+
+Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations) {
+  std::vector<Group> groups(3);
+  groups[0].push_back(start(loaded, loaded.job, "dsppm", frames));
+  for (const Frame f : spread_frames(frames, alone)) {
+    groups[1].push_back(start(loaded, loaded.job, "dsppm", {f}));
+    groups[2].push_back(start(loaded, loaded.job, "sppm", {f}));
+  }
+  const std::vector<Rounds> rounds = in_turns(groups, iterations);
+  const Statistics s = groups[0][0].integrator->statistics();
+  const auto over_one = [&](const SharedCount& count) { return static_cast<double>(frames.size()) / count.factor(); };
+  return {.frames = static_cast<int>(frames.size()),
+          .together = medians(rounds[0]),
+          .dsppm = medians(rounds[1]),
+          .sppm = medians(rounds[2]),
+          .over_dsppm = ratios(rounds[0], rounds[1]),
+          .over_sppm = ratios(rounds[0], rounds[2]),
+          .counted = {over_one(s.camera.segments), over_one(s.photon.segments), over_one(s.photons_stored),
+                      over_one(s.photon_tests), 0},
+          .dynamic_photons = s.photon.dynamic_share(),
+          .dynamic_hit_points = s.camera.dynamic_share()};
+}
+
+std::string table_of(const Share& share) {
+  Table table({"step", fmt::format("{} together, s", share.frames), "of all", "one, dsppm, s", "ratio", "one, sppm, s",
+               "ratio", "counted"});
+  for (std::size_t s = 0; s < kSteps.size(); ++s)
+    table.row({kSteps[s], seconds_cell(share.together[s]),
+               fmt::format("{:.0f}%", 100 * share.together[s] / share.together.back()), seconds_cell(share.dsppm[s]),
+               ratio_cell(share.over_dsppm[s]), seconds_cell(share.sppm[s]), ratio_cell(share.over_sppm[s]),
+               ratio_cell(share.counted[s])});
+  return table.text();
+}
+
+}  // namespace dspm

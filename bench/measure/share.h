@@ -1,0 +1,26 @@
+// Frames rendered together beside one frame alone: what each step takes, and what is counted of its work.
+#pragma once
+
+#include <string>
+
+#include "bench/measure/rounds.h"
+
+namespace dspm {
+
+/// Of frames that share: all together, and the mean of some of them alone.
+struct Share {
+  int frames = 0;
+  StepSeconds together{}, dsppm{}, sppm{};  // medians of seconds; of one frame by either integrator
+  StepSeconds over_dsppm{}, over_sppm{};    // medians of ratios
+  /// Path segments, photons stored, photon tests over those of the mean frame alone; 0 for the total.
+  StepSeconds counted{};
+  double dynamic_photons = 0, dynamic_hit_points = 0;  // shares of the paths
+};
+
+/// `alone`: so many of the frames, evenly spread, are rendered one by one.
+Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations);
+
+/// A row a step.
+std::string table_of(const Share& share);
+
+}  // namespace dspm

@@ -1,0 +1,50 @@
+#include "bench/measure/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace dspm {
+namespace {
+
+Image grey(std::initializer_list<float> values) {
+  Image image(static_cast<int>(values.size()), 1);
+  std::size_t p = 0;
+  for (const float value : values) image.pixels[p++] = Rgb(value, value, value);
+  return image;
+}
+
+TEST(RelativeSquare, IsRelativeAndAtMostOne) {
+  const Image truth = grey({1, 1, 1, 1});  // the floor is 0.01
+  EXPECT_EQ(relative_square(truth, truth, truth), 0);
+  EXPECT_NEAR(relative_square(grey({1.101f, 1, 1, 1}), truth, truth), 0.0025, 1e-6);
+  EXPECT_NEAR(relative_square(grey({1000, 1, 1, 1}), truth, truth), 0.25, 1e-6);
+}
+
+TEST(RelativeSquare, CountsDarkPixelsAgainstAHundredthOfTheMean) {
+  const Image truth = grey({0, 2});
+  EXPECT_NEAR(relative_square(grey({0.005f, 2}), truth, truth), 0.125, 1e-6);
+  EXPECT_EQ(relative_square(grey({0, 0}), grey({0, 0}), grey({0, 0})), 0);
+}
+
+TEST(RelativeSquare, SeesChannelsThatKeepTheLuminance) {
+  const Image truth = grey({1});
+  Image tinted = truth;
+  tinted.pixels[0] = Rgb(1.101f, 1, 1);
+  EXPECT_NEAR(relative_square(tinted, truth, truth), 0.01 / 3, 1e-6);
+}
+
+TEST(RelativeSquare, OfTwoRunsIsTwiceTheVariance) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal(1, 0.1f);
+  Image truth(200, 200), a = truth, b = truth;
+  for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
+    truth.pixels[p] = Rgb(1, 1, 1);
+    a.pixels[p] = Rgb(normal(random), normal(random), normal(random));
+    b.pixels[p] = Rgb(normal(random), normal(random), normal(random));
+  }
+  EXPECT_NEAR(relative_square(a, b, truth), 2 * 0.01 / (1.01 * 1.01), 4e-4);
+}
+
+}  // namespace
+}  // namespace dspm
