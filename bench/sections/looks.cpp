@@ -1,6 +1,7 @@
 // Variations of a product that differ in looks: the time of all of them over that of one, and whether they are noisier
 // together than each is alone.
 #include <algorithm>
+#include <cmath>
 
 #include "bench/measure/convergence.h"
 #include "bench/measure/noise.h"
