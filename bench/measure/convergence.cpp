@@ -85,12 +85,6 @@ Images render_for(const LoadedScene& loaded, const Method& method, double limit)
   return renderer.images();
 }
 
-Images render(const LoadedScene& loaded, const Method& method, int iterations) {
-  Renderer renderer(loaded, method);
-  while (renderer.iterations() < iterations) renderer.iterate();
-  return renderer.images();
-}
-
 Images mean_of(const Images& a, const Images& b) {
   Images mean = a;
   for (std::size_t f = 0; f < a.size(); ++f)

@@ -34,8 +34,6 @@ std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method
 
 /// The images of `method` after so many seconds.
 Images render_for(const LoadedScene& loaded, const Method& method, double limit);
-/// After so many iterations.
-Images render(const LoadedScene& loaded, const Method& method, int iterations);
 
 /// The pixels' mean of both.
 Images mean_of(const Images& a, const Images& b);

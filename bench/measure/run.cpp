@@ -62,13 +62,18 @@ LoadedScene load_sibenik_horse() {
               {"data=" + foreign("data/sibenik").parent_path().string()});
 }
 
-Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames) {
+std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene) {
   for (const auto& plugin : integrator_plugins())
     if (plugin.name == integrator) job.plugin = &plugin, job.integrator = integrator;
   Diagnostics diagnostics;
-  Run run{loaded.world->scene(frames), nullptr};
-  run.integrator = job.make_integrator(*run.scene, diagnostics);
+  std::unique_ptr<Integrator> made = job.make_integrator(scene, diagnostics);
   diagnostics.throw_if_errors();
+  return made;
+}
+
+Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames) {
+  Run run{loaded.world->scene(frames), nullptr};
+  run.integrator = start(std::move(job), integrator, *run.scene);
   return run;
 }
 

@@ -34,6 +34,8 @@ struct Run {
   std::unique_ptr<Integrator> integrator;
 };
 
+/// The job with this integrator at work on the scene.
+std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene);
 /// The scene's own integrator with other settings, or another one.
 Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames);
 

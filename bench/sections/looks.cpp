@@ -1,6 +1,7 @@
 // Variations of a product that differ in looks: the time of all of them over that of one, and whether they are noisier
 // together than each is alone.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bench/measure/convergence.h"
@@ -37,50 +38,60 @@ struct NoiseSettings {
   std::size_t variations;  // at most so many are compared
 };
 
-Images rendered(const LoadedScene& loaded, const char* integrator, Job job, int seed, int iterations) {
+/// An image of each of the scene's frames.
+Images rendered(const Scene& scene, const char* name, Job job, int seed, int iterations) {
   job.settings.seed += static_cast<std::uint64_t>(seed);
-  return render(loaded, {integrator, integrator, std::move(job)}, iterations);
+  const std::unique_ptr<Integrator> integrator = start(std::move(job), name, scene);
+  for (int i = 0; i < iterations; ++i) integrator->iterate(i);
+  Images images;
+  for (Frame f = 0; f < scene.frame_count(); ++f) images.push_back(integrator->estimate(f));
+  return images;
+}
+
+/// By seed.
+std::vector<Images> rendered_by_seed(const Scene& scene, const char* name, const Job& job,
+                                     const NoiseSettings& settings) {
+  std::vector<Images> all;
+  for (int seed = 0; seed < settings.seeds; ++seed)
+    all.push_back(rendered(scene, name, job, seed, settings.iterations));
+  return all;
 }
 
 /// Of other seeds than what is compared, and with radii that shrink faster.
-Images reference(const LoadedScene& loaded, const Job& job, int iterations) {
+Images reference(const Scene& scene, const Job& job, int iterations) {
   const Job faster = with_number(job, "alpha", 0.5f);
-  return mean_of(rendered(loaded, "dsppm", faster, 1000, iterations),
-                 rendered(loaded, "dsppm", faster, 1001, iterations));
+  return mean_of(rendered(scene, "dsppm", faster, 1000, iterations),
+                 rendered(scene, "dsppm", faster, 1001, iterations));
 }
 
-/// Of one variation by one integrator: sums over seeds.
+/// Of a frame: sums over seeds.
 struct Squares {
   double error = 0, variance = 0;
 };
 
-Squares squares(const std::vector<Images>& by_seed, std::size_t i, const Image& truth) {
+Squares squares(const std::vector<Images>& by_seed, std::size_t frame, const Image& truth) {
   Squares sum;
   for (std::size_t s = 0; s < by_seed.size(); ++s) {
-    sum.error += relative_square(by_seed[s][i], truth, truth);
-    if (s > 0) sum.variance += relative_square(by_seed[s][i], by_seed[s - 1][i], truth);
+    sum.error += relative_square(by_seed[s][frame], truth, truth);
+    if (s > 0) sum.variance += relative_square(by_seed[s][frame], by_seed[s - 1][frame], truth);
   }
   return sum;
 }
 
 Noise measure_noise(const LoadedScene& loaded, const NoiseSettings& settings) {
-  const Job all = with_integer(loaded.job, "photons", kPhotons);
-  Job some = all;
-  some.frames = spread_frames(all.frames, settings.variations);
+  const Job job = with_integer(loaded.job, "photons", kPhotons);
+  const std::vector<Frame>& frames = job.frames;
+  const std::unique_ptr<Scene> scene = loaded.world->scene(frames);
   say("noise: reference");
-  const Images truth = reference(loaded, all, settings.reference);
-  std::vector<Images> together, alone;
-  for (int seed = 0; seed < settings.seeds; ++seed) {
-    say("noise: seed {} of {}", seed + 1, settings.seeds);
-    together.push_back(rendered(loaded, "dsppm", all, seed, settings.iterations));
-    alone.push_back(rendered(loaded, "sppm", some, seed, settings.iterations));
-  }
+  const Images truth = reference(*scene, job, settings.reference);
+  say("noise: all together");
+  const std::vector<Images> together = rendered_by_seed(*scene, "dsppm", job, settings);
   Noise noise{settings.iterations, {}, {}};
-  for (std::size_t i = 0; i < some.frames.size(); ++i) {
-    const auto found = std::find(all.frames.begin(), all.frames.end(), some.frames[i]);
-    const auto among_all = static_cast<std::size_t>(found - all.frames.begin());
-    const Squares joint = squares(together, among_all, truth[among_all]);
-    const Squares own = squares(alone, i, truth[among_all]);
+  for (const Frame f : spread_frames(frames, settings.variations)) {
+    say("noise: {}", job.label(f));
+    const std::vector<Images> alone = rendered_by_seed(*loaded.world->scene(std::array{f}), "sppm", job, settings);
+    const auto i = static_cast<std::size_t>(std::find(frames.begin(), frames.end(), f) - frames.begin());
+    const Squares joint = squares(together, i, truth[i]), own = squares(alone, 0, truth[i]);
     noise.deviations.push_back(std::sqrt(joint.variance / own.variance));
     noise.errors.push_back(std::sqrt(joint.error / own.error));
   }
@@ -102,11 +113,11 @@ Measured measure_one(const Product& product, const Setup& setup) {
   const std::string name = product.file.stem().string();
   say("{}: time", name);
   const LoadedScene loaded = load(product.file, options);
-  const Share share = measure_share(loaded, loaded.job.frames, setup.quick ? 3 : 5, setup.quick ? 4 : 12);
+  const Share share = measure_share(loaded, loaded.job.frames, setup.quick ? 2 : 5, setup.quick ? 3 : 12);
   options.quick = true;
   const NoiseSettings settings = setup.quick
-                                     ? NoiseSettings{8, 2, 32, 6}
-                                     : NoiseSettings{.iterations = 16, .seeds = 4, .reference = 256, .variations = 64};
+                                     ? NoiseSettings{8, 4, 32, 4}
+                                     : NoiseSettings{.iterations = 16, .seeds = 8, .reference = 256, .variations = 64};
   return {name, product, share, measure_noise(load(product.file, options), settings)};
 }
 
