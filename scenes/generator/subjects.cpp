@@ -12,6 +12,11 @@ std::span<const Subject> subjects() {
       {"agave", "the plant of water.dsc", make_agave},
       {"coffee_pot", "the product of material.dsc", make_coffee_pot},
       {"tableware", "glass and cup of material.dsc", make_tableware},
+      {"chair", "the product of chair.dsc", make_chair},
+      {"studio", "what stands around it", make_studio},
+      {"lamp", "the product of lamp.dsc, with three shades", make_lamp},
+      {"wood", "the grain of wood, a picture", make_wood},
+      {"fabrics", "pictures of ten weaves, and 500 variations of them", make_fabrics},
   };
   return all;
 }

@@ -16,6 +16,11 @@ void make_agave(const std::filesystem::path& directory);
 void make_water(const std::filesystem::path& directory);
 void make_coffee_pot(const std::filesystem::path& directory);
 void make_tableware(const std::filesystem::path& directory);
+void make_chair(const std::filesystem::path& directory);
+void make_studio(const std::filesystem::path& directory);
+void make_lamp(const std::filesystem::path& directory);
+void make_wood(const std::filesystem::path& directory);
+void make_fabrics(const std::filesystem::path& directory);
 
 struct Subject {
   std::string_view name, sentence;

@@ -22,7 +22,7 @@ BEGIN {
   allowed["integrators"] = "core image film/pixel_filter.h film/pixel_rect.h world/scene.h accel/accel.h shapes/shape.h" \
       " shapes/placed_shape.h materials/bsdf.h materials/material.h lights/light.h cameras/camera.h"
   allowed["app"] = allowed["bench"] = "*"
-  allowed["scenes"] = "core shapes"
+  allowed["scenes"] = "core image shapes"
 
   # Headers of a library, and the only files that may include them.
   confined["^(oneapi/)?tbb/"] = "^core/parallel[.]"
