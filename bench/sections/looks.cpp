@@ -88,7 +88,7 @@ Noise measure_noise(const LoadedScene& loaded, const NoiseSettings& settings) {
   const std::vector<Images> together = rendered_by_seed(*scene, "dsppm", job, settings);
   Noise noise{settings.iterations, {}, {}};
   for (const Frame f : spread_frames(frames, settings.variations)) {
-    say("noise: {}", job.label(f));
+    say("noise: frame {}", f + 1);
     const std::vector<Images> alone = rendered_by_seed(*loaded.world->scene(std::array{f}), "sppm", job, settings);
     const auto i = static_cast<std::size_t>(std::find(frames.begin(), frames.end(), f) - frames.begin());
     const Squares joint = squares(together, i, truth[i]), own = squares(alone, 0, truth[i]);
