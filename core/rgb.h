@@ -37,12 +37,12 @@ inline Rgb operator*(Rgb a, float s) { return a *= s; }
 inline Rgb operator*(float s, Rgb a) { return a *= s; }
 inline Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b / s}; }
 
-/// a / b by component, where b has nothing only where a has nothing.
+/// a / b by component, 0 where both are 0; nothing where that is not finite.
 inline std::optional<Rgb> ratio(const Rgb& a, const Rgb& b) {
   Rgb result;
   for (int c = 0; c < 3; ++c) {
-    if (b[c] == 0 && a[c] != 0) return std::nullopt;
     result[c] = a[c] == 0 ? 0 : a[c] / b[c];
+    if (!std::isfinite(result[c])) return std::nullopt;
   }
   return result;
 }

@@ -28,7 +28,9 @@ struct End {
     if (constant != first.constant || choice.lobes != first.choice.lobes) return std::nullopt;
     if (constant) return f / choice.chance;
     const auto ratio = this == &first ? Rgb(1) : bsdf->ratio_to(*first.bsdf, choice.lobes);
-    return ratio ? std::optional(*ratio / choice.chance) : std::nullopt;
+    // Where a black f has photons all the same, hj09 counts them.
+    if (!ratio || !(std::min({ratio->r, ratio->g, ratio->b}) > 0)) return std::nullopt;
+    return *ratio / choice.chance;
   }
 };
 

@@ -42,7 +42,7 @@ struct HitPointSettings {
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
   bool keep_bsdf = false;      // every hit point has its `scattering`
-  bool mixture = false;        // frames that differ in looks only share paths; else they part
+  bool mixture = false;        // frames that differ in looks or light only share paths; else they part
 };
 
 /// The hit points of one tile of pixels.

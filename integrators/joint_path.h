@@ -80,6 +80,8 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   if (factors.size() > 1 || (list != nullptr && !(list->grey && by_ratio == ByRatio::yes)))
     return multiply_strands(path, factors, table, left);
   path.frames &= factors[0].frames;
+  if (list != nullptr)
+    if (const Strand* all = strand_of_all(list, path.frames)) path.throughput *= all->weight, path.strands = 0;
   path.throughput = left(path.strands, path.frames, path.throughput, path.throughput * factors[0].factor);
   return !is_black(path.throughput);
 }

@@ -65,8 +65,7 @@ class PhotonTracer {
   /// Gives each state of a light its share of a photon that starts as the first's; whether any has one.
   bool weigh(PhotonPath& path, const SceneLight::Alike& alike) {
     FrameArray<FrameFactor> weights;
-    for (const auto& [frames, light] : alike.states)
-      weights.add({frames, light->ratio_along(*alike.states.front().object, path.ray)});
+    for (const auto& [frames, light] : alike.states) weights.add({frames, light->ratio_along(*alike.first, path.ray)});
     return multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
 
@@ -109,9 +108,12 @@ class PhotonTracer {
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }
-    out_.photons.push_back({point.p, wi, flux, frames, path.strands});
+    StrandList strands = path.strands;
+    if (const Strand* list = out_.strands.of(strands); list != nullptr)
+      if (const Strand* all = strand_of_all(list, frames)) flux *= all->weight, strands = 0;
+    out_.photons.push_back({point.p, wi, flux, frames, strands});
     out_.stored.add(frames.count());
-    out_.paths.weighted += path.strands != 0;
+    out_.paths.weighted += strands != 0;
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.

@@ -34,7 +34,7 @@ struct PhotonSettings {
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: nothing is stored for them alone
   unsigned kinds = kAllPhotons;  // those that are stored
-  bool mixture = false;          // frames that differ in looks only share paths; else they part
+  bool mixture = false;          // frames that differ in looks or light only share paths; else they part
 };
 
 /// What a range of photon paths left behind.

@@ -72,6 +72,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
     }
   });
 
+  of_lights_ = {};
   if (!traces.empty()) of_lights_ = traces[0].strands.lists_before(traces[0].own_strands);
 
   const auto build = [&](PhotonGrid<GatheredPhoton>& grid, std::size_t first, std::size_t end) {

@@ -12,7 +12,7 @@ PhotonStarts::PhotonStarts(const Scene& scene, bool mixture) {
       continue;
     }
     for (const SceneLight::Alike& alike : light.alike) {
-      const Light& first = *alike.states.front().object;
+      const Light& first = *alike.first;
       if (alike.factors.empty()) {
         FrameSet frames;
         for (const auto& state : alike.states) frames |= state.frames;

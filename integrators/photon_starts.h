@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// One path for each number that a light is given.
+/// A path that starts for every choice of the light.
 struct PhotonStart {
   const Light* light;
   FrameSet frames;

@@ -25,7 +25,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones are followed");
   const bool mixture = params.flag(
-      "mixture", true, "frames that differ in looks only share paths, with a weight each; false: they part");
+      "mixture", true, "frames that differ in looks or light only share paths, with a weight each; false: they part");
   params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);

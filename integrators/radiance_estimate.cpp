@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace dspm {
 namespace {
@@ -25,7 +26,9 @@ std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scat
   while (true) {
     photons.clear();
     gather(hit, scattering, map, radius * radius, counts,
-           [&](const Strand*, FrameSet frames, RgbLanes flux, float distance2) {
+           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2) {
+             assert(strands == nullptr && "paths that part have none");
+             static_cast<void>(strands);
              photons.push_back({distance2, frames, flux.rgb()});
            });
     if (how.nearest == 0 || radius >= how.radius || enough_for_all(photons, hit.frames, how.nearest)) break;

@@ -1,6 +1,7 @@
 #include "integrators/strand.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -15,6 +16,7 @@ bool nearly_equal(float a, float b) { return std::abs(a - b) <= kRoundings * std
 /// How many times b is a, if it is a multiple.
 std::optional<float> multiple_of(const Rgb& a, const Rgb& b) {
   const float s = max_component(a) / max_component(b);
+  if (!std::isfinite(s)) return std::nullopt;
   for (int c = 0; c < 3; ++c)
     if (!nearly_equal(a[c], s * b[c])) return std::nullopt;
   return s;
@@ -23,7 +25,12 @@ std::optional<float> multiple_of(const Rgb& a, const Rgb& b) {
 }  // namespace
 
 Rgb Strands::take_common() {
+  assert(!strands_.empty());
   const Rgb common = strands_[0].weight;
+  if (strands_.size() == 1) {
+    strands_[0].weight = Rgb(1);
+    return common;
+  }
   FrameArray<float> multiples;
   for (const Strand& strand : strands_) {
     const auto multiple = multiple_of(strand.weight, common);

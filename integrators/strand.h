@@ -30,6 +30,14 @@ void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   }
 }
 
+/// The strand that holds all of `frames`; null where there is none.
+inline const Strand* strand_of_all(const Strand* list, FrameSet frames) {
+  for (;; ++list) {
+    if (!(list->frames & frames).empty()) return list->frames.contains(frames) ? list : nullptr;
+    if (list->rest == 0) return nullptr;
+  }
+}
+
 /// A number of a list in its table; 0: none, all frames carry the path's throughput.
 using StrandList = std::uint32_t;
 

@@ -2,6 +2,7 @@
 // luminance.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/sampling.h"
@@ -27,6 +28,10 @@ class EnvironmentMap {
   Sample sample(Vec2 u) const;
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
     return a.mapping_ == b.mapping_ && a.image_ == b.image_;
+  }
+  /// The radiance, if it is the same from everywhere and not black.
+  std::optional<Rgb> constant() const {
+    return image_.pixels.size() == 1 && !is_black() ? std::optional(image_.pixels[0]) : std::nullopt;
   }
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.

@@ -64,7 +64,9 @@ class Infinite final : public Light {
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const Infinite*>(&other);
-    if (o == nullptr || !(to_world_ == o->to_world_) || !(map_ == o->map_)) return std::nullopt;
+    if (o == nullptr || !(to_world_ == o->to_world_)) return std::nullopt;
+    if (map_.constant() && o->map_.constant()) return ratio(scale_ * *map_.constant(), o->scale_ * *o->map_.constant());
+    if (!(map_ == o->map_)) return std::nullopt;
     return ratio(Rgb(scale_), Rgb(o->scale_));
   }
 

@@ -2,7 +2,7 @@
 //
 // A point light that shines into a cone. Off the axis by less than coneangle - conedeltaangle it has its full
 // intensity; from there it falls to 0 at coneangle as 3 x^2 - 2 x^3, x linear in the cosine. Photons follow the falloff
-// exactly, so all carry the same flux.
+// exactly, so all carry the same flux; where the cone changes, those of the widest one carry weights.
 //
 // | parameter      | default | meaning |
 // | -------------- | ------- | ------- |

@@ -87,6 +87,24 @@ class LightMaker {
   Diagnostics& diagnostics_;
 };
 
+/// Over all frames of the file, so that a frame's photons do not depend on which others are rendered.
+std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<const Light>>& states) {
+  std::vector<std::vector<int>> groups;
+  const auto at = [&](int s) -> const Light& { return *states[static_cast<std::size_t>(s)]; };
+  const auto join = [&](int state) {
+    for (std::vector<int>& group : groups) {
+      if (at(state).starts_like(at(group.front()))) return group.push_back(state);
+      if (std::all_of(group.begin(), group.end(), [&](int s) { return at(s).starts_like(at(state)); })) {
+        group.insert(group.begin(), state);
+        return;
+      }
+    }
+    groups.push_back({state});
+  };
+  for (int s = 0; s < static_cast<int>(states.size()); ++s) join(s);
+  return groups;
+}
+
 float mean_power(const WorldLight& light) {
   std::vector<float> power;
   for (const auto& state : light.states.states) power.push_back(luminance(state->power()));
@@ -112,35 +130,29 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
       diagnostics.error({}, fmt::format("the power of {} is not finite", light.name));
     total += static_cast<double>(light.probability);
   }
+  for (WorldLight& light : lights) light.alike = group_alike(light.states.states);
   for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;
   return lights;
 }
 
-std::vector<SceneLight::Alike> group_alike(const FrameStates<Light>& states) {
-  using State = FrameStates<Light>::State;
-  std::vector<SceneLight::Alike> groups;
-  const auto join = [&](const State& state) {
-    for (auto& [members, factors] : groups) {
-      if (state.object->starts_like(*members.front().object)) return members.push_back(state);
-      const auto is_like_state = [&](const State& member) { return member.object->starts_like(*state.object); };
-      if (std::all_of(members.begin(), members.end(), is_like_state)) {
-        members.insert(members.begin(), state);
-        return;
-      }
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames) {
+  std::vector<SceneLight::Alike> all;
+  for (const std::vector<int>& group : light.alike) {
+    const auto state_of = [&](int s) { return light.states.states[static_cast<std::size_t>(s)]; };
+    SceneLight::Alike alike{state_of(group.front()), {}, {}};
+    bool by_place = false;
+    for (const int s : group) {
+      const FrameSet set = frames_in_state(light.states, s, frames);
+      if (set.empty()) continue;
+      alike.states.push_back({set, state_of(s)});
+      const auto ratio = state_of(s)->ratio_to(*alike.first);
+      by_place |= !ratio;
+      alike.factors.push_back({set, ratio.value_or(Rgb())});
     }
-    groups.push_back({{state}, {}});
-  };
-  for (const State& state : states.states) join(state);
-  for (auto& [members, factors] : groups)
-    for (const State& member : members) {
-      const auto ratio = member.object->ratio_to(*members.front().object);
-      if (!ratio) {
-        factors.clear();
-        break;
-      }
-      factors.push_back({member.frames, *ratio});
-    }
-  return groups;
+    if (by_place) alike.factors.clear();
+    if (!alike.states.empty()) all.push_back(std::move(alike));
+  }
+  return all;
 }
 
 }  // namespace dspm

@@ -11,7 +11,8 @@ namespace dspm {
 
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
-  float probability = 0;  // in proportion to the mean power over all frames
+  float probability = 0;                // in proportion to the mean power over all frames
+  std::vector<std::vector<int>> alike;  // its states in groups whose photons start as those of the first
   bool infinite = false;
   std::string name;  // for messages
 };
@@ -20,7 +21,7 @@ struct WorldLight {
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Vec3& center,
                                     float radius, Diagnostics& diagnostics);
 
-/// See SceneLight::alike.
-std::vector<SceneLight::Alike> group_alike(const FrameStates<Light>& states);
+/// See SceneLight::alike; of a light that exists in these frames of the file.
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames);
 
 }  // namespace dspm

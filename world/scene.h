@@ -45,10 +45,11 @@ struct FrameFactor {
 /// A light and the chance that a photon path or a direct light sample chooses it: in proportion to its mean power over
 /// all frames of the file.
 struct SceneLight {
-  /// States whose photons start alike: as those of the first, times a weight.
+  /// States whose photons start alike: as those of `first`, a state of the file, times a weight.
   struct Alike {
+    std::shared_ptr<const Light> first;
     std::vector<FrameStates<Light>::State> states;
-    /// Light::ratio_to of each over the first; empty where the ratio depends on where a photon goes.
+    /// Light::ratio_to of each over `first`; empty where the ratio depends on where a photon goes.
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;

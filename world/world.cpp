@@ -127,9 +127,8 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   scene->materials = parts_->looks.materials_in(scene->file_frames);
   for (const WorldLight& light : parts_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
-    FrameStates<Light> states = cut(light.states, scene->file_frames);
-    auto alike = group_alike(states);
-    scene->lights.push_back({std::move(states), light.probability, std::move(alike)});
+    scene->lights.push_back(
+        {cut(light.states, scene->file_frames), light.probability, alike_in(light, scene->file_frames)});
   }
   scene->camera = cut(parts_->camera, scene->file_frames);
   Diagnostics ignored;
