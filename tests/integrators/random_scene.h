@@ -90,7 +90,12 @@ class RandomScene {
   }
 
   std::string light() {
-    switch (whole(0, 9)) {
+    switch (whole(0, 10)) {
+      case 10:
+        return fmt::format(
+                   "DynamicBegin \"bulb\" Keyframe 1 Translate -0.5 1 -1 Keyframe {} Translate 0.6 1.1 -1 KeyframeEnd ",
+                   last()) +
+               "LightSource \"point\" \"rgb I\" [6 6 6]" + keyed("float scale", "1", "0.5") + " DynamicEnd\n";
       case 8:
         return "LightSource \"point\"" + keyed("rgb I", "[6 5 4]", "[1 3 5]") + " \"point3 from\" [0.4 1.2 -1]\n" +
                "LightSource \"infinite\" \"rgb L\" [.2 .3 .4]" + keyed("float scale", "1", "0.2") + "\n";
@@ -98,7 +103,7 @@ class RandomScene {
         return "AttributeBegin Translate 0 1.45 0 Rotate 90 1 0 0 AreaLightSource \"diffuse\" \"rgb L\" [15 14 12]" +
                keyed("float scale", "1", "0") + "Shape \"disk\" \"float radius\" 0.5 AttributeEnd\n" +
                "LightSource \"spot\" \"rgb I\" [9 9 9] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " +
-               keyed("float scale", "1", "2") + "\n";
+               keyed("float coneangle", "30", "50") + "\n";
       case 0: return "LightSource \"point\" \"rgb I\" [6 5 4] \"point3 from\" [0.4 1.2 -1]\n";
       case 1:
         return "LightSource \"spot\" \"rgb I\" [20 20 20] \"point3 from\" [0.5 1.4 -1] \"point3 to\" [0 -1 0] " +
@@ -136,7 +141,9 @@ class RandomScene {
                               : fmt::format(" \"float roughness\" {}", real(low, high));
     };
     switch (whole(0, 15)) {
-      case 11: return "Material \"coateddiffuse\"" + keyed("rgb reflectance", "[.8 .1 .1]", "[.1 .2 .9]") + "\n";
+      case 11:
+        return "Material \"coateddiffuse\"" +
+               keyed("rgb reflectance", "[.8 .1 .1]", whole(0, 1) ? "[0 0 0]" : "[.1 .2 .9]") + "\n";
       case 12:
         return "Material \"coateddiffuse\" \"texture reflectance\" \"" + any_texture() + "\"" +
                keyed("float roughness", "0.05", "0.4") + "\n";
