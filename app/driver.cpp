@@ -94,11 +94,10 @@ class Run {
 };
 
 RunReport Run::render() {
-  const InterruptRequests interrupts;
   for (std::size_t i = 0; i < intervals_.size() && InterruptRequests::signal() == 0; ++i) render_interval(i);
   progress_.reset();
   report_.seconds = seconds_since(begin_);
-  if (const int signal = InterruptRequests::signal()) report_.exit_code = 128 + signal;
+  report_.exit_code = InterruptRequests::exit_code(0);
   say_end();
   return report_;
 }
@@ -187,11 +186,12 @@ int render_scene(const Options& options) {
   MemoryBound memory(options.memory);
   const LoadedScene loaded(options, messages);
   if (options.explain) explain(*loaded.world, loaded.job);
+  const InterruptRequests interrupts;
   Run run(loaded.job, *loaded.world, options, memory, messages);
   const RunReport report = run.render();
   write_report(loaded.job, report, options);
   run.finish_video();
-  return report.exit_code;
+  return InterruptRequests::exit_code(report.exit_code);
 }
 
 int check_scene(const Options& options) {

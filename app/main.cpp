@@ -10,6 +10,7 @@
 #include "app/driver.h"
 #include "app/load.h"
 #include "app/options.h"
+#include "app/signals.h"
 #include "core/errors.h"
 
 namespace dspm {
@@ -45,7 +46,7 @@ int run_and_report(const std::vector<std::string>& arguments) {
   } catch (const std::exception& error) {
     fmt::print(stderr, "dspm: {}\n", error.what());
   }
-  return 1;
+  return InterruptRequests::exit_code(1);
 }
 
 }  // namespace

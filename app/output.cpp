@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/signals.h"
 #include "core/atomic_file.h"
 #include "film/image_name.h"
 #include "film/write_image.h"
@@ -40,7 +41,9 @@ Output::Output(const Job& job, const Options& options)
                                 job.description->frames.combination_of(job.frames.back());
   if (!options.video.empty() && !is_one_variation)
     throw UsageError("--video shows one variation: choose it by --variation");
-  if (!options.video.empty()) video_.emplace(options.video, VideoFormat{width, height, static_cast<float>(job.fps)});
+  if (!options.video.empty())
+    video_.emplace(options.video, VideoFormat{width, height, static_cast<float>(job.fps)},
+                   [] { return InterruptRequests::signal() != 0; });
 }
 
 std::filesystem::path Output::name(Frame frame) const {

@@ -1,6 +1,6 @@
 #include "app/signals.h"
 
-#include <unistd.h>
+#include "core/sudden_end.h"
 
 namespace dspm {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 volatile std::sig_atomic_t received = 0;
 
 extern "C" void on_signal(int number) {
-  if (received != 0) _exit(128 + number);
+  if (received != 0) end_suddenly(128 + number);
   received = number;
 }
 

@@ -16,12 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the bytes go in the end: a link is followed, so that it is its file that is replaced.
-fs::path replaced_file(const fs::path& target) {
-  std::error_code no_such_file;
-  const fs::path real = fs::canonical(target, no_such_file);
-  return no_such_file ? target : real;
-}
+constexpr int kMostLinks = 40;
 
 /// Differs between processes and between files of one process, so that nobody renames what another one is writing.
 fs::path temporary_name(const fs::path& target) {
@@ -33,7 +28,16 @@ fs::path temporary_name(const fs::path& target) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(replaced_file(target)) {
+fs::path file_behind(const fs::path& target) {
+  std::error_code none;
+  if (const fs::path real = fs::canonical(target, none); !none) return real;
+  fs::path file = target;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(file, none); ++links)
+    file = file.parent_path() / fs::read_symlink(file, none);
+  return file;
+}
+
+AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(file_behind(target)) {
   std::error_code ignored;
   const fs::path directory = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(directory, ignored)) {
@@ -42,9 +46,11 @@ AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(replace
   if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
     throw std::runtime_error("cannot write " + shown_.string() + ": it is not a regular file");
   }
+  if (fs::is_symlink(target_, ignored)) fail(ELOOP);
   temporary_ = temporary_name(target_);
   descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
+  leftover_.emplace(temporary_);
 }
 
 AtomicFile::~AtomicFile() {

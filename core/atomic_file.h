@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
+
+#include "core/sudden_end.h"
 
 namespace dspm {
 
@@ -28,7 +31,11 @@ class AtomicFile {
 
   std::filesystem::path shown_, target_, temporary_;
   int descriptor_ = -1;
+  std::optional<Leftover> leftover_;
 };
+
+/// Links are followed: it is their file that is replaced, or made where there is none yet.
+std::filesystem::path file_behind(const std::filesystem::path& target);
 
 /// A whole file at once.
 void write_file(const std::filesystem::path& target, std::string_view bytes);

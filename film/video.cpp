@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -11,22 +13,23 @@
 #include <utility>
 #include <vector>
 
+#include "film/whole_mp4.h"
 #include "image/encoding.h"
 
 namespace dspm {
 namespace {
 
 constexpr float kUsualRate = 24;
+constexpr std::chrono::seconds kGrace{5};
 
 int even(int size) { return size + size % 2; }
 
-/// With its last column and row once more where their number is odd.
-Image even_sized(const Image& image) {
-  Image padded(even(image.width), even(image.height));
-  for (int y = 0; y < padded.height; ++y)
-    for (int x = 0; x < padded.width; ++x)
-      padded.at(x, y) = image.at(std::min(x, image.width - 1), std::min(y, image.height - 1));
-  return padded;
+/// Row y with its last pixel once more where their number is odd.
+Image even_row(const Image& image, int y) {
+  Image row(even(image.width), 1);
+  for (int x = 0; x < row.width; ++x)
+    row.at(x, 0) = image.at(std::min(x, image.width - 1), std::min(y, image.height - 1));
+  return row;
 }
 
 std::vector<std::string> command(const std::filesystem::path& file, const VideoFormat& format) {
@@ -35,7 +38,7 @@ std::vector<std::string> command(const std::filesystem::path& file, const VideoF
   const std::string input = fmt::format("-pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0",
                                         even(format.width), even(format.height), rate);
   std::istringstream words(
-      "ffmpeg -hide_banner -loglevel error -y -f rawvideo " + input +
+      "ffmpeg -hide_banner -loglevel error -xerror -y -f rawvideo " + input +
       " -vf scale=out_color_matrix=bt709:out_range=tv -pix_fmt yuv420p -color_range tv -colorspace bt709"
       " -color_primaries bt709 -color_trc iec61966-2-1 -c:v libx264 -crf 16 -movflags +faststart -f mp4");
   std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
@@ -43,42 +46,76 @@ std::vector<std::string> command(const std::filesystem::path& file, const VideoF
   return command;
 }
 
+/// Where an end is wanted, ffmpeg gets some time for it from its last sign on.
+ChildProcess::GiveUp after_grace(Video::EndWanted end_wanted) {
+  using Clock = ChildProcess::Clock;
+  return [end_wanted = std::move(end_wanted),
+          since = std::optional<Clock::time_point>()](Clock::time_point last_sign) mutable {
+    if (!end_wanted || !end_wanted()) return false;
+    if (!since) since = Clock::now();
+    return Clock::now() - std::max(*since, last_sign) > kGrace;
+  };
+}
+
 }  // namespace
 
-Video::Encoder::Encoder(const std::filesystem::path& path, const VideoFormat& format)
-    : file(path), ffmpeg(command(file.temporary(), format)) {}
+Video::Encoder::Encoder(const std::filesystem::path& path, const VideoFormat& format, ChildProcess::GiveUp give_up)
+    : file(path), ffmpeg(command(file.temporary(), format), std::move(give_up)) {}
 
-Video::Video(std::filesystem::path path, const VideoFormat& format) : path_(std::move(path)), format_(format) {
-  try {
-    add(Image(format.width, format.height));
-  } catch (const std::system_error& error) {
-    if (error.code() != std::errc::no_such_file_or_directory) throw;
-    throw std::runtime_error(fmt::format(
-        "cannot write {}: a video takes the program ffmpeg, and there is none; install it, or leave out the video",
-        path_.string()));
-  }
-  end_encoder();
-  encoder_.reset();
+Video::Video(std::filesystem::path path, const VideoFormat& format, EndWanted end_wanted)
+    : path_(std::move(path)), format_(format), end_wanted_(std::move(end_wanted)) {
+  const std::unique_ptr<Encoder> trial = encoder([this](auto) { return end_wanted_ && end_wanted_(); });
+  const std::string black(static_cast<std::size_t>(even(format.width)) * 3, '\0');
+  for (int y = 0; y < even(format.height); ++y) trial->ffmpeg.write(black);
+  end(*trial);
 }
 
 void Video::add(const Image& shown) {
-  if (!encoder_) encoder_.emplace(path_, format_);
-  encoder_->ffmpeg.write(srgb_bytes(even_sized(shown)));
+  if (failure_) return;
+  try {
+    if (!encoder_) encoder_ = encoder(after_grace(end_wanted_));
+  } catch (const std::exception&) {
+    failure_ = std::current_exception();
+    return;
+  }
+  for (int y = 0; y < even(shown.height); ++y) encoder_->ffmpeg.write(srgb_bytes(even_row(shown, y)));
 }
 
 void Video::finish() {
+  if (failure_) std::rethrow_exception(failure_);
   if (!encoder_) return;
-  end_encoder();
-  encoder_->file.commit();
-  encoder_.reset();
+  const std::unique_ptr<Encoder> encoder = std::move(encoder_);
+  end(*encoder);
+  encoder->file.commit();
 }
 
-void Video::end_encoder() {
-  const int code = encoder_->ffmpeg.wait();
-  if (code == 0) return;
-  encoder_.reset();
-  throw std::runtime_error(
-      fmt::format("cannot write {}: ffmpeg failed with exit code {}; what it says stands above", path_.string(), code));
+std::unique_ptr<Video::Encoder> Video::encoder(ChildProcess::GiveUp give_up) const {
+  try {
+    return std::make_unique<Encoder>(path_, format_, std::move(give_up));
+  } catch (const std::system_error& error) {
+    const bool missing = error.code() == std::errc::no_such_file_or_directory;
+    throw std::runtime_error(
+        missing ? fmt::format("cannot write {}: a video takes the program ffmpeg, and there is none; install it, or "
+                              "leave out the video",
+                              path_.string())
+                : fmt::format("cannot write {}: the program ffmpeg cannot be run ({}); mend it, or leave out the video",
+                              path_.string(), error.code().message()));
+  }
+}
+
+void Video::end(Encoder& encoder) {
+  const int code = encoder.ffmpeg.wait();
+  const auto fail = [&](const std::string& how) {
+    throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), how));
+  };
+  const std::string& said = encoder.ffmpeg.errors();
+  if (encoder.ffmpeg.was_given_up()) fail("interrupted while ffmpeg was at work");
+  if (code != 0)
+    fail(fmt::format("ffmpeg failed with exit code {}, saying: {}", code, said.empty() ? "nothing" : said));
+  // Not every error shows in the exit code.
+  if (said != always_said_.value_or(said)) fail("ffmpeg failed, saying: " + said);
+  if (!is_whole_mp4(encoder.file.temporary())) fail("what ffmpeg wrote is no whole video");
+  always_said_ = said;
 }
 
 }  // namespace dspm

@@ -1,5 +1,6 @@
 // --video, with a script in place of ffmpeg, and with ffmpeg itself where it is installed.
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <cstdlib>
 
@@ -26,7 +27,7 @@ TEST(VideoOption, HoldsThePngsInTheirOrder) {
   EXPECT_EQ(ffmpeg.input(), bytes_of(directory, "tiny.0001.png") + bytes_of(directory, "tiny.0002.png") +
                                 bytes_of(directory, "tiny.0003.png"));
   EXPECT_NE(ffmpeg.arguments().find("-framerate\n25\n"), std::string::npos) << ffmpeg.arguments();
-  EXPECT_EQ(contents(directory / "tiny.mp4"), "film");
+  EXPECT_EQ(contents(directory / "tiny.mp4"), kFilm);
 }
 
 TEST(VideoOption, HoldsTheFramesThatAreAskedFor) {
@@ -45,6 +46,75 @@ TEST(VideoOption, CtrlCLeavesAVideoOfWhatIsWritten) {
   EXPECT_EQ(process.wait().code, 130);
   EXPECT_EQ(ffmpeg.input().size(), 3 * kFrameBytes);
   EXPECT_TRUE(directory.has("tiny.mp4"));
+}
+
+/// The scene and what was said: no image, no part of a video.
+constexpr int kNothing = 3;
+
+/// Soon; a process that nobody has waited for yet has ended as well.
+bool has_ended(const FakeFfmpeg& ffmpeg) {
+  const auto state = [&] {
+    const std::string line = contents("/proc/" + std::to_string(std::stoi(ffmpeg.process())) + "/stat");
+    return line.empty() ? 'Z' : line[line.rfind(')') + 2];
+  };
+  for (int i = 0; i < 500 && state() != 'Z'; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return state() == 'Z';
+}
+
+TEST(VideoOption, AnEndInTheTrialLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TinyDirectory directory;
+    const FakeFfmpeg ffmpeg(kSayProcess + "exec sleep 60");
+    const Process process(directory, {"tiny.dsc", "--video", "tiny.mp4"});
+    ASSERT_TRUE(appears(ffmpeg.process_file()));
+    process.send(signal);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.code, 128 + signal) << outcome.err;
+    EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has_ended(ffmpeg));
+    EXPECT_EQ(directory.file_count(), kNothing);
+  }
+}
+
+/// Hangs when the images are written.
+const std::string kHangLate = only_once(kSayProcess + "exec sleep 60");
+
+TEST(VideoOption, CtrlCEndsAHangingFfmpegAfterAWhile) {
+  const TinyDirectory directory;
+  const FakeFfmpeg ffmpeg(kHangLate);
+  const Process process(directory, {"tiny.dsc", "--video", "tiny.mp4"});
+  ASSERT_TRUE(appears(ffmpeg.process_file()));
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_NE(outcome.err.find("tiny.mp4"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(has_ended(ffmpeg));
+  EXPECT_EQ(directory.file_count(), kNothing + 3);
+}
+
+TEST(VideoOption, TheSecondCtrlCLeavesNoPartOfAVideo) {
+  const TinyDirectory directory;
+  const FakeFfmpeg ffmpeg(kHangLate);
+  const Process process(directory, {"tiny.dsc", "--video", "tiny.mp4"});
+  ASSERT_TRUE(appears(ffmpeg.process_file()));
+  ASSERT_TRUE(appears(directory / "tiny.0003.exr"));
+  process.send(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  process.send(SIGINT);
+  EXPECT_EQ(process.wait().code, 130);
+  EXPECT_TRUE(has_ended(ffmpeg));
+  EXPECT_EQ(directory.file_count(), kNothing + 3);
+}
+
+TEST(VideoOption, AfterTheRenderFfmpegMayFinish) {
+  const TinyDirectory directory;
+  const FakeFfmpeg ffmpeg(only_once("cat >\"$here/input\"; " + kSayProcess + "sleep 1; film; exit 0"));
+  const Process process(directory, {"tiny.dsc", "--video", "tiny.mp4"});
+  ASSERT_TRUE(appears(ffmpeg.process_file()));
+  process.send(SIGTERM);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.code, 143) << outcome.err;
+  EXPECT_EQ(contents(directory / "tiny.mp4"), kFilm);
 }
 
 TEST(VideoOption, AMissingFfmpegIsSaidBeforeRendering) {

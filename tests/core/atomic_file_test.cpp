@@ -58,6 +58,16 @@ TEST(AtomicFile, ALinkStaysALink) {
   EXPECT_EQ(contents(directory / "real.txt"), "new");
 }
 
+TEST(AtomicFile, ALinkToNothingGetsItsFile) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_symlink("real.txt", directory / "link.txt");
+  std::filesystem::create_symlink("link.txt", directory / "far.txt");
+  write_file(directory / "far.txt", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "far.txt"));
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "link.txt"));
+  EXPECT_EQ(contents(directory / "real.txt"), "new");
+}
+
 std::string message_for(const std::filesystem::path& target) {
   try {
     write_file(target, "text");
@@ -74,6 +84,9 @@ TEST(AtomicFile, ErrorsNameTheFileAndTheCause) {
   EXPECT_NE(missing.find("no directory"), std::string::npos) << missing;
   EXPECT_NE(message_for(directory / "").find("regular"), std::string::npos);
   EXPECT_NE(message_for("/dev/null").find("regular"), std::string::npos);
+  std::filesystem::create_symlink("round", directory / "round");
+  EXPECT_NE(message_for(directory / "round").find("round: "), std::string::npos);
+  std::filesystem::remove(directory / "round");
   EXPECT_EQ(directory.file_count(), 0);
 }
 

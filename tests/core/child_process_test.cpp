@@ -48,6 +48,35 @@ TEST(ChildProcess, IsKilledWhereNobodyWaits) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
+TEST(ChildProcess, KeepsWhatItSays) {
+  ChildProcess child = shell("echo one >&2; cat >/dev/null; echo two >&2");
+  child.write("text");
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_EQ(child.errors(), "one\ntwo");
+}
+
+/// More than a pipe holds, from a program that reads nothing before all is said.
+TEST(ChildProcess, OneThatSaysMuchIsNotStuck) {
+  ChildProcess child = shell("head -c 1000000 /dev/zero | tr '\\0' x >&2; cat >/dev/null; exit 5");
+  child.write(std::string(1 << 22, 'x'));
+  EXPECT_EQ(child.wait(), 5);
+  EXPECT_EQ(child.errors().substr(0, 3), "xxx");
+}
+
+TEST(ChildProcess, IsGivenUpWhereItHangs) {
+  for (const char* script : {"exec sleep 60", "cat >/dev/null; exec sleep 60"}) {
+    const auto begin = ChildProcess::Clock::now();
+    ChildProcess child({"sh", "-c", script}, [&](ChildProcess::Clock::time_point last_sign) {
+      EXPECT_GE(last_sign, begin);
+      return ChildProcess::Clock::now() - last_sign > std::chrono::milliseconds(100);
+    });
+    child.write(std::string(1 << 22, 'x'));
+    EXPECT_EQ(child.wait(), 128 + 9);
+    EXPECT_TRUE(child.was_given_up());
+    EXPECT_LT(ChildProcess::Clock::now() - begin, std::chrono::seconds(30));
+  }
+}
+
 TEST(ChildProcess, AMissingProgramIsAnError) {
   try {
     ChildProcess child({"no-such-program"});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
 
 #include "tests/support/fake_ffmpeg.h"
@@ -41,7 +42,7 @@ TEST(Video, HandsTheImagesOver) {
   video.finish();
   EXPECT_EQ(ffmpeg.input(), std::string(12, '\xff') + std::string(12, '\0'));
   EXPECT_NE(ffmpeg.arguments().find("-video_size\n2x2\n-framerate\n23.976\n"), std::string::npos) << ffmpeg.arguments();
-  EXPECT_EQ(test::contents(directory / "a.mp4"), "film");
+  EXPECT_EQ(test::contents(directory / "a.mp4"), test::kFilm);
   EXPECT_EQ(directory.file_count(), 1);
 }
 
@@ -94,6 +95,91 @@ TEST(Video, AFailureLaterLeavesTheOldFile) {
   EXPECT_NE(error_of(directory / "a.mp4", 1000).find("exit code 3"), std::string::npos);
   EXPECT_EQ(test::contents(directory / "a.mp4"), "old");
   EXPECT_EQ(directory.file_count(), 1);
+}
+
+/// Where the disk is full, some versions of ffmpeg end with exit code 0.
+TEST(Video, WhatIsNoWholeFilmLeavesTheOldFile) {
+  for (const char* then :
+       {"cat >/dev/null; exit 0", "exit 0", "cat >/dev/null; head -c 1000 /dev/zero >\"${last#file:}\"; exit 0",
+        "cat >/dev/null; film; echo 'av_interleaved_write_frame(): No space left' >&2; exit 0",
+        "cat >/dev/null; rm \"${last#file:}\"; exit 0"}) {
+    const TemporaryDirectory directory;
+    test::put_file(directory / "a.mp4", "old");
+    const FakeFfmpeg ffmpeg(test::only_once(then));
+    EXPECT_NE(error_of(directory / "a.mp4", 2).find("cannot write " + (directory / "a.mp4").string()),
+              std::string::npos)
+        << then;
+    EXPECT_EQ(test::contents(directory / "a.mp4"), "old");
+    EXPECT_EQ(directory.file_count(), 1);
+  }
+}
+
+TEST(Video, ErrorsSayWhatFfmpegSays) {
+  const TemporaryDirectory directory;
+  const FakeFfmpeg ffmpeg(test::only_once("cat >/dev/null; film; echo no space >&2; exit 0"));
+  EXPECT_NE(error_of(directory / "a.mp4", 1).find("no space"), std::string::npos);
+}
+
+/// Such as what the loader has to say of its libraries.
+TEST(Video, WhatIsSaidInTheTrialAsWellIsNoError) {
+  const TemporaryDirectory directory;
+  const FakeFfmpeg ffmpeg("echo no version information available >&2\n" + test::kKeepAll);
+  EXPECT_EQ(error_of(directory / "a.mp4", 1), "");
+  EXPECT_TRUE(std::filesystem::exists(directory / "a.mp4"));
+}
+
+TEST(Video, ATrialThatMakesNoFilmFails) {
+  const TemporaryDirectory directory;
+  for (const char* script : {"exit 0", "cat >/dev/null"}) {
+    const FakeFfmpeg ffmpeg(script);
+    EXPECT_NE(error_of(directory / "a.mp4", 0).find("no whole video"), std::string::npos);
+  }
+  EXPECT_EQ(directory.file_count(), 0);
+}
+
+TEST(Video, AnFfmpegThatCannotBeRunIsSaidAtOnce) {
+  const TemporaryDirectory directory;
+  const FakeFfmpeg none("");
+  test::put_file(directory / "ffmpeg", "no program");
+  std::filesystem::permissions(directory / "ffmpeg", std::filesystem::perms::owner_read);
+  setenv("PATH", (directory / "").c_str(), 1);
+  const std::string error = error_of(directory / "a.mp4", 0);
+  EXPECT_NE(error.find("a.mp4: the program ffmpeg cannot be run"), std::string::npos) << error;
+  EXPECT_NE(error.find("leave out"), std::string::npos) << error;
+}
+
+/// The error where an end is wanted from the so-manyth moment on: 0, in the trial; 1, when images are being written.
+std::string error_when_ended(const std::filesystem::path& path, int images) {
+  bool wanted = images == 0;
+  try {
+    Video video(path, {2, 2, 0}, [&] { return wanted; });
+    wanted = true;
+    for (int i = 0; i < images; ++i) video.add(Image(2, 2));
+    video.finish();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Video, WhereAnEndIsWantedNobodyWaitsForFfmpeg) {
+  const TemporaryDirectory directory;
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const FakeFfmpeg hangs("exec sleep 60");
+    EXPECT_NE(error_when_ended(directory / "a.mp4", 0).find("interrupted"), std::string::npos);
+  }
+  const FakeFfmpeg hangs_later(test::only_once("exec sleep 60"));
+  EXPECT_NE(error_when_ended(directory / "a.mp4", 100'000).find("interrupted"), std::string::npos);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  EXPECT_EQ(directory.file_count(), 0);
+}
+
+TEST(Video, WhereAnEndIsWantedFfmpegMayFinish) {
+  const TemporaryDirectory directory;
+  const FakeFfmpeg slow(test::only_once("cat >/dev/null; sleep 0.5; film; exit 0"));
+  EXPECT_EQ(error_when_ended(directory / "a.mp4", 2), "");
+  EXPECT_EQ(test::contents(directory / "a.mp4"), test::kFilm);
 }
 
 TEST(Video, AMissingDirectoryIsSaidAtOnce) {

@@ -1,0 +1,11 @@
+// Whether an .mp4 was written to its end.
+#pragma once
+
+#include <filesystem>
+
+namespace dspm {
+
+/// The file is a row of boxes up to its very end, among them the film's index and its data. [ISO/IEC 14496-12, 4.2]
+bool is_whole_mp4(const std::filesystem::path& path);
+
+}  // namespace dspm
