@@ -67,6 +67,7 @@ class Run {
 
   /// All intervals, or until a signal came.
   RunReport render();
+  const std::vector<FrameList>& intervals() const { return intervals_; }
   void finish_video() { output_.finish_video(); }
 
  private:
@@ -105,7 +106,8 @@ RunReport Run::render() {
 void Run::render_interval(std::size_t index) {
   const FrameList& frames = intervals_[index];
   const std::unique_ptr<Scene> scene = world_.scene(frames);
-  const std::unique_ptr<Integrator> integrator = make_integrator(job_, *scene, messages_, memory_.for_integrator());
+  const std::unique_ptr<Integrator> integrator =
+      make_integrator(job_, *scene, messages_, memory_.for_integrator(index));
   const int iterations = job_.iterations(*integrator, options_);
   if (iterations == 0 && options_.time_limit == 0 && intervals_.size() > 1)
     throw UsageError(
@@ -166,8 +168,8 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
   written_.insert(interval.begin(), interval.end());
 }
 
-void explain(const World& world, const Job& job) {
-  for (const FrameList& interval : FrameIntervals(*job.description, job.frames).cut(job.plugin->frames_together))
+void explain(const World& world, const std::vector<FrameList>& intervals) {
+  for (const FrameList& interval : intervals)
     for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
 }
 
@@ -185,9 +187,9 @@ int render_scene(const Options& options) {
   Messages messages(options.quiet);
   MemoryBound memory(options.memory);
   const LoadedScene loaded(options, messages);
-  if (options.explain) explain(*loaded.world, loaded.job);
   const InterruptRequests interrupts;
   Run run(loaded.job, *loaded.world, options, memory, messages);
+  if (options.explain) explain(*loaded.world, run.intervals());
   const RunReport report = run.render();
   write_report(loaded.job, report, options);
   run.finish_video();
@@ -197,8 +199,11 @@ int render_scene(const Options& options) {
 int check_scene(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(options.quiet);
+  MemoryBound memory(options.memory);
   const LoadedScene loaded(options, messages);
-  if (options.explain) explain(*loaded.world, loaded.job);
+  const InterruptRequests interrupts;
+  const Run run(loaded.job, *loaded.world, options, memory, messages);
+  if (options.explain) explain(*loaded.world, run.intervals());
   const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
   make_integrator(loaded.job, *scene, messages);
   messages.say("scene ok: {}", summary_of(loaded));

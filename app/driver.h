@@ -9,7 +9,7 @@ namespace dspm {
 /// The exit code. Throws SceneError where the scene cannot be rendered, UsageError where the options do not fit it,
 /// other exceptions of the standard library where files cannot be written.
 int render_scene(const Options& options);
-/// Makes everything that a render needs, and says so; likewise.
+/// Makes everything that a render needs, tries its files and its video, plans its memory, and says so; likewise.
 int check_scene(const Options& options);
 
 }  // namespace dspm

@@ -9,20 +9,22 @@
 #include <string>
 
 #include "app/run_report.h"
+#include "app/signals.h"
 #include "integrators/memory_needs.h"
 
 namespace dspm {
 namespace {
 
-constexpr std::size_t kProgram = 12 << 20;  // code, libraries, stacks: what malloc knows nothing of
+constexpr std::size_t kProgram = 10 << 20;          // code, libraries, a stack: all before the scene is read
+constexpr std::size_t kThreads = 64 * (128 << 10);  // stacks and working memory of so many
 // What is held differs by little between the plan and the run: an interval that fits into the plan must fit then.
 constexpr std::size_t kLeeway = 1 << 20;
 constexpr int kReturnedFrom = 1 << 17;  // bytes of a block that goes back to the system as soon as it is freed
 
-std::size_t held() {
+std::size_t allocated() {
   malloc_trim(0);
   const struct mallinfo2 info = mallinfo2();
-  return kProgram + info.uordblks + info.hblkhd;
+  return info.uordblks + info.hblkhd;
 }
 
 int longest(const std::vector<FrameList>& intervals) {
@@ -51,42 +53,50 @@ std::string in_words(std::size_t intervals, int length, int batches) {
 /// Makes for an interval what a run would make, and remembers what was too much.
 class MemoryBound::Trials {
  public:
-  Trials(const MemoryBound& bound, const Job& job, const World& world) : bound_(bound), job_(job), world_(world) {}
+  /// Of an interval that fits.
+  struct Result {
+    std::size_t share;  // bytes that its integrator may hold
+    int batches;        // in which the photons of an iteration come
+  };
 
-  /// In how many batches the photons of an iteration come; 0: the interval does not fit.
-  int batches(const FrameList& frames) {
-    const std::size_t before = held(), trees = world_.tree_bytes_at_most(frames);
+  Trials(const MemoryBound& bound, const Job& job, const World& world, std::size_t writing)
+      : bound_(bound), job_(job), world_(world), writing_(writing) {}
+
+  std::optional<Result> of(const FrameList& frames) {
+    if (InterruptRequests::signal() != 0) throw std::runtime_error("interrupted before the first iteration");
+    const std::size_t before = bound_.held(), trees = world_.tree_bytes_at_most(frames);
     if (before + trees > bound_.bytes_) {
       shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
                               readable_bytes(before), readable_bytes(trees));
-      return 0;
+      return {};
     }
     const std::unique_ptr<Scene> scene = world_.scene(frames);
+    const std::size_t held = bound_.held() + kLeeway, taken = held + writing_;
+    const std::size_t share = taken < bound_.bytes_ ? bound_.bytes_ - taken : 1;
     try {
       Diagnostics shown_later;
-      const std::size_t left = bound_.for_integrator();
-      return job_.make_integrator(*scene, shown_later, left - std::min(left - 1, kLeeway))->statistics().photon_batches;
+      return Result{share, job_.make_integrator(*scene, shown_later, share)->statistics().photon_batches};
     } catch (const NotEnoughMemory& error) {
-      const std::size_t now = held() + kLeeway, tree = scene->accel->memory();
+      const std::size_t tree = scene->accel->memory();
       const MemoryNeeds& needs = error.least;
       shortage_ =
           fmt::format("{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",
-                      readable_bytes(now + bound_.writing_ + needs.total()), readable_bytes(now - tree),
-                      readable_bytes(tree), readable_bytes(needs.pixels), readable_bytes(needs.hit_points),
-                      readable_bytes(needs.photons), readable_bytes(bound_.writing_));
-      return 0;
+                      readable_bytes(taken + needs.total()), readable_bytes(held - tree), readable_bytes(tree),
+                      readable_bytes(needs.pixels), readable_bytes(needs.hit_points), readable_bytes(needs.photons),
+                      readable_bytes(writing_));
+      return {};
     }
   }
 
-  /// Of the interval that takes most; 0: one does not fit.
-  int batches(const std::vector<FrameList>& intervals) {
-    int most = 1;
+  /// One each; nothing where one does not fit.
+  std::vector<Result> of(const std::vector<FrameList>& intervals) {
+    std::vector<Result> results;
     for (const FrameList& interval : intervals) {
-      const int of_interval = batches(interval);
-      if (of_interval == 0) return 0;
-      most = std::max(most, of_interval);
+      const std::optional<Result> result = of(interval);
+      if (!result) return {};
+      results.push_back(*result);
     }
-    return most;
+    return results;
   }
 
   const FrameList& with_largest_trees(const std::vector<FrameList>& intervals) const {
@@ -101,39 +111,44 @@ class MemoryBound::Trials {
   const MemoryBound& bound_;
   const Job& job_;
   const World& world_;
+  std::size_t writing_;
   std::string shortage_;
 };
 
 MemoryBound::MemoryBound(std::size_t bytes) : bytes_(bytes) {
-  if (bytes > 0) mallopt(M_MMAP_THRESHOLD, kReturnedFrom);  // else the threshold grows with what is freed
+  if (bytes == 0) return;
+  mallopt(M_MMAP_THRESHOLD, kReturnedFrom);  // else the threshold grows with what is freed
+  one_thread_.emplace(1);
+  held_before_ = allocated();
 }
 
-std::size_t MemoryBound::for_integrator() const {
-  if (bytes_ == 0) return 0;
-  const std::size_t taken = held() + writing_;
-  return taken < bytes_ ? bytes_ - taken : 1;
-}
+std::size_t MemoryBound::held() const { return kProgram + kThreads + allocated() - held_before_; }
 
 std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
                                          const Messages& messages) {
-  writing_ = writing;
   const FrameIntervals frames(*job.description, job.frames);
   if (bytes_ == 0) return frames.cut(job.plugin->frames_together);
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
     throw std::runtime_error(fmt::format("{}: reading the scene took {}", bound, readable_bytes(peak)));
 
-  Trials trials(*this, job, world);
+  Trials trials(*this, job, world, writing);
   const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
   auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {
-    return trials.batches(trials.with_largest_trees(frames.cut(candidate))) == 0;
+    return !trials.of(trials.with_largest_trees(frames.cut(candidate)));
   });
   for (; length != lengths.end(); ++length) {
     const std::vector<FrameList> intervals = frames.cut(*length);
-    if (const int batches = trials.batches(intervals); batches > 0) {
-      messages.say("{}: {}", bound, in_words(intervals.size(), *length, batches));
-      return intervals;
+    const std::vector<Trials::Result> results = trials.of(intervals);
+    if (results.empty()) continue;
+    int batches = 1;
+    for (const Trials::Result& result : results) {
+      batches = std::max(batches, result.batches);
+      shares_.push_back(result.share);
     }
+    messages.say("{}: {}", bound, in_words(intervals.size(), *length, batches));
+    one_thread_.reset();
+    return intervals;
   }
   throw std::runtime_error(fmt::format("{}: even one frame at a time takes {}", bound, trials.shortage()));
 }

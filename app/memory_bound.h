@@ -1,30 +1,37 @@
 // --memory: how many frames are rendered together, and how much their integrator may hold, so that the whole process
-// keeps within the bound. What it holds is asked of malloc, so that the plan is the same on every run.
+// keeps within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until it
+// is made there is one thread, of which malloc tells exactly what it holds; what others will take is a fixed reserve.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/frame_intervals.h"
 #include "app/job.h"
 #include "app/messages.h"
+#include "core/parallel.h"
 #include "world/world.h"
 
 namespace dspm {
 
 class MemoryBound {
  public:
-  /// To be made before the scene is read. 0: no bound.
+  /// To be made before the scene is read, by one thread from now on. 0: no bound.
   explicit MemoryBound(std::size_t bytes);
 
   /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the
   /// figures where not even single frames fit. `writing`: what the images take while they are written.
   std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing, const Messages& messages);
-  /// What an integrator may hold besides all that is held now; 0: no bound.
-  std::size_t for_integrator() const;
+  /// What the integrator of the plan's i-th interval may hold; 0: no bound.
+  std::size_t for_integrator(std::size_t i) const { return bytes_ == 0 ? 0 : shares_[i]; }
 
  private:
   class Trials;
-  std::size_t bytes_, writing_ = 0;
+  std::size_t held() const;
+
+  std::size_t bytes_, held_before_ = 0;
+  std::optional<ThreadLimit> one_thread_;
+  std::vector<std::size_t> shares_;
 };
 
 }  // namespace dspm

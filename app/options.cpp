@@ -44,7 +44,7 @@ void add_tasks(CLI::App& app, Options& o) {
   const auto task = [&](const char* name, Task what, const char* sentence) {
     app.add_flag_callback(name, [&o, what] { o.task = what; })->description(sentence);
   };
-  task("--check", Task::check, "do not render, only validate everything");
+  task("--check", Task::check, "do not render, only validate everything: the scene, the files, the video, the memory");
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");

@@ -1,6 +1,7 @@
 #include "integrators/memory_needs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "integrators/photon_map.h"
@@ -23,12 +24,27 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   return sum;
 }
 
-/// The block in the middle of the i-th of kBlocks parts of [low, high).
-std::pair<int, int> block(int i, int low, int high) {
+/// A block of the i-th of kBlocks parts of [low, high): anywhere there, as what is regular in an image might hide from
+/// regular places. `random` in [0, 1).
+std::pair<int, int> block(int i, int low, int high, float random) {
   const int side = std::min(kBlockSide, high - low);
-  const int begin = low + static_cast<int>(static_cast<std::int64_t>(high - low - side) * (2 * i + 1) / (2 * kBlocks));
+  const double part = static_cast<double>(high - low - side + 1) / kBlocks;
+  const int begin = low + std::min(static_cast<int>(part * (i + static_cast<double>(random))), high - low - side);
   return {begin, begin + side};
 }
+
+/// The mean of what was seen, and three times its standard error.
+class SafeMean {
+ public:
+  void add(double value) { ++count_, sum_ += value, squares_ += value * value; }
+  double value() const {
+    const double mean = sum_ / count_, variance = std::max(squares_ / count_ - mean * mean, 0.);
+    return mean + 3 * std::sqrt(variance / count_);
+  }
+
+ private:
+  double count_ = 0, sum_ = 0, squares_ = 0;
+};
 
 }  // namespace
 
@@ -37,17 +53,16 @@ void expect_enough(std::size_t memory, const MemoryNeeds& needs) {
 }
 
 std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings) {
-  double bytes = 0, pixels = 0;
-  std::vector<HitPointTile> tiles;
-  for (int j = 0; j < kBlocks; ++j)
-    for (int i = 0; i < kBlocks; ++i) {
-      RenderSettings part = render;
-      std::tie(part.crop.x0, part.crop.x1) = block(i, render.crop.x0, render.crop.x1);
-      std::tie(part.crop.y0, part.crop.y1) = block(j, render.crop.y0, render.crop.y1);
-      bytes += static_cast<double>(bytes_filled(trace_hit_points(scene, part, settings, 0, {})));
-      pixels += part.crop.count();
-    }
-  return static_cast<std::size_t>(kSlack * bytes / pixels * render.crop.count());
+  SafeMean bytes_a_pixel;
+  for (int i = 0; i < kBlocks * kBlocks; ++i) {
+    const Vec2 place = PathRandom(render.seed, Stream::setup, static_cast<std::uint64_t>(i), 0).pair(0, 0);
+    RenderSettings part = render;
+    std::tie(part.crop.x0, part.crop.x1) = block(i % kBlocks, render.crop.x0, render.crop.x1, place.x);
+    std::tie(part.crop.y0, part.crop.y1) = block(i / kBlocks, render.crop.y0, render.crop.y1, place.y);
+    bytes_a_pixel.add(static_cast<double>(bytes_filled(trace_hit_points(scene, part, settings, 0, {}))) /
+                      part.crop.count());
+  }
+  return static_cast<std::size_t>(kSlack * bytes_a_pixel.value() * render.crop.count());
 }
 
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {

@@ -76,10 +76,10 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
   const Outcome unbounded = run(directory, {"tiny.dsc", "--float"});
   ASSERT_EQ(unbounded.code, 0) << unbounded.err;
   const Images images(directory);
-  const Outcome none = run_within(directory, "16M");
+  const Outcome none = run_within(directory, "20M");
   EXPECT_EQ(none.code, 1);
   const double least = bytes_taken(none.err);
-  ASSERT_GT(least, 16 * kMegabyte) << none.err;
+  ASSERT_GT(least, 20 * kMegabyte) << none.err;
   for (const double bytes : {least, 1.2 * least, 1.4 * least, 100 * least}) {
     const Outcome bounded = run_within(directory, megabytes(bytes));
     ASSERT_EQ(bounded.code, 0) << bounded.err;
@@ -99,7 +99,7 @@ TEST(Memory, SaysWhatItMeans) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const std::string least = megabytes(bytes_taken(run_within(directory, "16M").err));
+  const std::string least = megabytes(bytes_taken(run_within(directory, "20M").err));
   const Outcome outcome = run_within(directory, least);
   EXPECT_NE(outcome.err.find("3 intervals of 1 frame, photons in "), std::string::npos) << outcome.err;
   const Outcome ample = run_within(directory, "1T");
@@ -112,25 +112,85 @@ TEST(Memory, HasTheSameBitsOnEveryRun) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const std::string bytes = megabytes(1.15 * bytes_taken(run_within(directory, "16M").err));
+  const std::string bytes = megabytes(1.15 * bytes_taken(run_within(directory, "20M").err));
   ASSERT_EQ(run_within(directory, bytes).code, 0);
   const Images images(directory);
-  for (const char* threads : {"1", "2", "5"}) {
+  for (const char* threads : {"1", "2", "5", "64"}) {
     ASSERT_EQ(run_within(directory, bytes, {"--nthreads", threads}).code, 0);
     EXPECT_TRUE(images == Images(directory)) << threads << " threads";
   }
 }
 
+std::string plan(const Directory& directory, std::size_t bytes, const std::string& threads) {
+  return run_within(directory, std::to_string(bytes), {"--check", "--nthreads", threads}).err;
+}
+
+/// To the byte: what threads take may not move the place where the plan changes.
+TEST(Memory, HasTheSamePlanWithAnyNumberOfThreads) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const auto is_short = [&](std::size_t bytes) {
+    return plan(directory, bytes, "1").find("3 frames together\n") == std::string::npos;
+  };
+  std::size_t low = 20'000'000, high = 400'000'000;
+  ASSERT_TRUE(is_short(low));
+  ASSERT_FALSE(is_short(high));
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (is_short(middle) ? low : high) = middle;
+  }
+  for (const char* threads : {"2", "7", "64"})
+    for (const std::size_t bytes : {low, high})
+      EXPECT_EQ(plan(directory, bytes, threads), plan(directory, bytes, "1")) << bytes << " bytes, " << threads;
+}
+
+TEST(Memory, SufficesForManyThreads) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const double least = bytes_taken(run_within(directory, "20M").err);
+  const Outcome outcome = run_within(directory, megabytes(least), {"--nthreads", "64"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LE(outcome.peak_bytes, least);
+}
+
+TEST(Memory, ExplainTellsTheIntervalsOfTheRun) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const std::string least = megabytes(bytes_taken(run_within(directory, "20M").err));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--explain"}, {"--explain", "--check"}}) {
+    const std::string said = run_within(directory, least, more).err;
+    EXPECT_EQ(said.find("3 frames rendered together"), std::string::npos) << said;
+  }
+}
+
+TEST(Memory, IsPlannedByACheck) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const Outcome none = run_within(directory, "20M", {"--check"});
+  EXPECT_EQ(none.code, 1);
+  const Outcome least = run_within(directory, megabytes(bytes_taken(none.err)), {"--check"});
+  EXPECT_EQ(least.code, 0) << least.err;
+  EXPECT_NE(least.err.find("3 intervals of 1 frame, photons in "), std::string::npos) << least.err;
+}
+
 TEST(Memory, TooLittleIsAnErrorBeforeRendering) {
   const Directory directory;
-  for (const char* memory : {"1", "3M", "16M"}) {
+  for (const char* memory : {"1", "3M", "20M"}) {
     const Outcome outcome = run_within(directory, memory, {"--png", "--contact-sheet", "sheet.png", "--stats=s.json"});
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find("dspm: memory "), std::string::npos) << outcome.err;
     EXPECT_EQ(directory.file_count(), 3) << memory;  // the scene, and what was said
   }
 #ifndef DSPM_MEMORY_OF_ITS_OWN
-  const std::string message = run_within(directory, "16M").err;
+  const std::string message = run_within(directory, "20M").err;
   for (const char* what : {"scene and program", "trees", "pixels", "hit points", "photons", "writing of images"})
     EXPECT_NE(message.find(what), std::string::npos) << message;
 #endif
