@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "app/signals.h"
+#include "app/standard_streams.h"
 #include "core/atomic_file.h"
 #include "core/parallel.h"
 #include "world/world.h"
@@ -170,12 +171,12 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {
   for (const FrameList& interval : intervals)
-    for (const std::string& line : world.explain(interval)) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : world.explain(interval)) print_message(line + "\n");
 }
 
 void write_report(const Job& job, const RunReport& report, const Options& options) {
-  if (options.stats == "table") fmt::print(stderr, "\n{}", table_of(job, report));
-  if (options.stats == "-") fmt::print("{}", json_of(job, report));
+  if (options.stats == "table") print_message("\n" + table_of(job, report));
+  if (options.stats == "-") print_data(json_of(job, report));
   if (!options.stats.empty() && options.stats != "table" && options.stats != "-")
     write_file(options.stats, json_of(job, report));
 }

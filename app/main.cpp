@@ -1,16 +1,17 @@
 // The command line: which task, and what the exit code is. 0 done, 1 scene or render error, 2 usage, 128 + signal.
-#include <fmt/format.h>
-
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "app/catalogue.h"
 #include "app/driver.h"
 #include "app/load.h"
 #include "app/options.h"
 #include "app/signals.h"
+#include "app/standard_streams.h"
 #include "core/errors.h"
 
 namespace dspm {
@@ -18,33 +19,40 @@ namespace {
 
 int run(const Options& options) {
   switch (options.task) {
-    case Task::list: return fmt::print("{}", list_plugins()), 0;
-    case Task::describe: return fmt::print("{}", describe_plugin(options.described)), 0;
-    case Task::format: return fmt::print("{}", formatted(options.scenes)), 0;
-    case Task::list_variations: return fmt::print("{}", variation_names(options)), 0;
+    case Task::list: return print_data(list_plugins()), 0;
+    case Task::describe: return print_data(describe_plugin(options.described)), 0;
+    case Task::format: return print_data(formatted(options.scenes)), 0;
+    case Task::list_variations: return print_data(variation_names(options)), 0;
     case Task::check: return check_scene(options);
     case Task::render: return render_scene(options);
   }
   return 0;
 }
 
-int run_and_report(const std::vector<std::string>& arguments) {
+int run_or_inform(const std::vector<std::string>& arguments) {
   try {
     return run(parse_options(arguments));
   } catch (const Information& information) {
-    fmt::print("{}", information.text);
+    print_data(information.text);
     return 0;
+  }
+}
+
+int run_and_report(const std::vector<std::string>& arguments) {
+  const auto say = [](const std::string& what) { print_message("dspm: " + what + "\n"); };
+  try {
+    return run_or_inform(arguments);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "dspm: {}\n", error.what());
+    say(error.what());
     return 2;
   } catch (const SceneError& error) {
-    fmt::print(stderr, "{}", error.what());
+    print_message(error.what());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "dspm: out of memory\n");
+    say("out of memory");
   } catch (const std::length_error&) {  // so much that no allocation is even tried
-    fmt::print(stderr, "dspm: out of memory\n");
+    say("out of memory");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "dspm: {}\n", error.what());
+    say(error.what());
   }
   return InterruptRequests::exit_code(1);
 }
@@ -52,4 +60,7 @@ int run_and_report(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace dspm
 
-int main(int count, char** arguments) { return dspm::run_and_report({arguments + 1, arguments + count}); }
+int main(int count, char** arguments) {
+  dspm::prepare_standard_streams();
+  return dspm::run_and_report({arguments + std::min(count, 1), arguments + count});
+}

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "app/standard_streams.h"
 #include "core/errors.h"
 
 namespace dspm {
@@ -21,7 +21,7 @@ class Messages {
 
   template <class... Values>
   void say(fmt::format_string<Values...> format, Values&&... values) const {
-    if (!quiet_) fmt::print(stderr, "dspm: {}\n", fmt::format(format, std::forward<Values>(values)...));
+    if (!quiet_) print_message("dspm: " + fmt::format(format, std::forward<Values>(values)...) + "\n");
   }
 
  private:

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include "app/standard_streams.h"
 
 namespace dspm {
 namespace {
@@ -41,7 +42,7 @@ Progress::Progress(const Extent& extent, bool quiet)
 Progress::~Progress() { clear(); }
 
 void Progress::clear() {
-  if (width_ > 0) fmt::print(stderr, "\r{:{}}\r", "", width_);
+  if (width_ > 0) print_message(fmt::format("\r{:{}}\r", "", width_));
   width_ = 0;
 }
 
@@ -50,12 +51,11 @@ void Progress::step(int interval, int iterations) {
   next_ = elapsed() + (terminal_ ? kSecondsBetweenBars : kSecondsBetweenLines);
   const std::string line = text(interval, iterations);
   if (terminal_) {
-    fmt::print(stderr, "\r{:{}}", line, width_);
+    print_message(fmt::format("\r{:{}}", line, width_));
     width_ = std::max(width_, line.size());
   } else {
-    fmt::print(stderr, "dspm: {}\n", line);
+    print_message(fmt::format("dspm: {}\n", line));
   }
-  std::fflush(stderr);
 }
 
 double Progress::elapsed() const {

@@ -26,7 +26,10 @@ struct Outcome {
 /// A run of the program in `directory`; standard input is the file "input" there, or empty.
 class Process {
  public:
-  Process(const TemporaryDirectory& directory, const std::vector<std::string>& arguments) : directory_(directory) {
+  /// Standard output and standard error go to these files; empty: they are closed.
+  Process(const TemporaryDirectory& directory, const std::vector<std::string>& arguments,
+          const std::string& out = "out.txt", const std::string& err = "err.txt")
+      : directory_(directory), out_(out), err_(err) {
     child_ = fork();
     if (child_ == 0) become(arguments);
   }
@@ -46,21 +49,26 @@ class Process {
   [[noreturn]] void become(const std::vector<std::string>& arguments) const {
     if (chdir((directory_ / "").c_str()) != 0) _exit(126);
     redirect(std::filesystem::exists("input") ? "input" : "/dev/null", O_RDONLY, 0);
-    redirect("out.txt", O_WRONLY | O_CREAT | O_TRUNC, 1);
-    redirect("err.txt", O_WRONLY | O_CREAT | O_TRUNC, 2);
+    redirect(out_, O_WRONLY | O_CREAT | O_TRUNC, 1);
+    redirect(err_, O_WRONLY | O_CREAT | O_TRUNC, 2);
     std::vector<char*> words{const_cast<char*>(DSPM_BINARY)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     execv(DSPM_BINARY, words.data());
     _exit(127);
   }
-  static void redirect(const char* path, int flags, int descriptor) {
-    const int file = open(path, flags, 0644);
+  static void redirect(const std::string& path, int flags, int descriptor) {
+    if (path.empty()) {
+      close(descriptor);
+      return;
+    }
+    const int file = open(path.c_str(), flags, 0644);
     if (file < 0 || dup2(file, descriptor) < 0) _exit(125);
     close(file);
   }
 
   const TemporaryDirectory& directory_;
+  std::string out_, err_;
   pid_t child_;
 };
 
