@@ -16,6 +16,10 @@ constexpr const char* kDescription =
     "dspm renders all frames of a scene together, sharing what does not differ between them.\n"
     "Exit codes: 0 done, 1 the scene or the render failed, 2 usage, 130 interrupted (images are written).\n";
 
+/// So that "" is no way to leave an option out.
+const CLI::Validator kNamesAFile([](const std::string& name) { return name.empty() ? "a file's name is missing" : ""; },
+                                 "");
+
 using ReadText = std::function<void(const std::string&)>;
 
 void add_text(CLI::App& app, const char* names, const char* value, const char* sentence, const ReadText& read) {
@@ -62,7 +66,7 @@ void add_work(CLI::App& app, Options& o) {
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
-  add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; changes no image",
+  add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",
            [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
   add_text(app, "--frames", "LIST", "render these frames only: 1-8,12, or every fourth: 1-32:4",
            [&](const std::string& text) { o.frames = parse_frames(text); });
@@ -77,12 +81,17 @@ void add_work(CLI::App& app, Options& o) {
 }
 
 void add_output(CLI::App& app, Options& o) {
-  app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")->type_name("FILE");
+  app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
   app.add_flag("--png", o.png, "write tone mapped PNG as well");
   app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
-  app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")->type_name("FILE");
+  app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
   app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; takes ffmpeg")
+      ->check(kNamesAFile)
       ->type_name("FILE");
   add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
            [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });

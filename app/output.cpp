@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "app/signals.h"
 #include "core/atomic_file.h"
@@ -19,19 +19,19 @@ constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 /// Makes and removes a file in the same directory.
 void expect_writable(const std::filesystem::path& path) { const AtomicFile trial(path); }
 
+bool writes_statistics(const Options& options) {
+  return !options.stats.empty() && options.stats != "table" && options.stats != "-";
+}
+
 }  // namespace
 
 Output::Output(const Job& job, const Options& options)
     : job_(job), png_(options.png), sheet_path_(options.contact_sheet), sheet_places_(job) {
-  std::set<std::filesystem::path> names;
-  for (const Frame frame : job.frames) {
-    if (!names.insert(name(frame)).second)
-      throw UsageError(fmt::format("several frames would be written to {}", name(frame).string()));
-  }
+  expect_distinct(files(options));
   expect_writable(*std::max_element(names.begin(), names.end(), [](const auto& a, const auto& b) {
     return a.string().size() < b.string().size();  // names may be too long
   }));
-  if (!options.stats.empty() && options.stats != "table" && options.stats != "-") expect_writable(options.stats);
+  if (writes_statistics(options)) expect_writable(options.stats);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) {
     expect_writable(sheet_path_);
@@ -44,6 +44,22 @@ Output::Output(const Job& job, const Options& options)
   if (!options.video.empty())
     video_.emplace(options.video, VideoFormat{width, height, static_cast<float>(job.fps)},
                    [] { return InterruptRequests::signal() != 0; });
+}
+
+std::vector<NamedFile> Output::files(const Options& options) const {
+  std::vector<NamedFile> files;
+  for (const std::string& scene : options.scenes)
+    if (scene != "-") files.push_back({scene, "the scene"});
+  for (const Frame frame : job_.frames) {
+    const std::string whose = job_.numbered || !job_.variation(frame).empty() ? job_.label(frame) + "'s " : "the ";
+    files.push_back({name(frame), whose + "image"});
+    std::filesystem::path png = name(frame).replace_extension(".png");
+    if (png_ && png != name(frame)) files.push_back({std::move(png), whose + "PNG"});
+  }
+  if (writes_statistics(options)) files.push_back({options.stats, "the statistics"});
+  if (!options.contact_sheet.empty()) files.push_back({options.contact_sheet, "the contact sheet"});
+  if (!options.video.empty()) files.push_back({options.video, "the video"});
+  return files;
 }
 
 std::filesystem::path Output::name(Frame frame) const {

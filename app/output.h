@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/distinct_files.h"
 #include "app/job.h"
 #include "app/sheet_places.h"
 #include "film/video.h"
@@ -31,6 +32,8 @@ class Output {
   void finish_video();
 
  private:
+  /// All that the run reads and writes.
+  std::vector<NamedFile> files(const Options& options) const;
   ExrHeader header(Frame frame) const;
 
   const Job& job_;

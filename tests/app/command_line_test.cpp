@@ -127,11 +127,34 @@ TEST(CommandLine, ADirectoryThatIsMissingIsSaidBeforeRendering) {
   }
 }
 
+TEST(CommandLine, NoFileReplacesAnother) {
+  const TinyDirectory directory;
+  std::filesystem::create_symlink("tiny.0001.png", directory / "link.png");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> all = {
+      {{"--video", "a.mp4", "--stats=./a.mp4"}, "a.mp4 would be both the statistics and the video"},
+      {{"--png", "--contact-sheet", "tiny.0003.png"}, "tiny.0003.png would be both 3's PNG and the contact sheet"},
+      {{"--png", "--contact-sheet", "link.png"}, "link.png would be both 1's PNG and the contact sheet"},
+      {{"-o", "a.##.png", "--contact-sheet", "a.02.png"}, "2's image and the contact sheet"},
+      {{"--stats=" + (directory / "tiny.0002.exr").string()}, "2's image and the statistics"},
+      {{"--stats=tiny.dsc"}, "tiny.dsc would be both the scene and the statistics"}};
+  for (const auto& [words, message] : all) {
+    std::vector<std::string> arguments{"tiny.dsc"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const Outcome outcome = run(directory, arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_FALSE(directory.has("tiny.0001.exr"));
+  }
+}
+
 TEST(CommandLine, WrongUseIsTwo) {
   const TinyDirectory directory;
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{},
                                              {"tiny.dsc", "--nonsense"},
+                                             {"tiny.dsc", "--video", ""},
+                                             {"tiny.dsc", "--contact-sheet", ""},
+                                             {"tiny.dsc", "-o", ""},
                                              {"tiny.dsc", "--frames", "4"},
                                              {"tiny.dsc", "--integrator", "dspm"},
                                              {"tiny.dsc", "--accel", "kdtree"},
