@@ -171,11 +171,11 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {
   for (const FrameList& interval : intervals)
-    for (const std::string& line : world.explain(interval)) print_message(line + "\n");
+    for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
 }
 
 void write_report(const Job& job, const RunReport& report, const Options& options) {
-  if (options.stats == "table") print_message("\n" + table_of(job, report));
+  if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
   if (options.stats == "-") print_data(json_of(job, report));
   if (!options.stats.empty() && options.stats != "table" && options.stats != "-")
     write_file(options.stats, json_of(job, report));

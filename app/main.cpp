@@ -1,4 +1,6 @@
 // The command line: which task, and what the exit code is. 0 done, 1 scene or render error, 2 usage, 128 + signal.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -39,7 +41,7 @@ int run_or_inform(const std::vector<std::string>& arguments) {
 }
 
 int run_and_report(const std::vector<std::string>& arguments) {
-  const auto say = [](const std::string& what) { print_message("dspm: " + what + "\n"); };
+  const auto say = [](const std::string& what) { print_message(fmt::format("dspm: {}\n", what)); };
   try {
     return run_or_inform(arguments);
   } catch (const UsageError& error) {

@@ -21,7 +21,7 @@ class Messages {
 
   template <class... Values>
   void say(fmt::format_string<Values...> format, Values&&... values) const {
-    if (!quiet_) print_message("dspm: " + fmt::format(format, std::forward<Values>(values)...) + "\n");
+    if (!quiet_) print_message(fmt::format("dspm: {}\n", fmt::format(format, std::forward<Values>(values)...)));
   }
 
  private:

@@ -28,9 +28,10 @@ bool writes_statistics(const Options& options) {
 Output::Output(const Job& job, const Options& options)
     : job_(job), png_(options.png), sheet_path_(options.contact_sheet), sheet_places_(job) {
   expect_distinct(files(options));
-  expect_writable(*std::max_element(names.begin(), names.end(), [](const auto& a, const auto& b) {
-    return a.string().size() < b.string().size();  // names may be too long
-  }));
+  const auto longest = std::max_element(job.frames.begin(), job.frames.end(), [&](Frame a, Frame b) {
+    return name(a).string().size() < name(b).string().size();  // names may be too long
+  });
+  expect_writable(name(*longest));
   if (writes_statistics(options)) expect_writable(options.stats);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) {
@@ -51,7 +52,8 @@ std::vector<NamedFile> Output::files(const Options& options) const {
   for (const std::string& scene : options.scenes)
     if (scene != "-") files.push_back({scene, "the scene"});
   for (const Frame frame : job_.frames) {
-    const std::string whose = job_.numbered || !job_.variation(frame).empty() ? job_.label(frame) + "'s " : "the ";
+    const std::string whose =
+        job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
     files.push_back({name(frame), whose + "image"});
     std::filesystem::path png = name(frame).replace_extension(".png");
     if (png_ && png != name(frame)) files.push_back({std::move(png), whose + "PNG"});

@@ -136,7 +136,12 @@ std::size_t peak_memory() {
   return 0;
 }
 
-std::string readable_bytes(std::size_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+std::string readable_bytes(std::size_t bytes) {
+  const auto count = static_cast<double>(bytes);
+  return bytes < 1000        ? fmt::format("{} B", bytes)
+         : bytes < 1'000'000 ? fmt::format("{:.1f} KB", count / 1e3)
+                             : fmt::format("{:.1f} MB", count / 1e6);
+}
 
 namespace {
 

@@ -26,7 +26,7 @@ struct RunReport {
 
 /// The largest memory of this process so far, in bytes.
 std::size_t peak_memory();
-/// "678.2 MB"
+/// "678.2 MB", "12.3 KB"
 std::string readable_bytes(std::size_t bytes);
 
 std::string table_of(const Job& job, const RunReport& report);

@@ -6,6 +6,7 @@
 
 #include "image/image.h"
 #include "tests/app/process.h"
+#include "tests/support/fake_ffmpeg.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define DSPM_MEMORY_OF_ITS_OWN 1  // a sanitizer's account of memory is not the program's
@@ -15,6 +16,7 @@ namespace dspm::test {
 namespace {
 
 constexpr double kMegabyte = 1e6;
+constexpr float kRounding = 1e-4f;  // of sums of partial sums
 
 /// Holds the tiny scene with more pixels and photons, for an integrator with these words.
 class Directory : public TemporaryDirectory {
@@ -58,7 +60,8 @@ class Images {
       for (std::size_t p = 0; p < all_[i].pixels.size(); ++p)
         for (int c = 0; c < 3; ++c) {
           const float a = all_[i].pixels[p][c], b = other.all_[i].pixels[p][c];
-          ASSERT_NEAR(a, b, 1e-5f * std::max(a, max_component(all_[i].pixels[p]))) << "pixel " << p << " of " << i + 1;
+          ASSERT_NEAR(a, b, kRounding * std::max(a, max_component(all_[i].pixels[p])))
+              << "pixel " << p << " of " << i + 1;
         }
   }
 
@@ -179,6 +182,50 @@ TEST(Memory, IsPlannedByACheck) {
   const Outcome least = run_within(directory, megabytes(bytes_taken(none.err)), {"--check"});
   EXPECT_EQ(least.code, 0) << least.err;
   EXPECT_NE(least.err.find("3 intervals of 1 frame, photons in "), std::string::npos) << least.err;
+}
+
+/// As many balls as parts of the image are looked at: none hides behind its regular place.
+std::string regular_scene() {
+  std::string scene = R"(
+Frames 16
+Integrator "dsppm" "integer iterations" 1 "integer photons" 1000
+LookAt 0 0 -10  0 0 0  0 1 0
+Camera "orthographic" "float screenwindow" [-1 1 -1 1]
+Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "tiny.exr"
+WorldBegin
+LightSource "point" "rgb I" [5 5 5] "point3 from" [0 0 -5]
+AttributeBegin Translate 0 0 3 Shape "disk" "float radius" 4 AttributeEnd
+DynamicBegin "balls" Keyframe 1 Translate 0 0 0 Keyframe 16 Translate 0 0 -0.5 KeyframeEnd
+)";
+  for (int i = 0; i < 32 * 32; ++i)
+    scene += fmt::format("AttributeBegin Translate {} {} 0 Shape \"sphere\" \"float radius\" 0.0234375 AttributeEnd\n",
+                         -1 + i % 32 / 16., -1 + i / 32 / 16.);
+  return scene + "DynamicEnd\n";
+}
+
+TEST(Memory, IsKeptWhereTheImageIsRegular) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const TemporaryDirectory directory;
+  put_file(directory / "tiny.dsc", regular_scene());
+  for (const char* memory : {"100M", "130M", "200M", "240M"}) {
+    const Outcome outcome = run(directory, {"tiny.dsc", "--memory", memory});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LE(outcome.peak_bytes, kMegabyte * std::strtod(memory, nullptr));
+  }
+}
+
+TEST(Memory, HoldsForRunsWithAVideo) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const FakeFfmpeg ffmpeg(kKeepAll);
+  const double least = bytes_taken(run_within(directory, "20M").err);
+  const Outcome outcome = run_within(directory, megabytes(least), {"--video", "a.mp4"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LE(outcome.peak_bytes, least);
 }
 
 TEST(Memory, TooLittleIsAnErrorBeforeRendering) {

@@ -37,7 +37,7 @@ std::unique_ptr<Integrator> with_least_memory(TestScene& test, const Scene& scen
 bool near(const Rgb& a, const Rgb& b) {
   const float scale = std::max(max_component(a), max_component(b));
   for (int c = 0; c < 3; ++c)
-    if (std::abs(a[c] - b[c]) > 1e-5f * scale) return false;
+    if (std::abs(a[c] - b[c]) > 1e-4f * scale) return false;
   return true;
 }
 
