@@ -12,7 +12,8 @@ using Quaternion = std::array<double, 4>;  // x, y, z, w
 
 constexpr Matrix4 kZero{{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}};
 
-double mix(double a, double b, double t) { return (1 - t) * a + t * b; }
+// What is equal stays: rounding would make states of it.
+double mix(double a, double b, double t) { return a == b ? a : (1 - t) * a + t * b; }
 
 template <std::size_t N>
 std::array<double, N> mix(const std::array<double, N>& a, const std::array<double, N>& b, double t) {
@@ -111,6 +112,7 @@ Decomposition decompose(const Matrix4& matrix) {
 }
 
 Matrix4 interpolate(const Matrix4& a, const Matrix4& b, double t) {
+  if (a == b) return a;
   const Decomposition from = decompose(a), to = decompose(b);
   const auto translation = mix(from.translation, to.translation, t);
   Matrix4 stretch;

@@ -37,6 +37,16 @@ TEST(KeyedTransform, FirstAndLastKeyHold) {
   for (const Frame frame : {5, 6, 100}) expect_near(keyed.at(frame), Matrix4::translate(2, 0, 0), 0);
 }
 
+TEST(KeyedTransform, EqualKeysAreOneState) {
+  const std::vector<TransformOp> turned{rotate(0.1, 0.3, 0.7, 0.11), translate(0.1, 0.7, 1.3)};
+  const std::vector<TransformOp> stands[] = {
+      turned, {matrix(turned[0].matrix())}, {TransformOp{Kind::look_at, {0.1, 1.3, -4.7, 0.3, 0.7, 0.1, 0, 1, 0}}}};
+  for (const auto& stand : stands) {
+    const Matrix4 first = between(stand, stand, 0, 24);
+    for (Frame f = 1; f <= 24; ++f) EXPECT_EQ(between(stand, stand, f, 24), first);
+  }
+}
+
 TEST(KeyedTransform, EqualSequencesGoArgumentByArgument) {
   for (Frame f = 0; f <= 16; ++f) {
     expect_near(between({rotate(0, 0, 1, 0)}, {rotate(360, 0, 1, 0)}, f, 16), Matrix4::rotate(22.5 * f, 0, 1, 0));
