@@ -1,12 +1,11 @@
 // The query that everything stands on: what does a ray meet first, in each of these frames?
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "core/frames.h"
+#include "core/frame_array.h"
 #include "core/params.h"
 #include "core/registry.h"
 #include "shapes/placed_shape.h"
@@ -39,19 +38,15 @@ struct FrameHit {
 /// part, no two parts hold the same (shape, primitive). Ordered by the parts' lowest frames.
 class HitPartition {
  public:
-  HitPartition() {}  // the parts stay uninitialised: this is made for every ray
-  void add(FrameSet frames, const RayHit& hit) { parts_[static_cast<std::size_t>(count_++)] = {frames, hit}; }
-  int size() const { return count_; }
+  void add(FrameSet frames, const RayHit& hit) { parts_.add({frames, hit}); }
+  int size() const { return static_cast<int>(parts_.size()); }
   FrameHit& operator[](int i) { return parts_[static_cast<std::size_t>(i)]; }
   const FrameHit& operator[](int i) const { return parts_[static_cast<std::size_t>(i)]; }
-  const FrameHit* begin() const { return parts_.data(); }
-  const FrameHit* end() const { return parts_.data() + count_; }
+  const FrameHit* begin() const { return parts_.begin(); }
+  const FrameHit* end() const { return parts_.end(); }
 
  private:
-  int count_ = 0;
-  union {
-    std::array<FrameHit, kMaxFrames> parts_;
-  };
+  FrameArray<FrameHit> parts_;
 };
 
 class Accel {
