@@ -177,8 +177,7 @@ void explain(const World& world, const std::vector<FrameList>& intervals) {
 void write_report(const Job& job, const RunReport& report, const Options& options) {
   if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
   if (options.stats == "-") print_data(json_of(job, report));
-  if (!options.stats.empty() && options.stats != "table" && options.stats != "-")
-    write_file(options.stats, json_of(job, report));
+  if (options.stats_in_file()) write_file(options.stats, json_of(job, report));
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct Options {
   std::optional<bool> half;  // what the Film says otherwise
   Interval write_every;
   std::string stats;  // "table", or a file for JSON ("-": standard output); empty: no statistics
+  bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 
   int threads = 0;  // 0: all
   std::optional<std::uint64_t> seed;

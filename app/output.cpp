@@ -19,10 +19,6 @@ constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 /// Makes and removes a file in the same directory.
 void expect_writable(const std::filesystem::path& path) { const AtomicFile trial(path); }
 
-bool writes_statistics(const Options& options) {
-  return !options.stats.empty() && options.stats != "table" && options.stats != "-";
-}
-
 }  // namespace
 
 Output::Output(const Job& job, const Options& options)
@@ -32,7 +28,7 @@ Output::Output(const Job& job, const Options& options)
     return name(a).string().size() < name(b).string().size();  // names may be too long
   });
   expect_writable(name(*longest));
-  if (writes_statistics(options)) expect_writable(options.stats);
+  if (options.stats_in_file()) expect_writable(options.stats);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) {
     expect_writable(sheet_path_);
@@ -58,7 +54,7 @@ std::vector<NamedFile> Output::files(const Options& options) const {
     std::filesystem::path png = name(frame).replace_extension(".png");
     if (png_ && png != name(frame)) files.push_back({std::move(png), whose + "PNG"});
   }
-  if (writes_statistics(options)) files.push_back({options.stats, "the statistics"});
+  if (options.stats_in_file()) files.push_back({options.stats, "the statistics"});
   if (!options.contact_sheet.empty()) files.push_back({options.contact_sheet, "the contact sheet"});
   if (!options.video.empty()) files.push_back({options.video, "the video"});
   return files;
