@@ -61,8 +61,7 @@ template <class Left>
   });
   if (next.strands().empty()) return false;
   path.frames = next.frames();
-  path.throughput = next.take_common();
-  path.strands = next.strands().size() == 1 ? 0 : table.add(next.strands());
+  path.strands = table.add(next, path.throughput);
   return true;
 }
 
@@ -80,8 +79,7 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   if (factors.size() > 1 || (list != nullptr && !(list->grey && by_ratio == ByRatio::yes)))
     return multiply_strands(path, factors, table, left);
   path.frames &= factors[0].frames;
-  if (list != nullptr)
-    if (const Strand* all = strand_of_all(list, path.frames)) path.throughput *= all->weight, path.strands = 0;
+  if (list != nullptr) path.strands = table.folded(path.strands, path.frames, path.throughput);
   path.throughput = left(path.strands, path.frames, path.throughput, path.throughput * factors[0].factor);
   return !is_black(path.throughput);
 }

@@ -108,9 +108,7 @@ class PhotonTracer {
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }
-    StrandList strands = path.strands;
-    if (const Strand* list = out_.strands.of(strands); list != nullptr)
-      if (const Strand* all = strand_of_all(list, frames)) flux *= all->weight, strands = 0;
+    const StrandList strands = path.strands == 0 ? 0 : out_.strands.folded(path.strands, frames, flux);
     out_.photons.push_back({point.p, wi, flux, frames, strands});
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;

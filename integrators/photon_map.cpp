@@ -62,7 +62,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
   refit(strands_, begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
     for (const Photon& photon : traces[t].photons) {
-      const std::size_t all = frames == 1 ? 0 : class_of(photon, frames), c = by_frame || all > frames ? all : 0;
+      const std::size_t own = class_of(photon, frames), c = by_frame || own > frames ? own : 0;
       const std::size_t place = places[t][c]++;
       photons_[place] = &photon;
       // The lights' lists are the same in all traces.

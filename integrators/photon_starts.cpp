@@ -29,8 +29,8 @@ void PhotonStarts::add(const Light& light, std::span<const FrameFactor> factors,
   for (const FrameFactor& f : factors)
     if (!is_black(f.factor)) strands.add(f.frames, f.factor);
   if (strands.strands().empty()) return;
-  const Rgb common = strands.take_common();
-  const StrandList list = strands.strands().size() == 1 ? 0 : strands_.add(strands.strands());
+  Rgb common;
+  const StrandList list = strands_.add(strands, common);
   starts.push_back({&light, strands.frames(), common, list});
 }
 

@@ -46,11 +46,26 @@ Rgb Strands::take_common() {
   return common;
 }
 
-StrandList StrandTable::add(std::span<const Strand> strands) {
-  const auto list = static_cast<StrandList>(strands_.size());
-  strands_.insert(strands_.end(), strands.begin(), strands.end());
-  for (std::size_t i = 0; i < strands.size(); ++i)
-    strands_[list + i].rest = static_cast<std::uint16_t>(strands.size() - 1 - i);
+StrandList StrandTable::add(Strands& strands, Rgb& common) {
+  common = strands.take_common();
+  const std::span<const Strand> added = strands.strands();
+  if (added.size() == 1) return 0;
+  const StrandList list = end();
+  strands_.insert(strands_.end(), added.begin(), added.end());
+  for (std::size_t i = 0; i < added.size(); ++i)
+    strands_[list + i].rest = static_cast<std::uint16_t>(added.size() - 1 - i);
+  return list;
+}
+
+StrandList StrandTable::folded(StrandList list, FrameSet frames, Rgb& carried) const {
+  for (const Strand* strand = of(list); strand != nullptr; ++strand) {
+    if (!(strand->frames & frames).empty()) {
+      if (!strand->frames.contains(frames)) return list;
+      carried *= strand->weight;
+      return 0;
+    }
+    if (strand->rest == 0) break;
+  }
   return list;
 }
 

@@ -30,14 +30,6 @@ void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   }
 }
 
-/// The strand that holds all of `frames`; null where there is none.
-inline const Strand* strand_of_all(const Strand* list, FrameSet frames) {
-  for (;; ++list) {
-    if (!(list->frames & frames).empty()) return list->frames.contains(frames) ? list : nullptr;
-    if (list->rest == 0) return nullptr;
-  }
-}
-
 /// A number of a list in its table; 0: none, all frames carry the path's throughput.
 using StrandList = std::uint32_t;
 
@@ -68,7 +60,10 @@ class StrandTable {
   std::span<const Strand> lists_before(StrandList list) const { return std::span(strands_).first(list); }
   /// The number of the next list to be added.
   StrandList end() const { return static_cast<StrandList>(strands_.size()); }
-  StrandList add(std::span<const Strand> strands);
+  /// The list of what the frames carry times `common`, which is taken out of them; 0 where that is all there is.
+  StrandList add(Strands& strands, Rgb& common);
+  /// The list that `frames` need: where one strand holds all of them, its weight goes into `carried`, and it is none.
+  StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const;
   std::size_t bytes() const { return strands_.capacity() * sizeof(Strand); }
 
  private:

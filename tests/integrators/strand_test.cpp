@@ -24,8 +24,9 @@ TEST(Strands, ListsKeepWeightsAndLeaveOutOtherFrames) {
   Strands red_and_blue;
   red_and_blue.add(kFew, {1, 0, 0});
   red_and_blue.add(kOther, {0, 0, 1});
-  EXPECT_EQ(red_and_blue.take_common(), Rgb(1));
-  const StrandList first = table.add(red_and_blue.strands()), second = table.add(red_and_blue.strands());
+  Rgb common;
+  const StrandList first = table.add(red_and_blue, common), second = table.add(red_and_blue, common);
+  EXPECT_EQ(common, Rgb(1));
   EXPECT_NE(first, second);
   EXPECT_FALSE(table.of(second)->grey);
   EXPECT_EQ(contents(table.of(second), FrameSet(0b0011)),
