@@ -33,6 +33,7 @@ std::vector<Measured> measure_all(const std::vector<LoadedScene>& scenes, bool q
       const Job job = with_text(loaded.job, "estimator", estimator);
       all.back().by_frames.push_back(take_turns(loaded, job, settings));
     }
+    if (quick) break;
   }
   return all;
 }

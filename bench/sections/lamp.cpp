@@ -71,7 +71,7 @@ std::string tables(const std::vector<Rounds>& rounds) {
 }  // namespace
 
 Findings measure_lamp(const Setup& setup) {
-  const std::vector<Rounds> rounds = measure(setup.quick ? 3 : 12);
+  const std::vector<Rounds> rounds = measure(setup.quick ? 2 : 12);
   const Rounds& one = rounds[std::size(kCases)];
   const StepSeconds move = ratios(rounds[kMoves], one);
   return {
