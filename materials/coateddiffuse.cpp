@@ -38,7 +38,12 @@ class CoatedDiffuse final : public Bsdf {
  public:
   /// `base` is the factor of (1 - F(wo)) (1 - F(wi)).
   CoatedDiffuse(const ShadingFrame& frame, Vec2 alpha, float eta, const Rgb& base)
-      : frame_(frame), facets_(alpha), smooth_(Ggx::is_smooth(alpha) || eta == 1), eta_(eta), base_(base) {}
+      : frame_(frame),
+        facets_(alpha),
+        smooth_(Ggx::is_smooth(alpha) || eta == 1),
+        eta_(eta),
+        base_(base),
+        base_weight_(weight_in_choice(kPi * eta * eta * max_component(base))) {}
 
   LobeSet lobes(float least_alpha) const override {
     const float coat_alpha = smooth_ ? 0 : facets_.least_alpha();
@@ -74,7 +79,7 @@ class CoatedDiffuse final : public Bsdf {
   }
 
   float share(const Vec3& wo, LobeSet lobes) const override {
-    return share_of(fresnel_dielectric(std::max(0.f, frame_.local(wo, frame_.side(wo)).z), eta_), lobes);
+    return share_of(share_of_coat(std::max(0.f, frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {
@@ -85,9 +90,17 @@ class CoatedDiffuse final : public Bsdf {
   }
 
  private:
-  float chance_of_coat(const Vec3& o, LobeSet lobes) const {
-    return chance_of_reflection(fresnel_dielectric(o.z, eta_), lobes);
+  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about as bright choose
+  /// alike, and stay one path.
+  static float weight_in_choice(float reflectance) {
+    return reflectance >= 1 / 4.f ? 1 : reflectance >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
   }
+
+  float share_of_coat(float cos_o) const {
+    const float mirrored = fresnel_dielectric(cos_o, eta_);
+    return mirrored / (mirrored + (1 - mirrored) * base_weight_);
+  }
+  float chance_of_coat(const Vec3& o, LobeSet lobes) const { return chance_of_reflection(share_of_coat(o.z), lobes); }
 
   /// Both above the surface; as for the density.
   Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
@@ -113,6 +126,7 @@ class CoatedDiffuse final : public Bsdf {
   bool smooth_;
   float eta_;
   Rgb base_;
+  float base_weight_;  // of what the coat lets through, when a lobe is chosen
 };
 
 class CoatedDiffuseMaterial final : public Material {

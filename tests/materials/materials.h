@@ -85,6 +85,8 @@ inline std::vector<Named> all_materials() {
   all.push_back({"smooth dielectric", make("dielectric", {})});
   all.push_back({"thin dielectric", make("thindielectric", {})});
   all.push_back({"smooth coat", make("coateddiffuse", {rgb("reflectance", {0.2f, 0.5f, 0.8f})})});
+  all.push_back({"smooth coat, dark base", make("coateddiffuse", {rgb("reflectance", {0.02f, 0.05f, 0})})});
+  all.push_back({"rough coat, dark base", make("coateddiffuse", {rgb("reflectance", {0.02f, 0.05f, 0}), alpha(0.3f)})});
   const auto add_rough = [&](const std::string& suffix, const std::vector<Param>& roughness) {
     for (const char* type : {"conductor", "dielectric", "coateddiffuse"})
       all.push_back({type + suffix, make(type, roughness)});

@@ -9,7 +9,7 @@
 namespace dspm::test {
 namespace {
 
-constexpr int kTests = 900;  // at least as many as there are below
+constexpr int kTests = 1100;  // at least as many as there are below
 
 /// Where the density peaks: near the mirror direction, or what is refracted.
 Vec3 peak(const Vec3& wo, const Vec3& ns, LobeSet lobes, float eta) {

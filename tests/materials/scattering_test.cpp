@@ -100,6 +100,19 @@ TEST(Scattering, KeepsToTheSidesOfBothNormals) {
   });
 }
 
+// Under a coat that mirrors 4% a black base would take 96% of the paths; bases that are about as bright choose alike.
+TEST(Scattering, ADarkBaseLeavesPathsToTheCoat) {
+  const auto share_of_coat = [](float reflectance) {
+    const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(reflectance))});
+    BsdfSlot slot;
+    return material->bsdf(surface(), slot).share({0, 0, 1}, 1);
+  };
+  EXPECT_NEAR(share_of_coat(0.8f), 0.04f, 1e-3f);
+  EXPECT_EQ(share_of_coat(0.8f), share_of_coat(0.4f));
+  EXPECT_NEAR(share_of_coat(0.01f), 0.04f / (0.04f + 0.96f / 16), 1e-2f);
+  EXPECT_EQ(share_of_coat(0.01f), share_of_coat(0));
+}
+
 // All lobes together are the sum of each alone; lobes that do not exist add nothing.
 TEST(Scattering, LobesAddUp) {
   for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint&) {
