@@ -17,7 +17,7 @@ class Renderer {
     if (plugin->frames_together > 1) {
       runs_.push_back(start(loaded, method.job, method.integrator, frames));
     } else {
-      for (const Frame f : frames) runs_.push_back(start(loaded, method.job, method.integrator, {f}));
+      runs_ = start_each(loaded, method.job, method.integrator, frames);
     }
   }
 

@@ -77,6 +77,13 @@ Run start(const LoadedScene& loaded, Job job, const char* integrator, const std:
   return run;
 }
 
+std::vector<Run> start_each(const LoadedScene& loaded, const Job& job, const char* integrator,
+                            const std::vector<Frame>& frames) {
+  std::vector<Run> runs;
+  for (const Frame f : frames) runs.push_back(start(loaded, job, integrator, {f}));
+  return runs;
+}
+
 Job with_text(Job job, const char* name, const char* value) {
   return with_param(std::move(job), name, ParamType::text, std::vector<std::string>{value});
 }

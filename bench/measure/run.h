@@ -38,6 +38,9 @@ struct Run {
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene);
 /// The scene's own integrator with other settings, or another one.
 Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames);
+/// The same for each of the frames alone.
+std::vector<Run> start_each(const LoadedScene& loaded, const Job& job, const char* integrator,
+                            const std::vector<Frame>& frames);
 
 /// The job with another value of an integrator's parameter.
 Job with_text(Job job, const char* name, const char* value);

@@ -7,10 +7,8 @@ namespace dspm {
 Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations) {
   std::vector<Group> groups(3);
   groups[0].push_back(start(loaded, loaded.job, "dsppm", frames));
-  for (const Frame f : spread_frames(frames, alone)) {
-    groups[1].push_back(start(loaded, loaded.job, "dsppm", {f}));
-    groups[2].push_back(start(loaded, loaded.job, "sppm", {f}));
-  }
+  groups[1] = start_each(loaded, loaded.job, "dsppm", spread_frames(frames, alone));
+  groups[2] = start_each(loaded, loaded.job, "sppm", spread_frames(frames, alone));
   const std::vector<Rounds> rounds = in_turns(groups, iterations);
   const Statistics s = groups[0][0].integrator->statistics();
   const auto over_one = [&](const SharedCount& count) { return static_cast<double>(frames.size()) / count.factor(); };

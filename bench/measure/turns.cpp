@@ -36,8 +36,7 @@ Comparison compare(const Rounds& together, const Rounds& separate, const Statist
 Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSettings& settings) {
   std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, job, "dsppm", job.frames));
-  for (const Frame f : spread_frames(job.frames, settings.separate))
-    groups[1].push_back(start(loaded, job, "sppm", {f}));
+  groups[1] = start_each(loaded, job, "sppm", spread_frames(job.frames, settings.separate));
   const std::vector<Rounds> seconds = in_turns(groups, settings.iterations);
   const Integrator& together = *groups[0][0].integrator;
   return compare(seconds[0], for_all(seconds[1], job.frames.size()), together.statistics(), job.frames.size());

@@ -23,18 +23,11 @@ struct Measured {
   double additional() const { return (over_one - 1) / (fabrics - 1); }
 };
 
-/// The mean of some.
-Group alone(const LoadedScene& loaded) {
-  Group runs;
-  for (const Frame f : spread_frames(loaded.job.frames, 3)) runs.push_back(start(loaded, loaded.job, "dsppm", {f}));
-  return runs;
-}
-
-/// Of an interval over one of its fabrics.
+/// Of an interval over one fabric, the mean of some.
 double time_over_one(const LoadedScene& loaded, const FrameList& interval, int iterations) {
-  std::vector<Group> groups(1);
+  std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, loaded.job, "dsppm", interval));
-  groups.push_back(alone(loaded));
+  groups[1] = start_each(loaded, loaded.job, "dsppm", spread_frames(loaded.job.frames, 3));
   const std::vector<Rounds> rounds = in_turns(groups, iterations);
   return ratios(rounds[0], rounds[1]).back();
 }

@@ -25,12 +25,6 @@ LoadedScene room(const Case& c) {
               {fmt::format("lamp={}", c.lamp), fmt::format("window={}", c.window), fmt::format("way={}", c.way)});
 }
 
-Group one_frame(const LoadedScene& loaded, const char* integrator) {
-  Group runs;
-  runs.push_back(start(loaded, loaded.job, integrator, {loaded.job.frames.front()}));
-  return runs;
-}
-
 /// Of all cases, then of one frame by dsppm and by sppm.
 std::vector<Rounds> measure(int iterations) {
   std::vector<LoadedScene> rooms;
@@ -40,7 +34,9 @@ std::vector<Rounds> measure(int iterations) {
     groups.emplace_back();
     groups.back().push_back(start(loaded, loaded.job, "dsppm", loaded.job.frames));
   }
-  for (const char* integrator : {"dsppm", "sppm"}) groups.push_back(one_frame(rooms[kSteady], integrator));
+  const LoadedScene& steady = rooms[kSteady];
+  for (const char* integrator : {"dsppm", "sppm"})
+    groups.push_back(start_each(steady, steady.job, integrator, {steady.job.frames.front()}));
   return in_turns(groups, iterations);
 }
 
