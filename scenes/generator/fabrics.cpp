@@ -9,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "image/png.h"
 #include "scenes/generator/noise.h"
+#include "scenes/generator/picture.h"
 #include "scenes/generator/subjects.h"
 
 namespace dspm {
@@ -68,15 +69,6 @@ float amount(const Weave& weave, float x, float y) {
   return std::clamp(0.1f + 0.8f * colour + shade, 0.f, 1.f);
 }
 
-void write_picture(const std::filesystem::path& directory, const Weave& weave) {
-  Image picture(kPixels, kPixels);
-  for (int y = 0; y < kPixels; ++y)
-    for (int x = 0; x < kPixels; ++x)
-      picture.at(x, y) =
-          Rgb(amount(weave, (static_cast<float>(x) + 0.5f) / kPixels, (static_cast<float>(y) + 0.5f) / kPixels));
-  write_png(directory / fmt::format("{}.png", weave.name), picture);
-}
-
 struct Dye {
   std::string_view name;
   Rgb colour;
@@ -109,7 +101,8 @@ std::string variation(const Weave& weave, const Dye& dye, bool light) {
 void make_fabrics(const std::filesystem::path& directory) {
   std::string variations = "# Made by the generator of the scenes; chair-fabrics.dsc includes it.\n";
   for (const Weave& weave : kWeaves) {
-    write_picture(directory, weave);
+    const auto woven = [&](float x, float y) { return amount(weave, x, y); };
+    write_png(directory / fmt::format("{}.png", weave.name), picture(kPixels, kPixels, woven));
     for (const Dye& dye : kDyes)
       for (const bool light : {true, false}) variations += variation(weave, dye, light);
   }

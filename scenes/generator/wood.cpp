@@ -5,6 +5,7 @@
 
 #include "image/png.h"
 #include "scenes/generator/noise.h"
+#include "scenes/generator/picture.h"
 #include "scenes/generator/subjects.h"
 
 namespace dspm {
@@ -28,11 +29,7 @@ float grain(float x, float y) {
 }  // namespace
 
 void make_wood(const std::filesystem::path& directory) {
-  Image picture(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      picture.at(x, y) = Rgb(grain((static_cast<float>(x) + 0.5f) / kWidth, (static_cast<float>(y) + 0.5f) / kHeight));
-  write_png(directory / "grain.png", picture);
+  write_png(directory / "grain.png", picture(kWidth, kHeight, grain));
 }
 
 }  // namespace dspm
