@@ -79,7 +79,7 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   if (factors.size() > 1 || (list != nullptr && !(list->grey && by_ratio == ByRatio::yes)))
     return multiply_strands(path, factors, table, left);
   path.frames &= factors[0].frames;
-  if (list != nullptr) path.strands = table.folded(path.strands, path.frames, path.throughput);
+  path.strands = table.folded(path.strands, path.frames, path.throughput);
   path.throughput = left(path.strands, path.frames, path.throughput, path.throughput * factors[0].factor);
   return !is_black(path.throughput);
 }

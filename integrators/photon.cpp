@@ -108,7 +108,7 @@ class PhotonTracer {
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }
-    const StrandList strands = path.strands == 0 ? 0 : out_.strands.folded(path.strands, frames, flux);
+    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     out_.photons.push_back({point.p, wi, flux, frames, strands});
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;

@@ -57,16 +57,4 @@ StrandList StrandTable::add(Strands& strands, Rgb& common) {
   return list;
 }
 
-StrandList StrandTable::folded(StrandList list, FrameSet frames, Rgb& carried) const {
-  for (const Strand* strand = of(list); strand != nullptr; ++strand) {
-    if (!(strand->frames & frames).empty()) {
-      if (!strand->frames.contains(frames)) return list;
-      carried *= strand->weight;
-      return 0;
-    }
-    if (strand->rest == 0) break;
-  }
-  return list;
-}
-
 }  // namespace dspm

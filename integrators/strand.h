@@ -63,7 +63,17 @@ class StrandTable {
   /// The list of what the frames carry times `common`, which is taken out of them; 0 where that is all there is.
   StrandList add(Strands& strands, Rgb& common);
   /// The list that `frames` need: where one strand holds all of them, its weight goes into `carried`, and it is none.
-  StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const;
+  StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const {
+    for (const Strand* strand = of(list); strand != nullptr; ++strand) {
+      if (!(strand->frames & frames).empty()) {
+        if (!strand->frames.contains(frames)) return list;
+        carried *= strand->weight;
+        return 0;
+      }
+      if (strand->rest == 0) break;
+    }
+    return list;
+  }
   std::size_t bytes() const { return strands_.capacity() * sizeof(Strand); }
 
  private:
