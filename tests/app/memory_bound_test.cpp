@@ -45,6 +45,9 @@ double bytes_taken(const std::string& message) {
   return at == message.npos ? 0 : kMegabyte * std::strtod(message.c_str() + at + before.size(), nullptr);
 }
 
+/// The bytes that a run of this scene takes at least.
+double least_bytes(const Directory& directory) { return bytes_taken(run_within(directory, "20M").err); }
+
 std::string megabytes(double bytes) { return fmt::format("{:.1f}M", bytes / kMegabyte + 0.1); }
 
 class Images {
@@ -102,7 +105,7 @@ TEST(Memory, SaysWhatItMeans) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const std::string least = megabytes(bytes_taken(run_within(directory, "20M").err));
+  const std::string least = megabytes(least_bytes(directory));
   const Outcome outcome = run_within(directory, least);
   EXPECT_NE(outcome.err.find("3 intervals of 1 frame, photons in "), std::string::npos) << outcome.err;
   const Outcome ample = run_within(directory, "1T");
@@ -115,7 +118,7 @@ TEST(Memory, HasTheSameBitsOnEveryRun) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const std::string bytes = megabytes(1.15 * bytes_taken(run_within(directory, "20M").err));
+  const std::string bytes = megabytes(1.15 * least_bytes(directory));
   ASSERT_EQ(run_within(directory, bytes).code, 0);
   const Images images(directory);
   for (const char* threads : {"1", "2", "5", "64"}) {
@@ -154,7 +157,7 @@ TEST(Memory, SufficesForManyThreads) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const double least = bytes_taken(run_within(directory, "20M").err);
+  const double least = least_bytes(directory);
   const Outcome outcome = run_within(directory, megabytes(least), {"--nthreads", "64"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_LE(outcome.peak_bytes, least);
@@ -165,7 +168,7 @@ TEST(Memory, ExplainTellsTheIntervalsOfTheRun) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const std::string least = megabytes(bytes_taken(run_within(directory, "20M").err));
+  const std::string least = megabytes(least_bytes(directory));
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--explain"}, {"--explain", "--check"}}) {
     const std::string said = run_within(directory, least, more).err;
     EXPECT_EQ(said.find("3 frames rendered together"), std::string::npos) << said;
@@ -222,7 +225,7 @@ TEST(Memory, HoldsForRunsWithAVideo) {
 #endif
   const Directory directory;
   const FakeFfmpeg ffmpeg(kKeepAll);
-  const double least = bytes_taken(run_within(directory, "20M").err);
+  const double least = least_bytes(directory);
   const Outcome outcome = run_within(directory, megabytes(least), {"--video", "a.mp4"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_LE(outcome.peak_bytes, least);

@@ -4,16 +4,12 @@
 #include <numeric>
 
 #include "bench/measure/convergence.h"
+#include "tests/bench/grey_image.h"
 
 namespace dspm {
 namespace {
 
-Images image_of(std::initializer_list<float> greys) {
-  Image image(static_cast<int>(greys.size()), 1);
-  std::size_t p = 0;
-  for (const float grey : greys) image.pixels[p++] = Rgb(grey, grey, grey);
-  return {image};
-}
+Images image_of(std::initializer_list<float> greys) { return {grey_image(greys)}; }
 
 TEST(SpreadFrames, LeavesSomeOutEvenly) {
   std::vector<Frame> frames(32);

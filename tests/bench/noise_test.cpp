@@ -4,31 +4,26 @@
 
 #include <random>
 
+#include "tests/bench/grey_image.h"
+
 namespace dspm {
 namespace {
 
-Image grey(std::initializer_list<float> values) {
-  Image image(static_cast<int>(values.size()), 1);
-  std::size_t p = 0;
-  for (const float value : values) image.pixels[p++] = Rgb(value, value, value);
-  return image;
-}
-
 TEST(RelativeSquare, IsRelativeAndAtMostOne) {
-  const Image truth = grey({1, 1, 1, 1});  // the floor is 0.01
+  const Image truth = grey_image({1, 1, 1, 1});  // the floor is 0.01
   EXPECT_EQ(relative_square(truth, truth, truth), 0);
-  EXPECT_NEAR(relative_square(grey({1.101f, 1, 1, 1}), truth, truth), 0.0025, 1e-6);
-  EXPECT_NEAR(relative_square(grey({1000, 1, 1, 1}), truth, truth), 0.25, 1e-6);
+  EXPECT_NEAR(relative_square(grey_image({1.101f, 1, 1, 1}), truth, truth), 0.0025, 1e-6);
+  EXPECT_NEAR(relative_square(grey_image({1000, 1, 1, 1}), truth, truth), 0.25, 1e-6);
 }
 
 TEST(RelativeSquare, CountsDarkPixelsAgainstAHundredthOfTheMean) {
-  const Image truth = grey({0, 2});
-  EXPECT_NEAR(relative_square(grey({0.005f, 2}), truth, truth), 0.125, 1e-6);
-  EXPECT_EQ(relative_square(grey({0, 0}), grey({0, 0}), grey({0, 0})), 0);
+  const Image truth = grey_image({0, 2});
+  EXPECT_NEAR(relative_square(grey_image({0.005f, 2}), truth, truth), 0.125, 1e-6);
+  EXPECT_EQ(relative_square(grey_image({0, 0}), grey_image({0, 0}), grey_image({0, 0})), 0);
 }
 
 TEST(RelativeSquare, SeesChannelsThatKeepTheLuminance) {
-  const Image truth = grey({1});
+  const Image truth = grey_image({1});
   Image tinted = truth;
   tinted.pixels[0] = Rgb(1.101f, 1, 1);
   EXPECT_NEAR(relative_square(tinted, truth, truth), 0.01 / 3, 1e-6);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 
 #include "tests/support/fake_ffmpeg.h"
@@ -19,10 +20,13 @@ Image filled(int width, int height, float value) {
   return image;
 }
 
-/// What the constructor or finish() says.
-std::string error_of(const std::filesystem::path& path, int images) {
+/// What the constructor or finish() says. `tried()` is called between the trial and the images.
+std::string error_of(
+    const std::filesystem::path& path, int images, const Video::EndWanted& end_wanted = {},
+    const std::function<void()>& tried = [] {}) {
   try {
-    Video video(path, {2, 2, 0});
+    Video video(path, {2, 2, 0}, end_wanted);
+    tried();
     for (int i = 0; i < images; ++i) video.add(Image(2, 2));
     video.finish();
   } catch (const std::runtime_error& error) {
@@ -151,15 +155,8 @@ TEST(Video, AnFfmpegThatCannotBeRunIsSaidAtOnce) {
 /// The error where an end is wanted from the so-manyth moment on: 0, in the trial; 1, when images are being written.
 std::string error_when_ended(const std::filesystem::path& path, int images) {
   bool wanted = images == 0;
-  try {
-    Video video(path, {2, 2, 0}, [&] { return wanted; });
-    wanted = true;
-    for (int i = 0; i < images; ++i) video.add(Image(2, 2));
-    video.finish();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return error_of(
+      path, images, [&] { return wanted; }, [&] { wanted = true; });
 }
 
 TEST(Video, WhereAnEndIsWantedNobodyWaitsForFfmpeg) {
