@@ -67,6 +67,6 @@ struct AccelPlugin : Plugin<MakeAccel> {
   /// What it may hold at most while it is made, estimated before it is.
   std::size_t (*bytes_at_most)(std::span<const PlacedShape> shapes, FrameSet all);
 };
-std::span<const AccelPlugin> accel_plugins();
+PluginTable<AccelPlugin>& accel_plugins();
 
 }  // namespace dspm

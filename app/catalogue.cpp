@@ -21,15 +21,20 @@ namespace dspm {
 namespace {
 
 struct Entry {
-  std::string kind, name, sentence;
+  std::string kind, name, sentence, origin;
   std::function<std::vector<ParamInfo>()> params;
 };
 
+template <class AnyPlugin>
+std::string origin_of(const AnyPlugin& plugin) {
+  return plugin.origin.empty() ? "dspm" : std::string(plugin.origin);
+}
+
 template <class AnyPlugin, class... Context>
-void add(std::vector<Entry>& entries, const char* kind, std::span<const AnyPlugin> plugins, const Context&... context) {
+void add(std::vector<Entry>& entries, const PluginTable<AnyPlugin>& plugins, const Context&... context) {
   for (const AnyPlugin& plugin : plugins)
-    entries.push_back({kind, std::string(plugin.name), std::string(plugin.sentence),
-                       [&plugin, &context...] { return describe(plugin, context...); }});
+    entries.push_back({std::string(plugins.kind()), std::string(plugin.name), std::string(plugin.sentence),
+                       origin_of(plugin), [&plugin, &context...] { return describe(plugin, context...); }});
 }
 
 /// The kinds are called as in messages about scenes.
@@ -45,16 +50,16 @@ std::vector<Entry> all_plugins() {
   static const std::span<const PlacedShape> no_shapes;
   static const FrameSet no_frames;
   std::vector<Entry> entries;
-  add(entries, "shape", shape_plugins());
-  add(entries, "material", material_plugins(), material);
-  add(entries, "texture", texture_plugins<Rgb>(), texture);  // float textures have the same names
-  add(entries, "light", light_plugins(), light);
-  add(entries, "area light", area_light_plugins(), light);
-  add(entries, "camera", camera_plugins(), camera);
-  add(entries, "film", film_plugins());
-  add(entries, "filter", pixel_filter_plugins());
-  add(entries, "accelerator", accel_plugins(), no_shapes, no_frames);
-  add(entries, "integrator", integrator_plugins(), scene, settings);
+  add(entries, shape_plugins());
+  add(entries, material_plugins(), material);
+  add(entries, texture_plugins<Rgb>(), texture);  // float textures have the same names
+  add(entries, light_plugins(), light);
+  add(entries, area_light_plugins(), light);
+  add(entries, camera_plugins(), camera);
+  add(entries, film_plugins());
+  add(entries, pixel_filter_plugins());
+  add(entries, accel_plugins(), no_shapes, no_frames);
+  add(entries, integrator_plugins(), scene, settings);
   return entries;
 }
 
@@ -80,13 +85,25 @@ std::string table_of(std::vector<ParamInfo> params) {
 }  // namespace
 
 std::string list_plugins() {
+  const std::vector<Entry> entries = all_plugins();
+  std::size_t names = 0, origins = 0;
+  for (const Entry& entry : entries)
+    names = std::max(names, entry.name.size()), origins = std::max(origins, entry.origin.size());
   std::string text, kind;
-  for (const Entry& entry : all_plugins()) {
+  for (const Entry& entry : entries) {
     if (entry.kind != kind) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", entry.kind);
     kind = entry.kind;
-    text += fmt::format("  {:<18} {}\n", entry.name, entry.sentence);
+    text += fmt::format("  {:<{}}  {:<{}}  {}\n", entry.name, names, entry.origin, origins, entry.sentence);
   }
   return text;
+}
+
+std::string in_words(const LoadedModule& module) {
+  std::string plugins;
+  for (const Entry& entry : all_plugins())
+    if (entry.origin == module.name)
+      plugins += fmt::format("{}{} \"{}\"", plugins.empty() ? "" : ", ", entry.kind, entry.name);
+  return plugins.empty() ? module.name : fmt::format("{} of {}", plugins, module.name);
 }
 
 std::string describe_plugin(std::string_view kind_and_name) {
@@ -96,7 +113,8 @@ std::string describe_plugin(std::string_view kind_and_name) {
     names.push_back(full_name(entry));
     if (names.back() != kind_and_name) continue;
     const std::vector<ParamInfo> params = entry.params();
-    return fmt::format("{}: {}\n{}", names.back(), entry.sentence, params.empty() ? "" : table_of(params));
+    return fmt::format("{} ({}): {}\n{}", names.back(), entry.origin, entry.sentence,
+                       params.empty() ? "" : table_of(params));
   }
   const std::string guess = did_you_mean(kind_and_name, names);
   throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", kind_and_name,

@@ -4,11 +4,15 @@
 #include <string>
 #include <string_view>
 
+#include "modules/load.h"
+
 namespace dspm {
 
 /// Every kind with its plugins, a line each.
 std::string list_plugins();
 /// The parameters of `kind:name`; throws UsageError where there is no such plugin.
 std::string describe_plugin(std::string_view kind_and_name);
+/// A module with what it brought along: `material "velvet" of libvelvet.so`.
+std::string in_words(const LoadedModule& module);
 
 }  // namespace dspm

@@ -15,6 +15,7 @@
 #include "app/run_report.h"
 #include "app/signals.h"
 #include "app/standard_streams.h"
+#include "app/watch.h"
 #include "core/atomic_file.h"
 #include "core/parallel.h"
 #include "world/world.h"
@@ -55,12 +56,13 @@ class WriteSchedule {
 /// A render: the world's frames through the integrator into files.
 class Run {
  public:
-  Run(const Job& job, const World& world, const Options& options, MemoryBound& memory, Messages& messages)
+  Run(const Job& job, const World& world, const Options& options, MemoryBound& memory, Messages& messages, Watch& watch)
       : job_(job),
         world_(world),
         options_(options),
         memory_(memory),
         messages_(messages),
+        watch_(watch),
         output_(job, options),
         intervals_(memory.plan(job, world, output_.bytes_while_writing(), messages)) {
     report_.threads = thread_count();
@@ -73,10 +75,16 @@ class Run {
 
  private:
   void render_interval(std::size_t index);
+  /// Where it throws, the images so far are written; they may hold a part of that iteration.
+  void iterate(Integrator& integrator, const FrameList& frames, int iteration, Clock::time_point begin);
   void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The images of the interval's frames; the last ones go to the video, too.
   void write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last);
+  /// No NaN and no infinity may reach a file.
+  void black_out_invalid(Image& image, Frame frame);
+  /// The integrator, as messages name it.
+  std::string subject() const;
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -87,6 +95,7 @@ class Run {
   const Options& options_;
   const MemoryBound& memory_;
   Messages& messages_;
+  Watch& watch_;
   Output output_;
   std::vector<FrameList> intervals_;
   std::set<Frame> written_;  // those that have images
@@ -106,6 +115,7 @@ RunReport Run::render() {
 
 void Run::render_interval(std::size_t index) {
   const FrameList& frames = intervals_[index];
+  watch_.begin("making the scene", "");
   const std::unique_ptr<Scene> scene = world_.scene(frames);
   const std::unique_ptr<Integrator> integrator =
       make_integrator(job_, *scene, messages_, memory_.for_integrator(index));
@@ -126,12 +136,22 @@ void Run::render_interval(std::size_t index) {
            (options_.time_limit > 0 && done > 0 && seconds_since(begin) >= seconds);
   };
   while (!finished()) {
-    integrator->iterate(done++);
+    watch_.begin(fmt::format("iteration {}", done + 1), subject());
+    iterate(*integrator, frames, done++, begin);
     progress_->step(static_cast<int>(index), done);
     if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false);
   }
   if (done > 0) write(frames, *integrator, begin, true);
   report_.add(integrator->statistics(), frames);
+}
+
+void Run::iterate(Integrator& integrator, const FrameList& frames, int iteration, Clock::time_point begin) {
+  try {
+    integrator.iterate(iteration);
+  } catch (...) {
+    if (iteration > 0) write(frames, integrator, begin, false);
+    throw;
+  }
 }
 
 void Run::say_end() {
@@ -159,14 +179,36 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
 }
 
 void Run::write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last) {
+  watch_.begin("writing the images", "");
   const Statistics statistics = integrator.statistics();
   for (std::size_t j = 0; j < interval.size(); ++j) {
     Image image = integrator.estimate(static_cast<Frame>(j));
+    black_out_invalid(image, interval[j]);
     if (last) output_.add_to_video(image);
     output_.write(interval[j], std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
   }
   output_.write_contact_sheet();
   written_.insert(interval.begin(), interval.end());
+}
+
+std::string Run::subject() const {
+  const std::string_view origin = job_.plugin->origin;
+  return fmt::format("integrator \"{}\"{}{}", job_.integrator, origin.empty() ? "" : " of ", origin);
+}
+
+void Run::black_out_invalid(Image& image, Frame frame) {
+  const auto invalid = [](const Rgb& c) { return !is_finite(c); };
+  const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
+  if (first == image.pixels.end()) return;
+  const auto at = static_cast<int>(first - image.pixels.begin());
+  const auto count = std::count_if(first, image.pixels.end(), invalid);
+  std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
+  Diagnostics diagnostics;
+  diagnostics.warning({}, fmt::format("{}: {} pixels of frame {} are not finite, the first at x = {}, y = {}; they are "
+                                      "written black",
+                                      subject(), count, frame + 1, job_.settings.crop.x0 + at % image.width,
+                                      job_.settings.crop.y0 + at / image.width));
+  messages_.show(diagnostics);
 }
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {
@@ -186,9 +228,11 @@ int render_scene(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(options.quiet);
   MemoryBound memory(options.memory);
+  Watch watch(options.patience);
+  watch.begin("reading the scene", "");
   const LoadedScene loaded(options, messages);
   const InterruptRequests interrupts;
-  Run run(loaded.job, *loaded.world, options, memory, messages);
+  Run run(loaded.job, *loaded.world, options, memory, messages, watch);
   if (options.explain) explain(*loaded.world, run.intervals());
   const RunReport report = run.render();
   write_report(loaded.job, report, options);
@@ -200,9 +244,11 @@ int check_scene(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(options.quiet);
   MemoryBound memory(options.memory);
+  Watch watch(options.patience);
+  watch.begin("checking the scene", "");
   const LoadedScene loaded(options, messages);
   const InterruptRequests interrupts;
-  const Run run(loaded.job, *loaded.world, options, memory, messages);
+  const Run run(loaded.job, *loaded.world, options, memory, messages, watch);
   if (options.explain) explain(*loaded.world, run.intervals());
   const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
   make_integrator(loaded.job, *scene, messages);

@@ -9,7 +9,6 @@ namespace {
 
 /// pbrt's integrators that compute what `path` does where there is no medium.
 constexpr std::string_view kPathLike[] = {"volpath", "simplepath", "simplevolpath"};
-constexpr std::string_view kNotBuilt[] = {"lightpath", "randomwalk", "bdpt", "mlt", "ambientocclusion", "function"};
 constexpr std::string_view kPhotonsAlias = "photonsperiteration";
 
 bool knows(const std::vector<ParamInfo>& described, std::string_view name) {
@@ -30,8 +29,7 @@ void set_integer(ParamList& list, std::string_view name, int value) {
 const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
   const bool path_like = std::find(std::begin(kPathLike), std::end(kPathLike), use.type) != std::end(kPathLike);
   if (path_like) diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"path\"", use.type));
-  return find_plugin(integrator_plugins(), "integrator", path_like ? "path" : use.type, use.type_where, diagnostics,
-                     std::span<const std::string_view>(kNotBuilt));
+  return integrator_plugins().find(path_like ? "path" : use.type, use.type_where, diagnostics);
 }
 
 void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrator>& plugin,

@@ -23,9 +23,9 @@ std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
 
 /// The plugin that the option names; UsageError where there is none.
 template <class AnyPlugin>
-const AnyPlugin* find_by_option(std::span<const AnyPlugin> plugins, const char* option, const std::string& name) {
+const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const char* option, const std::string& name) {
   Diagnostics diagnostics;
-  const AnyPlugin* plugin = find_plugin(plugins, option, name, {}, diagnostics);
+  const AnyPlugin* plugin = plugins.find(name, {}, diagnostics);
   if (plugin != nullptr) return plugin;
   throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
 }

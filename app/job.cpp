@@ -46,23 +46,22 @@ SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& d
 
 /// The object that a directive before WorldBegin asks for, or that of the usual type.
 template <class Make>
-auto make_one(std::span<const Plugin<Make>> plugins, const char* kind, const char* usual,
-              const std::optional<PluginUse>& use, std::span<const std::string_view> not_built,
+auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const std::optional<PluginUse>& use,
               Diagnostics& diagnostics) {
   static const PluginUse kNone;
   const PluginUse& used = use ? *use : kNone;
   const std::string& name = use ? use->type : usual;
-  const Plugin<Make>* plugin = find_plugin(plugins, kind, name, used.type_where, diagnostics, not_built);
+  const Plugin<Make>* plugin = plugins.find(name, used.type_where, diagnostics);
   const bool replaced = plugin == nullptr;
   if (replaced) plugin = &plugins.front();
   const ParamList& params = replaced ? kNone.params : used.params;
-  ParamReader reader(params, fmt::format("{} \"{}\"", kind, plugin->name), used.where, diagnostics);
+  ParamReader reader(params, fmt::format("{} \"{}\"", plugins.kind(), plugin->name), used.where, diagnostics);
   return plugin->make(reader);
 }
 
 FilmSettings make_film(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
   const int errors = diagnostics.error_count();
-  FilmSettings film = *make_one(film_plugins(), "film", "rgb", description.film, unbuilt_films(), diagnostics);
+  FilmSettings film = *make_one(film_plugins(), "rgb", description.film, diagnostics);
   if (options.quick) make_quick(film);
   if (!options.outfile.empty()) film.filename = options.outfile;
   if (options.half) film.save_half = *options.half;
@@ -98,7 +97,7 @@ std::string accel_of(const SceneDescription& description, const Options& options
   const std::optional<PluginUse>& use = description.accelerator;
   if (!use) return {};
   if (use->type != "bvh" && use->type != "kdtree") {
-    const auto* plugin = find_plugin(accel_plugins(), "accelerator", use->type, use->type_where, diagnostics);
+    const auto* plugin = accel_plugins().find(use->type, use->type_where, diagnostics);
     return plugin != nullptr ? use->type : std::string();
   }
   diagnostics.note(use->where, fmt::format("accelerator \"{}\" has no effect: dspm has its own", use->type));
@@ -163,8 +162,7 @@ Job make_job(const SceneDescription& description, const Options& options, Diagno
   RenderSettings& settings = job.settings;
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
-  settings.filter =
-      make_one(pixel_filter_plugins(), "filter", "gaussian", description.filter, unbuilt_pixel_filters(), diagnostics);
+  settings.filter = make_one(pixel_filter_plugins(), "gaussian", description.filter, diagnostics);
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/frame_choice.h"
+#include "app/load_modules.h"
 #include "lang/formatter.h"
 #include "lang/parse.h"
 #include "lang/read_file.h"
@@ -26,6 +27,7 @@ ParseOptions parse_options_of(const Options& options) {
 LoadedScene::LoadedScene(const Options& options, Messages& messages) {
   Diagnostics diagnostics(options.lenient);
   description = std::make_unique<SceneDescription>(parse_files(options.scenes, parse_options_of(options), diagnostics));
+  load_modules(*description, diagnostics);
   job = make_job(*description, options, diagnostics);
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
   world = std::make_unique<World>(*description, world_options, diagnostics);

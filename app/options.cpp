@@ -1,5 +1,7 @@
 #include "app/options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -7,6 +9,7 @@
 
 #include "app/option_values.h"
 #include "core/errors.h"
+#include "core/version.h"
 
 namespace dspm {
 namespace {
@@ -37,6 +40,10 @@ void add_scene(CLI::App& app, Options& o) {
   app.add_option("-D", o.defines, "replace $name in the scene's text")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
+  app.add_option("--plugin", o.modules, "load the plugins of this module, such as ./libambient.so; may be repeated")
+      ->allow_extra_args(false)
+      ->check(kNamesAFile)
+      ->type_name("FILE");
   app.add_flag("--lenient", o.lenient, "what dspm lacks of pbrt is a warning, not an error");
   app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
   app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")
@@ -54,6 +61,12 @@ void add_tasks(CLI::App& app, Options& o) {
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   add_text(app, "--describe", "KIND:NAME", "print a plugin's parameters, as of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
+  app.add_option_function<std::vector<std::string>>(
+         "--new-plugin",
+         [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
+         "write a project to start a plugin from: integrator ambient my-folder")
+      ->expected(3)
+      ->type_name("KIND NAME DIR");
 }
 
 void add_work(CLI::App& app, Options& o) {
@@ -66,6 +79,8 @@ void add_work(CLI::App& app, Options& o) {
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
+  add_text(app, "--patience", "TIME", "tell who is at work where a step takes longer than this (default: 1m)",
+           [&](const std::string& text) { o.patience = parse_duration("--patience", text); });
   add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",
            [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
   add_text(app, "--frames", "LIST", "render these frames only: 1-8,12, or every fourth: 1-32:4",
@@ -121,7 +136,7 @@ std::string unexpected(const CLI::App& app) {
 }
 
 void check(const Options& o) {
-  const bool needs_scene = o.task != Task::list && o.task != Task::describe;
+  const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin;
   if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
   if (o.crop_window && o.pixel_bounds) throw UsageError("--cropwindow and --pixelbounds exclude each other");
   const std::string extension = std::filesystem::path(o.outfile).extension();
@@ -142,7 +157,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   CLI::App app(kDescription, "dspm");
   app.get_formatter()->column_width(26);
-  app.set_version_flag("--version", "dspm " DSPM_VERSION);
+  app.set_version_flag("--version", fmt::format("dspm {}", kVersion));
   add_scene(app, options);
   add_tasks(app, options);
   add_work(app, options);

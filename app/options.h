@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-enum class Task { render, check, format, list, describe, list_variations };
+enum class Task { render, check, format, list, describe, list_variations, new_plugin };
 
 /// Every so many seconds or iterations; both zero: never.
 struct Interval {
@@ -24,7 +24,9 @@ struct Options {
   Task task = Task::render;
   std::vector<std::string> scenes;   // "-": standard input
   std::vector<std::string> defines;  // name=value
+  std::vector<std::string> modules;  // files that bring plugins along
   std::string described;             // kind:name
+  std::vector<std::string> created;  // a new plugin's kind, name and folder
   bool lenient = false, explain = false, quiet = false, quick = false;
 
   std::string outfile;  // empty: the Film's filename
@@ -40,6 +42,7 @@ struct Options {
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons;
   double time_limit = 0;                             // seconds; 0: none
+  double patience = 60;                              // seconds, before it is told who does not come back
   std::size_t memory = 0;                            // bytes that a run may take; 0: no bound
   std::vector<Frame> frames;                         // of the animation, ascending; empty: all
   std::vector<std::string> variations;               // patterns of names; empty: all

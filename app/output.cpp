@@ -7,6 +7,7 @@
 
 #include "app/signals.h"
 #include "core/atomic_file.h"
+#include "core/version.h"
 #include "film/image_name.h"
 #include "film/write_image.h"
 #include "image/png.h"
@@ -74,7 +75,8 @@ std::size_t Output::bytes_while_writing() const {
 
 ExrHeader Output::header(Frame frame) const {
   ExrHeader header;
-  header.texts = {{"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", "dspm " DSPM_VERSION}};
+  header.texts = {
+      {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", fmt::format("dspm {}", kVersion)}};
   header.integers = {{"frame", job_.moment(frame) + 1}};
   if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
   for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {

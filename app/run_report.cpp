@@ -9,6 +9,7 @@
 
 #include "app/json.h"
 #include "app/progress.h"
+#include "core/version.h"
 
 namespace dspm {
 namespace {
@@ -59,7 +60,7 @@ void write_paths(JsonWriter& json, const char* name, const PathCounts& paths) {
 }
 
 void write_job(JsonWriter& json, const Job& job) {
-  json.member("version", DSPM_VERSION);
+  json.member("version", kVersion);
   json.member("scene", job.scene_file);
   json.member("integrator", job.integrator);
   json.member("seed", job.settings.seed);

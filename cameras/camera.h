@@ -2,14 +2,21 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <string_view>
+#include <optional>
 
 #include "core/params.h"
 #include "core/registry.h"
 #include "core/transform.h"
 
 namespace dspm {
+
+/// How a camera sees a point.
+struct Sighting {
+  Vec2 film;              // in pixels of the full image; may lie beside it
+  Vec3 w;                 // from the point towards the camera, unit length
+  float distance;         // to the lens
+  float pixels_per_area;  // film that an area around the point and perpendicular to w takes
+};
 
 class Camera {
  public:
@@ -18,6 +25,9 @@ class Camera {
   virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
   /// The distance between neighbouring pixels' rays, in world units, at a path length from the camera.
   virtual float pixel_spacing(float path_length) const = 0;
+  /// Where ray(film, lens) goes through p. Nothing where no ray does, or where the camera cannot tell: light that is
+  /// traced towards such a camera does not reach it.
+  virtual std::optional<Sighting> sight(const Vec3& /*p*/, Vec2 /*lens*/) const { return std::nullopt; }
 };
 
 struct CameraContext {
@@ -26,7 +36,6 @@ struct CameraContext {
 };
 
 using MakeCamera = std::unique_ptr<Camera>(ParamReader&, const CameraContext&);
-std::span<const Plugin<MakeCamera>> camera_plugins();
-std::span<const std::string_view> unbuilt_cameras();  // pbrt's others, for find_plugin's `not_built`
+PluginTable<Plugin<MakeCamera>>& camera_plugins();
 
 }  // namespace dspm

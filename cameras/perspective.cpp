@@ -13,7 +13,7 @@
 // | shutteropen, shutterclose | 0, 1 | read, without effect |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 5.2]
-#include "cameras/plugins.h"
+#include "cameras/camera.h"
 #include "cameras/projection.h"
 
 namespace dspm {
@@ -33,6 +33,16 @@ class Perspective final : public Camera {
   }
 
   float pixel_spacing(float path_length) const override { return path_length * spacing_at_1_; }
+
+  std::optional<Sighting> sight(const Vec3& p, Vec2 lens) const override {
+    const Vec3 local = to_world_.inverse_point(p), origin = lens_.offset(lens);
+    if (!(local.z > 0)) return std::nullopt;
+    // The central ray of that pixel meets the ray from `origin` in the plane of focus.
+    const Vec2 s{(local.x - origin.x) / local.z + origin.x / lens_.focal_distance,
+                 (local.y - origin.y) / local.z + origin.y / lens_.focal_distance};
+    const Vec2 size = screen_.pixel_size() * (scale_ * local.z);
+    return carried(to_world_, screen_.film_at(s * (1 / scale_)), local, origin, 1 / std::abs(size.x * size.y));
+  }
 
  private:
   Transform to_world_;

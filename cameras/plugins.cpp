@@ -1,19 +1,19 @@
 // The table of cameras: one line for each.
-#include "cameras/plugins.h"
+#include "cameras/camera.h"
 
 namespace dspm {
 
-std::span<const Plugin<MakeCamera>> camera_plugins() {
-  static constexpr Plugin<MakeCamera> table[] = {
-      {"orthographic", "parallel rays, with an optional thin lens", make_orthographic},
-      {"perspective", "a pinhole or a thin lens", make_perspective},
-  };
-  return table;
-}
+MakeCamera make_orthographic, make_perspective;
 
-std::span<const std::string_view> unbuilt_cameras() {
-  static constexpr std::string_view names[] = {"realistic", "spherical"};
-  return names;
+PluginTable<Plugin<MakeCamera>>& camera_plugins() {
+  static PluginTable<Plugin<MakeCamera>> table(
+      "camera",
+      {
+          {"orthographic", "parallel rays, with an optional thin lens", make_orthographic},
+          {"perspective", "a pinhole or a thin lens", make_perspective},
+      },
+      {"realistic", "spherical"});
+  return table;
 }
 
 }  // namespace dspm

@@ -34,10 +34,14 @@ void read_shutter(ParamReader& reader) {
 
 Ray ThinLens::through(const Ray& central, Vec2 u) const {
   if (!(radius > 0)) return central;
-  const Vec3 focus = central.at(focal_distance / central.direction.z);
-  const Vec2 offset = concentric_disk(u) * radius;
-  const Vec3 origin = central.origin + Vec3{offset.x, offset.y, 0};
+  const Vec3 focus = central.at(focal_distance / central.direction.z), origin = central.origin + offset(u);
   return {origin, normalize(focus - origin)};
+}
+
+Vec3 ThinLens::offset(Vec2 u) const {
+  if (!(radius > 0)) return {};
+  const Vec2 place = concentric_disk(u) * radius;
+  return {place.x, place.y, 0};
 }
 
 float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
@@ -62,6 +66,14 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
       read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane that is sharp");
   read_shutter(reader);
   return p;
+}
+
+Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
+  const Vec3 way = to_world.vector(origin - p), local = normalize(origin - p);
+  const Vec3 x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
+  // A thin tube along w: its volume grows by the determinant, its length as w does, so its section by the quotient.
+  const float section = std::abs(dot(cross(x, y), z)) / length(to_world.vector(local));
+  return {film, normalize(way), length(way), pixels / (std::abs(local.z) * section)};
 }
 
 float mean_spacing(const Transform& to_world, Vec2 size) {

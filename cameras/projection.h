@@ -15,6 +15,11 @@ struct Screen {
     return {left + film.x / static_cast<float>(width) * (right - left),
             top - film.y / static_cast<float>(height) * (top - bottom)};
   }
+  /// Back from at().
+  Vec2 film_at(Vec2 s) const {
+    return {(s.x - left) / (right - left) * static_cast<float>(width),
+            (top - s.y) / (top - bottom) * static_cast<float>(height)};
+  }
   Vec2 pixel_size() const {
     return {(right - left) / static_cast<float>(width), (top - bottom) / static_cast<float>(height)};
   }
@@ -26,6 +31,8 @@ struct ThinLens {
 
   /// The ray through another point of the lens that meets `central` in the plane of focus.
   Ray through(const Ray& central, Vec2 u) const;
+  /// That point, from the middle of the lens.
+  Vec3 offset(Vec2 u) const;
 };
 
 struct Projection {
@@ -44,6 +51,9 @@ float read_positive(ParamReader& reader, std::string_view name, float fallback, 
 inline Ray carried(const Transform& to_world, const Ray& ray) {
   return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
 }
+
+/// A sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to z takes `pixels` at p.
+Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
 
 /// The edge of a square as large as the rectangle that the camera-space vectors (size.x, 0, 0) and (0, size.y, 0) span
 /// in the world.

@@ -9,7 +9,8 @@ find_package(ZLIB REQUIRED)
 add_library(dspm_settings INTERFACE)
 target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR})
 # No contraction and no fast-math: equal paths must take equal decisions in every run, see docs/design.md.
-target_compile_options(dspm_settings INTERFACE -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt
+set(dspm_code_options -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt)
+target_compile_options(dspm_settings INTERFACE ${dspm_code_options}
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(DSPM_WERROR)
   target_compile_options(dspm_settings INTERFACE -Werror)
@@ -22,6 +23,10 @@ function(dspm_library name)
   add_library(dspm_${name} STATIC ${ARG_SOURCES})
   list(TRANSFORM ARG_NEEDS PREPEND dspm_)
   target_link_libraries(dspm_${name} PUBLIC dspm_settings ${ARG_NEEDS} PRIVATE ${ARG_USES})
+  # What libdspm is made of; CGAL's files are objects among the sources.
+  list(FILTER ARG_SOURCES INCLUDE REGEX "TARGET_OBJECTS")
+  set_property(GLOBAL APPEND PROPERTY dspm_objects $<TARGET_OBJECTS:dspm_${name}> ${ARG_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY dspm_uses ${ARG_USES})
 endfunction()
 
 # dspm_test(materials/chi2 LABEL statistical NEEDS materials): tests/materials/chi2_test.cpp becomes one ctest. DATA: it

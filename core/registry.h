@@ -1,10 +1,13 @@
-// Plugins of a folder: one visible table of names and factories, how one of them is found, and how it describes its
+// Plugins of a kind: one visible table of names and factories, how one of them is found, and how it describes its
 // parameters. `Make` is the factory's function type: std::unique_ptr<Material>(ParamReader&, const MaterialContext&).
 #pragma once
 
-#include <span>
+#include <algorithm>
+#include <deque>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/errors.h"
@@ -17,30 +20,54 @@ struct Plugin {
   std::string_view name;
   std::string_view sentence;  // what it is, for `dspm --describe`
   Make* make;
+  std::string_view origin = {};  // the module that brought it along; empty: dspm itself
+};
+
+/// dspm's own plugins of a kind, and after them those of modules. Plugins stay where they are once they are in it.
+template <class AnyPlugin>
+class PluginTable {
+ public:
+  using Names = std::initializer_list<std::string_view>;
+
+  /// `kind` is the word for them ("material"); `not_built` holds the names which pbrt knows and dspm does not have.
+  PluginTable(std::string_view kind, std::initializer_list<AnyPlugin> own, Names not_built = {})
+      : kind_(kind), plugins_(own), not_built_(not_built) {}
+
+  std::string_view kind() const { return kind_; }
+  auto begin() const { return plugins_.begin(); }
+  auto end() const { return plugins_.end(); }
+  const AnyPlugin& front() const { return plugins_.front(); }
+  const std::vector<std::string_view>& not_built() const { return not_built_; }
+
+  /// Null where there is none of that name.
+  const AnyPlugin* find(std::string_view name) const {
+    const auto found = std::find_if(begin(), end(), [&](const AnyPlugin& plugin) { return plugin.name == name; });
+    return found != end() ? &*found : nullptr;
+  }
+  /// The same, where none is an error at `where` that lists all there are; what is not built is unsupported.
+  const AnyPlugin* find(std::string_view name, const SourceLocation& where, Diagnostics& diagnostics) const;
+
+  /// The name must be new.
+  void add(const AnyPlugin& plugin) { plugins_.push_back(plugin); }
+
+ private:
+  std::string_view kind_;
+  std::deque<AnyPlugin> plugins_;
+  std::vector<std::string_view> not_built_;
 };
 
 template <class AnyPlugin>
-std::vector<std::string> names_of(std::span<const AnyPlugin> plugins) {
+const AnyPlugin* PluginTable<AnyPlugin>::find(std::string_view name, const SourceLocation& where,
+                                              Diagnostics& diagnostics) const {
+  if (const AnyPlugin* found = find(name)) return found;
   std::vector<std::string> names;
-  for (const AnyPlugin& plugin : plugins) names.emplace_back(plugin.name);
-  return names;
-}
-
-/// The plugin of that name, or null after an error at `where` which lists all that there are. `kind` is the word for
-/// them ("material"); `not_built` holds the names which pbrt knows and dspm does not have: those are unsupported.
-template <class AnyPlugin>
-const AnyPlugin* find_plugin(std::span<const AnyPlugin> plugins, std::string_view kind, std::string_view name,
-                             const SourceLocation& where, Diagnostics& diagnostics,
-                             std::span<const std::string_view> not_built = {}) {
-  for (const AnyPlugin& plugin : plugins)
-    if (plugin.name == name) return &plugin;
-
-  const std::vector<std::string> names = names_of(plugins);
   std::string known = "there are: ";
-  for (const std::string& each : names) known += (&each == names.data() ? "" : ", ") + each;
-  const std::string subject = std::string(kind) + " \"" + std::string(name) + "\"";
-  for (const std::string_view each : not_built) {
-    if (each != name) continue;
+  for (const AnyPlugin& plugin : plugins_) {
+    known += names.empty() ? "" : ", ";
+    known += names.emplace_back(plugin.name);
+  }
+  const std::string subject = std::string(kind_) + " \"" + std::string(name) + "\"";
+  if (std::find(not_built_.begin(), not_built_.end(), name) != not_built_.end()) {
     diagnostics.unsupported(where, subject + " is not built in dspm", known);
     return nullptr;
   }

@@ -66,13 +66,13 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   return film;
 }
 
-constexpr Plugin<MakeFilm> kFilms[] = {{"rgb", "colour images, one a frame", make_rgb}};
-constexpr std::string_view kUnbuilt[] = {"gbuffer", "spectral"};
-
 }  // namespace
 
-std::span<const Plugin<MakeFilm>> film_plugins() { return kFilms; }
-std::span<const std::string_view> unbuilt_films() { return kUnbuilt; }
+PluginTable<Plugin<MakeFilm>>& film_plugins() {
+  static PluginTable<Plugin<MakeFilm>> table("film", {{"rgb", "colour images, one a frame", make_rgb}},
+                                             {"gbuffer", "spectral"});
+  return table;
+}
 
 PixelRect crop_of(const FilmSettings& film) {
   if (film.crop_window) {

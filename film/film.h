@@ -45,7 +45,6 @@ inline Rgb limited(const Rgb& color, float limit) {
 }
 
 using MakeFilm = std::unique_ptr<FilmSettings>(ParamReader&);
-std::span<const Plugin<MakeFilm>> film_plugins();
-std::span<const std::string_view> unbuilt_films();  // pbrt's others, for find_plugin's `not_built`
+PluginTable<Plugin<MakeFilm>>& film_plugins();
 
 }  // namespace dspm

@@ -76,17 +76,18 @@ std::unique_ptr<PixelFilter> make_gaussian(ParamReader& reader) {
   return std::make_unique<PixelFilter>(gaussian_profile(x, sigma), gaussian_profile(y, sigma));
 }
 
-constexpr Plugin<MakePixelFilter> kPixelFilters[] = {
-    {"gaussian", "a gaussian that ends in 0 at its radius", make_gaussian},
-    {"box", "every place within the radius counts alike", make_box},
-    {"triangle", "falls linearly to 0 at its radius", make_triangle},
-};
-
-constexpr std::string_view kUnbuilt[] = {"mitchell", "sinc"};
-
 }  // namespace
 
-std::span<const Plugin<MakePixelFilter>> pixel_filter_plugins() { return kPixelFilters; }
-std::span<const std::string_view> unbuilt_pixel_filters() { return kUnbuilt; }
+PluginTable<Plugin<MakePixelFilter>>& pixel_filter_plugins() {
+  static PluginTable<Plugin<MakePixelFilter>> table(
+      "filter",
+      {
+          {"gaussian", "a gaussian that ends in 0 at its radius", make_gaussian},
+          {"box", "every place within the radius counts alike", make_box},
+          {"triangle", "falls linearly to 0 at its radius", make_triangle},
+      },
+      {"mitchell", "sinc"});
+  return table;
+}
 
 }  // namespace dspm

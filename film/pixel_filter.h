@@ -38,7 +38,6 @@ class PixelFilter {
 };
 
 using MakePixelFilter = std::unique_ptr<PixelFilter>(ParamReader&);
-std::span<const Plugin<MakePixelFilter>> pixel_filter_plugins();
-std::span<const std::string_view> unbuilt_pixel_filters();  // pbrt's others, for find_plugin's `not_built`
+PluginTable<Plugin<MakePixelFilter>>& pixel_filter_plugins();
 
 }  // namespace dspm

@@ -51,6 +51,6 @@ using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, c
 struct IntegratorPlugin : Plugin<MakeIntegrator> {
   int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that knows nothing of sharing
 };
-std::span<const IntegratorPlugin> integrator_plugins();
+PluginTable<IntegratorPlugin>& integrator_plugins();
 
 }  // namespace dspm

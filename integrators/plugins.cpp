@@ -1,21 +1,22 @@
-// The integrators.
+// The table of integrators.
 #include "integrators/dsppm/dsppm.h"
 #include "integrators/path.h"
 #include "integrators/photonmap.h"
 #include "integrators/sppm.h"
 
 namespace dspm {
-namespace {
 
-constexpr IntegratorPlugin kIntegrators[] = {
-    {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
-    {{"path", "path tracing, the unbiased reference", make_path}},
-    {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
-    {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
-};
-
-}  // namespace
-
-std::span<const IntegratorPlugin> integrator_plugins() { return kIntegrators; }
+PluginTable<IntegratorPlugin>& integrator_plugins() {
+  static PluginTable<IntegratorPlugin> table(
+      "integrator",
+      {
+          {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
+          {{"path", "path tracing, the unbiased reference", make_path}},
+          {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
+          {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
+      },
+      {"lightpath", "randomwalk", "bdpt", "mlt", "ambientocclusion", "function"});
+  return table;
+}
 
 }  // namespace dspm

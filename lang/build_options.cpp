@@ -44,6 +44,9 @@ bool SceneBuilder::apply_option(Directive& directive) {
     case DirectiveKind::option: option(directive); return true;
     case DirectiveKind::color_space: color_space(directive); return true;
     case DirectiveKind::world_begin: world_begin(directive.where); return true;
+    case DirectiveKind::plugin:
+      scene_.modules.push_back({directive.words[0].text, directive.words[0].where});
+      return true;
     case transform_times:
       diagnostics_.note(directive.where, "TransformTimes has no effect: there is no motion blur for now");
       return true;

@@ -137,6 +137,12 @@ struct VariationAxis {
   std::vector<Variation> variations;
 };
 
+/// `Plugin "libvelvet.so"`: a module that brings plugins along.
+struct ModuleUse {
+  std::string file;
+  SourceLocation where;
+};
+
 enum class Dialect { pbrt, dsc };  // by the main file's name; standard input counts as dsc
 
 struct SceneDescription {
@@ -152,6 +158,7 @@ struct SceneDescription {
   std::optional<double> fps;    // frames a second, if given
   SourceLocation frames_where;  // of the Frames directive; no file: there is none
   SceneOptions options;
+  std::vector<ModuleUse> modules;
   std::optional<PluginUse> film, sampler, filter, integrator, accelerator;
   std::optional<CameraUse> camera;
   std::map<std::string, Motion> coordinate_systems;  // world from named system; "camera" and "world" among them

@@ -46,6 +46,7 @@ constexpr DirectiveInfo kDirectives[] = {
     {"ObjectInstance", object_instance, world, "s"},
     {"Option", option, any, "sv"},
     {"PixelFilter", pixel_filter, options, "sP"},
+    {"Plugin", plugin, any, "s"},
     {"ReverseOrientation", reverse_orientation, world, ""},
     {"Rotate", rotate, any, "nnnn"},
     {"Sampler", sampler, options, "sP"},

@@ -14,7 +14,7 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.4]
 #include "core/sampling.h"
-#include "lights/plugins.h"
+#include "lights/light.h"
 #include "lights/strength.h"
 
 namespace dspm {

@@ -11,7 +11,7 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.3]
 #include "lights/aim.h"
-#include "lights/plugins.h"
+#include "lights/light.h"
 #include "lights/scene_sphere.h"
 #include "lights/strength.h"
 

@@ -22,7 +22,7 @@
 #include <stdexcept>
 
 #include "lights/environment_map.h"
-#include "lights/plugins.h"
+#include "lights/light.h"
 #include "lights/scene_sphere.h"
 #include "lights/strength.h"
 

@@ -71,8 +71,7 @@ struct LightContext {
 };
 
 using MakeLight = std::unique_ptr<Light>(ParamReader&, const LightContext&);
-std::span<const Plugin<MakeLight>> light_plugins();       // LightSource
-std::span<const Plugin<MakeLight>> area_light_plugins();  // AreaLightSource
-std::span<const std::string_view> unbuilt_lights();       // pbrt's other LightSources, for find_plugin's `not_built`
+PluginTable<Plugin<MakeLight>>& light_plugins();       // LightSource
+PluginTable<Plugin<MakeLight>>& area_light_plugins();  // AreaLightSource
 
 }  // namespace dspm

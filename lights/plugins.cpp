@@ -1,28 +1,26 @@
 // The tables of lights: one line for each.
-#include "lights/plugins.h"
+#include "lights/light.h"
 
 namespace dspm {
 
-std::span<const Plugin<MakeLight>> light_plugins() {
-  static constexpr Plugin<MakeLight> table[] = {
-      {"distant", "parallel light from infinitely far away", make_distant},
-      {"infinite", "light from all directions, of one colour or an image", make_infinite},
-      {"point", "equal light in all directions from a point", make_point},
-      {"spot", "a cone of light from a point", make_spot},
-  };
+MakeLight make_diffuse_area, make_distant, make_infinite, make_point, make_spot;
+
+PluginTable<Plugin<MakeLight>>& light_plugins() {
+  static PluginTable<Plugin<MakeLight>> table(
+      "light",
+      {
+          {"distant", "parallel light from infinitely far away", make_distant},
+          {"infinite", "light from all directions, of one colour or an image", make_infinite},
+          {"point", "equal light in all directions from a point", make_point},
+          {"spot", "a cone of light from a point", make_spot},
+      },
+      {"goniometric", "projection"});
   return table;
 }
 
-std::span<const Plugin<MakeLight>> area_light_plugins() {
-  static constexpr Plugin<MakeLight> table[] = {
-      {"diffuse", "makes a shape shine", make_diffuse_area},
-  };
+PluginTable<Plugin<MakeLight>>& area_light_plugins() {
+  static PluginTable<Plugin<MakeLight>> table("area light", {{"diffuse", "makes a shape shine", make_diffuse_area}});
   return table;
-}
-
-std::span<const std::string_view> unbuilt_lights() {
-  static constexpr std::string_view names[] = {"goniometric", "projection"};
-  return names;
 }
 
 }  // namespace dspm

@@ -16,7 +16,7 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.1]
 #include "lights/aim.h"
-#include "lights/plugins.h"
+#include "lights/light.h"
 #include "lights/strength.h"
 
 namespace dspm {

@@ -25,7 +25,7 @@
 #include "materials/interface.h"
 #include "materials/microfacet.h"
 #include "materials/parameters.h"
-#include "materials/plugins.h"
+#include "materials/material.h"
 #include "materials/shading_frame.h"
 
 namespace dspm {

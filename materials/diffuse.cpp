@@ -7,7 +7,7 @@
 // [Lambert 1760, Photometria]
 #include "core/sampling.h"
 #include "materials/parameters.h"
-#include "materials/plugins.h"
+#include "materials/material.h"
 
 namespace dspm {
 namespace {

@@ -27,8 +27,6 @@ struct MaterialContext {
 };
 
 using MakeMaterial = std::unique_ptr<Material>(ParamReader&, const MaterialContext&);
-std::span<const Plugin<MakeMaterial>> material_plugins();
-/// pbrt's others.
-std::span<const std::string_view> unbuilt_materials();
+PluginTable<Plugin<MakeMaterial>>& material_plugins();
 
 }  // namespace dspm

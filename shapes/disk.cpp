@@ -11,7 +11,7 @@
 //
 // u runs around z from the x axis on, v from the rim inwards. [Pharr, Jakob, Humphreys, Physically Based
 // Rendering, 6.4]
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 #include "shapes/quadric.h"
 #include "shapes/rounding.h"
 

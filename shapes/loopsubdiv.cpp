@@ -19,7 +19,7 @@
 #include "shapes/cgal_mesh.h"
 #include "shapes/double_vec.h"
 #include "shapes/mesh_params.h"
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "shapes/mesh_params.h"
 #include "shapes/obj.h"
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 namespace {

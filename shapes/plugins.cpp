@@ -1,24 +1,24 @@
 // The table of shapes: one line for each.
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 
-std::span<const Plugin<MakeShape>> shape_plugins() {
-  static constexpr Plugin<MakeShape> table[] = {
-      {"cylinder", "the mantle of a cylinder", make_cylinder},
-      {"disk", "a disk, ring or sector", make_disk},
-      {"loopsubdiv", "the smooth surface of a coarse mesh of triangles", make_loopsubdiv},
-      {"objmesh", "triangles from an OBJ file", make_objmesh},
-      {"plymesh", "triangles from a PLY file", make_plymesh},
-      {"sphere", "a sphere or a part of it", make_sphere},
-      {"trianglemesh", "triangles in the scene's text", make_trianglemesh},
-  };
-  return table;
-}
+MakeShape make_cylinder, make_disk, make_loopsubdiv, make_objmesh, make_plymesh, make_sphere, make_trianglemesh;
 
-std::span<const std::string_view> unbuilt_shapes() {
-  static constexpr std::string_view names[] = {"bilinearmesh", "curve"};
-  return names;
+PluginTable<Plugin<MakeShape>>& shape_plugins() {
+  static PluginTable<Plugin<MakeShape>> table(
+      "shape",
+      {
+          {"cylinder", "the mantle of a cylinder", make_cylinder},
+          {"disk", "a disk, ring or sector", make_disk},
+          {"loopsubdiv", "the smooth surface of a coarse mesh of triangles", make_loopsubdiv},
+          {"objmesh", "triangles from an OBJ file", make_objmesh},
+          {"plymesh", "triangles from a PLY file", make_plymesh},
+          {"sphere", "a sphere or a part of it", make_sphere},
+          {"trianglemesh", "triangles in the scene's text", make_trianglemesh},
+      },
+      {"bilinearmesh", "curve"});
+  return table;
 }
 
 }  // namespace dspm

@@ -13,7 +13,7 @@
 
 #include "shapes/mesh_file.h"
 #include "shapes/mesh_params.h"
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 #include "shapes/ply.h"
 
 namespace dspm {

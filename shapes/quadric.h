@@ -2,10 +2,9 @@
 // around the z axis that is there. Intersections in double: rays come from far away and leave from very near.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "core/params.h"
 #include "shapes/double_vec.h"
@@ -36,7 +35,7 @@ inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d,
 inline float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view sentence) {
   const float value = reader.number(name, fallback, "scene units", sentence);
   if (value > 0) return value;
-  reader.error(name, fmt::format("\"{}\" must be above 0", name));
+  reader.error(name, std::string("\"").append(name).append("\" must be above 0"));
   return fallback;
 }
 

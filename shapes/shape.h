@@ -71,8 +71,6 @@ struct ShapePart {
 };
 
 using MakeShape = std::vector<ShapePart>(ParamReader&);
-std::span<const Plugin<MakeShape>> shape_plugins();
-/// pbrt's shapes that dspm does not have, for find_plugin.
-std::span<const std::string_view> unbuilt_shapes();
+PluginTable<Plugin<MakeShape>>& shape_plugins();
 
 }  // namespace dspm

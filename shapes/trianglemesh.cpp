@@ -13,7 +13,7 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.5]
 #include "shapes/mesh_params.h"
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 

@@ -24,7 +24,7 @@ template <class T>
 using MakeTexture = TexturePtr<T>(ParamReader& reader, const TextureContext& context);
 
 template <class T>
-std::span<const Plugin<MakeTexture<T>>> texture_plugins();
+PluginTable<Plugin<MakeTexture<T>>>& texture_plugins();
 
 /// The texture of that type, never null: after an error, or where --lenient lets pass what is not built, a grey one.
 template <class T>

@@ -69,7 +69,7 @@ void Geometry::refuse_unknown_objects() {
 }
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {
-  const auto* plugin = find_plugin(shape_plugins(), "shape", use.type, use.type_where, diagnostics_, unbuilt_shapes());
+  const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
   if (!plugin) return;
   Source source;
   source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));

@@ -28,8 +28,7 @@ class LightMaker {
       : description_(description), geometry_(geometry), center_(center), radius_(radius), diagnostics_(diagnostics) {}
 
   std::optional<WorldLight> make(const LightUse& use) {
-    const auto* plugin =
-        find_plugin(light_plugins(), "light", use.type, use.type_where, diagnostics_, unbuilt_lights());
+    const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
     const std::vector<bool> present = presence(description_, use.dynamic_block);
     const auto states = timeline([&](Frame f) -> std::optional<LightState> {
@@ -44,7 +43,7 @@ class LightMaker {
 
   std::optional<WorldLight> make(const Emitter& emitter) {
     const AreaLightUse& use = *emitter.use;
-    const auto* plugin = find_plugin(area_light_plugins(), "area light", use.type, use.type_where, diagnostics_);
+    const auto* plugin = area_light_plugins().find(use.type, use.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
     const auto states = timeline([&](Frame f) -> std::optional<LightState> {
       for (const int shape : emitter.shapes)

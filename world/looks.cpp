@@ -176,11 +176,10 @@ TexturePtr<T> Looks::make_texture_of(const Recipe& recipe, const TextureSet& tex
 std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const TextureSet& textures,
                                                      Diagnostics& diagnostics) const {
   const PluginUse& use = *recipe.use;
-  const auto* plugin =
-      find_plugin(material_plugins(), "material", use.type, use.type_where, diagnostics, unbuilt_materials());
+  const auto* plugin = material_plugins().find(use.type, use.type_where, diagnostics);
   if (!plugin && !diagnostics.lenient()) return nullptr;
   const ParamList none;  // with --lenient, what is not built becomes grey
-  if (!plugin) plugin = find_plugin(material_plugins(), "material", "diffuse", use.type_where, diagnostics);
+  if (!plugin) plugin = material_plugins().find("diffuse");
   ParamReader reader(plugin->name == use.type ? recipe.params : none, fmt::format("material \"{}\"", use.type),
                      use.where, diagnostics, description_.main_directory());
   return plugin->make(reader, MaterialContext{textures});

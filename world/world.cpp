@@ -20,8 +20,7 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   fallback.type = "perspective";
   const CameraUse& use = description.camera ? *description.camera : fallback;
   Timeline<std::shared_ptr<const Camera>> cameras;
-  const auto* plugin =
-      find_plugin(camera_plugins(), "camera", use.type, use.type_where, diagnostics, unbuilt_cameras());
+  const auto* plugin = camera_plugins().find(use.type, use.type_where, diagnostics);
   if (!plugin) return cameras;
   const bool keyed = use.params.is_keyed();
   const auto states = Timeline<State>::of_moments(
@@ -86,8 +85,7 @@ struct World::Parts {
     lights = make_lights(text, geometry, center, radius, diagnostics);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
-    accel = find_plugin(accel_plugins(), "accelerator", name,
-                        text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
+    accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
   }
 
   std::vector<PlacedShape> shapes_in(const std::vector<Frame>& frames) const {

@@ -10,9 +10,7 @@ namespace {
 class Renderer {
  public:
   Renderer(const LoadedScene& loaded, const Method& method) {
-    const auto plugins = integrator_plugins();
-    const auto plugin = std::find_if(plugins.begin(), plugins.end(),
-                                     [&](const IntegratorPlugin& p) { return p.name == method.integrator; });
+    const IntegratorPlugin* plugin = integrator_plugins().find(method.integrator);
     const std::vector<Frame>& frames = loaded.job.frames;
     if (plugin->frames_together > 1) {
       runs_.push_back(start(loaded, method.job, method.integrator, frames));

@@ -63,8 +63,7 @@ LoadedScene load_sibenik_horse() {
 }
 
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene) {
-  for (const auto& plugin : integrator_plugins())
-    if (plugin.name == integrator) job.plugin = &plugin, job.integrator = integrator;
+  job.plugin = integrator_plugins().find(integrator), job.integrator = integrator;
   Diagnostics diagnostics;
   std::unique_ptr<Integrator> made = job.make_integrator(scene, diagnostics);
   diagnostics.throw_if_errors();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/errors.h"
-#include "shapes/plugins.h"
+#include "shapes/shape.h"
 #include "shapes/triangle_mesh.h"
 #include "tests/shapes/placed.h"
 
@@ -110,7 +110,7 @@ class RandomScene {
     const ParamList list{
         {{ParamType::number, "radius", 0, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
     ParamReader reader(list, "shape", {}, diagnostics);
-    auto parts = random_.below(2) == 0 ? make_sphere(reader) : make_disk(reader);
+    auto parts = shape_plugins().find(random_.below(2) == 0 ? "sphere" : "disk")->make(reader);
     shapes_.push_back(std::move(parts.front().shape));
     return *shapes_.back();
   }

@@ -1,6 +1,7 @@
 // What a user meets: exit codes, streams, files.
 #include <gtest/gtest.h>
 
+#include "core/version.h"
 #include "image/exr.h"
 #include "tests/app/json_check.h"
 #include "tests/app/process.h"
@@ -28,7 +29,7 @@ TEST(CommandLine, RendersEveryFrameToItsFile) {
   const ExrHeader header = read_exr_header(directory / "tiny.0002.exr");
   EXPECT_EQ(header.texts.at("scene"), "tiny.dsc");
   EXPECT_EQ(header.texts.at("integrator"), "dsppm");
-  EXPECT_EQ(header.texts.at("version"), "dspm " DSPM_VERSION);
+  EXPECT_EQ(header.texts.at("version"), "dspm " + std::string(kVersion));
   EXPECT_EQ(header.integers.at("iterations"), 2);
   EXPECT_EQ(header.integers.at("frame"), 2);
   EXPECT_EQ(header.numbers.at("seed"), 5);

@@ -149,6 +149,40 @@ TEST(PixelSpacing, IsTheDistanceOfNeighbouringRays) {
   }
 }
 
+TEST(Sight, FindsTheRayAgainAndTheFilmThatAnAreaTakes) {
+  const Matrix4 to_world = Matrix4::translate(1, 2, 3) * Matrix4::rotate(30, 1, 2, 3) * Matrix4::scale(3, 2, 1.5);
+  for (const std::string name : {"perspective", "orthographic"}) {
+    for (const float lens_radius : {0.f, 0.2f}) {
+      const auto seen = camera(name, {number("lensradius", lens_radius), number("focaldistance", 5)},
+                               film(640, 480, to_world));
+      for (std::uint64_t i = 0; i < 200; ++i) {
+        const PathRandom random(4, Stream::setup, i, 0);
+        const Vec2 u = random.pair(0, 0), lens = random.pair(0, 1), place{u.x * 640, u.y * 480};
+        const Ray ray = seen->ray(place, lens);
+        const Vec3 p = ray.at(1 + 30 * random.number(0, 2));
+        const auto sight = seen->sight(p, lens);
+        ASSERT_TRUE(sight) << name;
+        EXPECT_NEAR(sight->film.x, place.x, 0.02f) << name;
+        EXPECT_NEAR(sight->film.y, place.y, 0.02f) << name;
+        expect_near(sight->w, -ray.direction, 1e-5f);
+        EXPECT_NEAR(sight->distance / length(p - ray.origin), 1, 1e-5f);
+        const Basis across = Basis::around(sight->w);
+        const float step = 0.02f * sight->distance;
+        const auto moved = [&](const Vec3& d) {
+          return (seen->sight(p + d * step, lens)->film - seen->sight(p - d * step, lens)->film) * (0.5f / step);
+        };
+        const Vec2 x = moved(across.x), y = moved(across.y);
+        EXPECT_NEAR(std::abs(x.x * y.y - x.y * y.x) / sight->pixels_per_area, 1, 0.01f) << name;
+      }
+    }
+  }
+}
+
+TEST(Sight, NothingBehindTheCamera) {
+  for (const std::string name : {"perspective", "orthographic"})
+    EXPECT_FALSE(camera(name, {}, film(64, 64))->sight({0, 0, -1}, {})) << name;
+}
+
 TEST(Cameras, RejectWhatMakesNoSense) {
   const CameraContext context = film(10, 10);
   const auto errors = [&](Param p) { return errors_of(camera_plugins(), "perspective", {std::move(p)}, context); };

@@ -313,23 +313,23 @@ std::unique_ptr<Thing> make_ball(ParamReader& reader, int) {
   reader.finish();
   return std::make_unique<Thing>(Thing{size});
 }
-constexpr Plugin<MakeThing> kThings[] = {{"box", "a box", make_box}, {"ball", "a ball", make_ball}};
+using Things = PluginTable<Plugin<MakeThing>>;
+const Things kThings("thing", {{"box", "a box", make_box}, {"ball", "a ball", make_ball}}, {"teapot"});
 
 TEST(Registry, FindsOrListsWhatThereIs) {
-  const std::span<const Plugin<MakeThing>> things(kThings);
-  constexpr std::string_view kNotBuilt[] = {"teapot"};
   Diagnostics diagnostics(true);
-  EXPECT_EQ(find_plugin(things, "thing", "ball", {}, diagnostics), &kThings[1]);
-  EXPECT_EQ(find_plugin(things, "thing", "bal", {}, diagnostics, kNotBuilt), nullptr);
+  ASSERT_NE(kThings.find("ball", {}, diagnostics), nullptr);
+  EXPECT_EQ(kThings.find("ball"), kThings.find("ball", {}, diagnostics));
+  EXPECT_EQ(kThings.find("bal", {}, diagnostics), nullptr);
   EXPECT_EQ(diagnostics.all().back().message, "unknown thing \"bal\"");
   EXPECT_EQ(diagnostics.all().back().hint, "did you mean \"ball\"? there are: box, ball");
-  EXPECT_EQ(find_plugin(things, "thing", "teapot", {}, diagnostics, kNotBuilt), nullptr);
+  EXPECT_EQ(kThings.find("teapot", {}, diagnostics), nullptr);
   EXPECT_EQ(diagnostics.all().back().message, "thing \"teapot\" is not built in dspm");
   EXPECT_EQ(diagnostics.error_count(), 1);
 }
 
 TEST(Registry, PluginsDescribeTheirParameters) {
-  const std::vector<ParamInfo> described = describe(kThings[0], 0);
+  const std::vector<ParamInfo> described = describe(kThings.front(), 0);
   ASSERT_EQ(described.size(), 3u);
   EXPECT_EQ(described[0].type, "float");
   EXPECT_EQ(described[0].name, "size");

@@ -25,8 +25,7 @@ std::unique_ptr<PixelFilter> make(const std::string& name, const std::vector<std
     param.name = key, param.values = std::vector<float>{value};
     list.params.push_back(param);
   }
-  const auto* plugin =
-      find_plugin(pixel_filter_plugins(), "pixel filter", name, {}, diagnostics, unbuilt_pixel_filters());
+  const auto* plugin = pixel_filter_plugins().find(name, {}, diagnostics);
   if (plugin == nullptr) return nullptr;
   ParamReader reader(list, "pixel filter \"" + name + "\"", {}, diagnostics);
   return plugin->make(reader);

@@ -21,6 +21,9 @@ BEGIN {
   allowed["world"] = "core lang image shapes textures materials lights cameras accel"
   allowed["integrators"] = "core image film/pixel_filter.h film/pixel_rect.h world/scene.h accel/accel.h shapes/shape.h" \
       " shapes/placed_shape.h materials/bsdf.h materials/material.h lights/light.h cameras/camera.h"
+  allowed["modules"] = "core shapes materials textures lights cameras accel world film/pixel_filter.h" \
+      " integrators/integrator.h"
+  allowed["examples"] = "*"
   allowed["app"] = allowed["bench"] = "*"
   allowed["scenes"] = "core image shapes"
 

@@ -14,7 +14,7 @@ inline std::unique_ptr<Light> make_light(const std::string& name, std::vector<Pa
 
 inline std::unique_ptr<Shape> make_shape(const std::string& name, std::vector<Param> params) {
   Diagnostics diagnostics;
-  const Plugin<MakeShape>* plugin = find_plugin(shape_plugins(), "shape", name, {}, diagnostics);
+  const Plugin<MakeShape>* plugin = shape_plugins().find(name, {}, diagnostics);
   const ParamList list{std::move(params)};
   ParamReader reader(list, "shape \"" + name + "\"", {}, diagnostics);
   auto parts = plugin->make(reader);

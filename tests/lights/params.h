@@ -32,9 +32,9 @@ inline Param flag(std::string name, bool value) {
 
 /// What a plugin makes of parameters; `diagnostics` gets its errors.
 template <class Make, class Context>
-auto make(std::span<const Plugin<Make>> plugins, const std::string& name, std::vector<Param> params,
+auto make(const PluginTable<Plugin<Make>>& plugins, const std::string& name, std::vector<Param> params,
           const Context& context, Diagnostics& diagnostics) {
-  const Plugin<Make>* plugin = find_plugin(plugins, "plugin", name, {}, diagnostics);
+  const Plugin<Make>* plugin = plugins.find(name, {}, diagnostics);
   const ParamList list{std::move(params)};
   ParamReader reader(list, "plugin \"" + name + "\"", {}, diagnostics);
   return plugin->make(reader, context);
@@ -42,7 +42,7 @@ auto make(std::span<const Plugin<Make>> plugins, const std::string& name, std::v
 
 /// The same, where errors fail the test.
 template <class Make, class Context>
-auto make(std::span<const Plugin<Make>> plugins, const std::string& name, std::vector<Param> params,
+auto make(const PluginTable<Plugin<Make>>& plugins, const std::string& name, std::vector<Param> params,
           const Context& context) {
   Diagnostics diagnostics;
   auto made = make(plugins, name, std::move(params), context, diagnostics);
@@ -52,7 +52,7 @@ auto make(std::span<const Plugin<Make>> plugins, const std::string& name, std::v
 
 /// The messages of the errors that parameters make.
 template <class Make, class Context>
-std::string errors_of(std::span<const Plugin<Make>> plugins, const std::string& name, std::vector<Param> params,
+std::string errors_of(const PluginTable<Plugin<Make>>& plugins, const std::string& name, std::vector<Param> params,
                       const Context& context) {
   Diagnostics diagnostics;
   const auto made = make(plugins, name, std::move(params), context, diagnostics);

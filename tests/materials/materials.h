@@ -27,7 +27,7 @@ inline Param alpha(float value) { return number("roughness", value * value); }  
 /// The material that a scene with these parameters gets; `diagnostics` holds what is said about them.
 inline std::unique_ptr<Material> make(std::string_view type, std::vector<Param> params, Diagnostics& diagnostics) {
   const TextureSet textures;
-  const Plugin<MakeMaterial>* plugin = find_plugin(material_plugins(), "material", type, {}, diagnostics);
+  const Plugin<MakeMaterial>* plugin = material_plugins().find(type, {}, diagnostics);
   if (!plugin) return nullptr;
   const ParamList list{std::move(params)};
   ParamReader reader(list, "material \"" + std::string(type) + "\"", {}, diagnostics);

@@ -41,7 +41,7 @@ TEST(Parameters, EveryPluginDescribesItself) {
   }
   EXPECT_EQ(plugins,
             (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
-  EXPECT_EQ(names(material_plugins()[1]), (std::vector<std::string>{"roughness", "uroughness", "vroughness",
+  EXPECT_EQ(names(*material_plugins().find("conductor")), (std::vector<std::string>{"roughness", "uroughness", "vroughness",
                                                                     "remaproughness", "eta", "k", "reflectance"}));
 }
 
@@ -81,7 +81,7 @@ TEST(Parameters, TexturesAreLookedUp) {
   Diagnostics diagnostics;
   const ParamList list{{{ParamType::texture, "reflectance", 0, std::vector<std::string>{"red"}, {}, {}}}};
   ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
-  const auto material = material_plugins()[3].make(reader, MaterialContext{textures});
+  const auto material = material_plugins().find("diffuse")->make(reader, MaterialContext{textures});
   BsdfSlot slot;
   EXPECT_EQ(material->bsdf(surface(), slot).lambertian(1), Rgb(1, 0.5f, 0) / kPi);  // clamped to what is possible
   EXPECT_TRUE(diagnostics.all().empty());
@@ -108,7 +108,7 @@ TEST(Parameters, WhatIsNotBuiltIsNamed) {
     EXPECT_TRUE(contains(said(plugin.name, {bumps}), "error: parameter \"displacement\"")) << plugin.name;
     EXPECT_TRUE(contains(said(plugin.name, {number("shine", 1)}), "error: unknown parameter \"shine\"")) << plugin.name;
   }
-  for (const std::string_view name : unbuilt_materials())
+  for (const std::string_view name : material_plugins().not_built())
     for (const Plugin<MakeMaterial>& plugin : material_plugins()) EXPECT_NE(name, plugin.name);
 }
 

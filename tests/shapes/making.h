@@ -20,7 +20,7 @@ inline Param param(ParamType type, std::string name, Param::Values values) {
 
 /// All parts of a shape; what is wrong goes to `diagnostics`.
 inline std::vector<ShapePart> make_parts(std::string_view plugin, ParamList list, Diagnostics& diagnostics) {
-  const auto* found = find_plugin(shape_plugins(), "shape", plugin, {}, diagnostics, unbuilt_shapes());
+  const auto* found = shape_plugins().find(plugin, {}, diagnostics);
   if (!found) return {};
   ParamReader reader(list, "shape \"" + std::string(plugin) + "\"", {}, diagnostics);
   return found->make(reader);

@@ -147,7 +147,7 @@ TEST(TexturePlugins, DescribeThemselves) {
   const TextureContext context{none, {}, images};
   for (const auto& plugin : texture_plugins<Rgb>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
   for (const auto& plugin : texture_plugins<float>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
-  const std::vector<ParamInfo> mix = describe(texture_plugins<Rgb>()[3], context);
+  const std::vector<ParamInfo> mix = describe(*texture_plugins<Rgb>().find("mix"), context);
   EXPECT_EQ(mix[0].name, "tex1");
   EXPECT_EQ(mix[0].type, "rgb, spectrum, blackbody or texture");
   EXPECT_EQ(mix[2].type, "float or texture");

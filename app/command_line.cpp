@@ -1,0 +1,76 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/catalogue.h"
+#include "app/driver.h"
+#include "app/load.h"
+#include "app/load_modules.h"
+#include "app/new_plugin.h"
+#include "app/options.h"
+#include "app/signals.h"
+#include "core/errors.h"
+#include "modules/blame.h"
+
+namespace dspm {
+namespace {
+
+int run(const Options& options) {
+  switch (options.task) {
+    case Task::list: return print_data(list_plugins()), 0;
+    case Task::describe: return print_data(describe_plugin(options.described)), 0;
+    case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
+    case Task::format: return print_data(formatted(options.scenes)), 0;
+    case Task::list_variations: return print_data(variation_names(options)), 0;
+    case Task::check: return check_scene(options);
+    case Task::render: return render_scene(options);
+  }
+  return 0;
+}
+
+int run_or_inform(const std::vector<std::string>& arguments) {
+  try {
+    const Options options = parse_options(arguments);
+    load_modules(options);
+    return run(options);
+  } catch (const Information& information) {
+    print_data(information.text);
+    return 0;
+  }
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  const auto say = [](const std::string& what) {
+    const LoadedModule* const module = module_that_threw();
+    const std::string who = module != nullptr ? in_words(*module) + " threw: " : "";
+    print_message(fmt::format("dspm: {}{}\n", who, what));
+  };
+  try {
+    return run_or_inform(arguments);
+  } catch (const UsageError& error) {
+    say(error.what());
+    return 2;
+  } catch (const SceneError& error) {
+    print_message(error.what());
+  } catch (const std::bad_alloc&) {
+    say("out of memory");
+  } catch (const std::length_error&) {  // so much that no allocation is even tried
+    say("out of memory");
+  } catch (const std::exception& error) {
+    say(error.what());
+  } catch (...) {
+    say("what is no exception of C++");
+  }
+  return InterruptRequests::exit_code(1);
+}
+
+}  // namespace dspm

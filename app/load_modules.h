@@ -1,0 +1,16 @@
+// Modules by the names that users give them: on the command line, in DSPM_PLUGIN_PATH, in a scene.
+#pragma once
+
+#include "app/options.h"
+#include "core/errors.h"
+#include "lang/description.h"
+
+namespace dspm {
+
+/// All modules in the folders of DSPM_PLUGIN_PATH (separated by colons), and those of --plugin. Throws UsageError.
+void load_modules(const Options& options);
+
+/// Those that the scene names: relative to the file that names them, else to the main file, else in DSPM_PLUGIN_PATH.
+void load_modules(const SceneDescription& description, Diagnostics& diagnostics);
+
+}  // namespace dspm

@@ -1,0 +1,50 @@
+#include "app/watch.h"
+
+#include <fmt/format.h>
+
+#include "app/catalogue.h"
+#include "app/progress.h"
+#include "app/standard_streams.h"
+#include "modules/blame.h"
+
+namespace dspm {
+
+Watch::Watch(double patience)
+    : patience_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience))),
+      begin_(Clock::now()),
+      next_(begin_ + patience_),
+      thread_([this] { run(); }) {}
+
+Watch::~Watch() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void Watch::begin(std::string step, std::string own) {
+  const std::lock_guard lock(mutex_);
+  step_ = std::move(step), own_ = std::move(own);
+  begin_ = Clock::now(), next_ = begin_ + patience_;
+}
+
+void Watch::run() {
+  std::unique_lock lock(mutex_);
+  while (!ended_) {
+    if (changed_.wait_until(lock, next_) != std::cv_status::timeout || Clock::now() < next_) continue;
+    print_message(complaint());
+    next_ = begin_ + 2 * (next_ - begin_);
+  }
+}
+
+std::string Watch::complaint() const {
+  const LoadedModule* const module = module_at_work();
+  const std::string who = module != nullptr ? in_words(*module) : own_;
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  return fmt::format("dspm: {} has not ended after {}{}{}\n", step_, readable_time(seconds),
+                     who.empty() ? "" : ", at work: ", who);
+}
+
+}  // namespace dspm

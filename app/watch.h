@@ -1,0 +1,37 @@
+// Tells who is at work when a step takes so long that it may never end.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace dspm {
+
+class Watch {
+ public:
+  /// A step may take `patience` seconds; then it is told, and again after twice the time, and so on.
+  explicit Watch(double patience);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// A new step begins: "iteration 3". `own`: who does it where no module is found at work; may be empty.
+  void begin(std::string step, std::string own);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void run();
+  std::string complaint() const;
+
+  const Clock::duration patience_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string step_, own_;
+  Clock::time_point begin_, next_;
+  bool ended_ = false;
+  std::thread thread_;
+};
+
+}  // namespace dspm

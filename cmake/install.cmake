@@ -1,0 +1,41 @@
+# The installed package: the program, libdspm, the headers for modules, and find_package(dspm) with dspm_add_plugin.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+include(cmake/public_headers.cmake)
+
+set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/dspm)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/dspm)
+
+# What modules inherit: the folder of the headers, and the settings under which frames stay equal to the bit.
+target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${header_folder}>)
+target_compile_features(libdspm INTERFACE cxx_std_20)
+target_compile_options(libdspm INTERFACE ${dspm_code_options})
+
+set_target_properties(dspm PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS dspm)
+install(TARGETS libdspm EXPORT dspm LIBRARY NAMELINK_COMPONENT Development)
+foreach(header ${public_headers} ${toolkit_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION ${header_folder}/${folder} COMPONENT Development)
+endforeach()
+install(EXPORT dspm NAMESPACE dspm:: FILE dspmTargets.cmake DESTINATION ${package_folder} COMPONENT Development)
+configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL_DESTINATION ${package_folder}
+  PATH_VARS CMAKE_INSTALL_BINDIR)
+write_basic_package_version_file(dspmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT Development)
+
+# cpack makes a .deb that brings its dependencies, as the linked libraries' packages name them.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME dspm)
+set(CPACK_PACKAGE_CONTACT "The authors of dspm")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Renders all frames of a scene together, sharing what does not differ between them")
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, ffmpeg")
+include(CPack)

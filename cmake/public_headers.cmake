@@ -1,0 +1,29 @@
+# What modules outside of the tree may include. The first list is stable within a minor version; the second is what dspm's
+# own integrators are made of, and may change with any version.
+set(public_headers
+  accel/accel.h
+  cameras/camera.h
+  core/errors.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h core/registry.h core/rgb.h
+  core/rng.h core/sampling.h core/spectrum.h core/transform.h core/vec.h core/version.h
+  film/pixel_filter.h film/pixel_rect.h
+  image/image.h
+  integrators/integrator.h integrators/pixel_statistics.h integrators/statistics.h integrators/tiles.h
+  lights/light.h
+  materials/bsdf.h materials/material.h materials/parameters.h materials/shading_frame.h
+  modules/module.h modules/stamp.h
+  shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
+  textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h
+  world/scene.h)
+set(toolkit_headers
+  accel/box_ray.h accel/meet.h
+  cameras/projection.h
+  core/frame_lanes.h core/rgb_lanes.h
+  integrators/direct_light.h integrators/estimator.h integrators/gather.h
+  integrators/hit_point.h integrators/joint_path.h integrators/memory_needs.h integrators/path_step.h
+  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h 
+  integrators/point_grid.h integrators/points_within.h integrators/progressive.h integrators/progressive_settings.h
+  integrators/radiance_estimate.h integrators/refit.h integrators/seen_light.h integrators/strand.h
+  lights/aim.h lights/strength.h
+  materials/fresnel.h materials/interface.h materials/microfacet.h
+  shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
+  textures/mapping.h)

@@ -1,0 +1,22 @@
+// Which module is at fault: the one whose code is on the stack where something was thrown, or of a thread that does not
+// come back.
+#pragma once
+
+#include "modules/load.h"
+
+namespace dspm {
+
+/// The innermost module on this thread's stack; null where there is none.
+const LoadedModule* module_on_stack();
+
+/// In a catch clause: the module that was on the stack where the exception was thrown; null where there was none.
+const LoadedModule* module_that_threw();
+
+/// Keeps for module_that_threw() who throws this exception just now.
+void note_throw(const void* object);
+
+/// A module that some thread of the process is busy in right now; null where none is found. Interrupts each thread for a
+/// moment, by a real-time signal.
+const LoadedModule* module_at_work();
+
+}  // namespace dspm

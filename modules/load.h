@@ -1,0 +1,26 @@
+// Loading modules: shared libraries outside of dspm that bring plugins along.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+
+#include "modules/module.h"
+
+namespace dspm {
+
+struct LoadedModule {
+  std::string name;                   // of the file, without folders
+  std::filesystem::path file;         // canonical
+  std::uintptr_t begin = 0, end = 0;  // where its code and data lie
+};
+
+/// Adds the module's plugins to dspm's tables; a file that is loaded already is left alone. Its stamp is looked at before
+/// anything of it runs. Modules stay until the process ends. Throws ModuleError. Not for several threads at once.
+void load_module(const std::filesystem::path& file);
+
+/// In the order of their loading.
+const std::deque<LoadedModule>& loaded_modules();
+
+}  // namespace dspm

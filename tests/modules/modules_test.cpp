@@ -1,0 +1,188 @@
+// What an author of a module meets: where modules are found, what is said of those that cannot be used, and how dspm
+// gets along with those that misbehave.
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+#include "tests/app/process.h"
+
+namespace dspm::test {
+namespace {
+
+const std::string kModules = DSPM_TEST_MODULES;
+std::string module_file(const std::string& name) { return kModules + "/lib" + name + ".so"; }
+
+/// DSPM_PLUGIN_PATH as long as it lives.
+class PluginPath {
+ public:
+  explicit PluginPath(const std::string& path) { setenv("DSPM_PLUGIN_PATH", path.c_str(), 1); }
+  ~PluginPath() { unsetenv("DSPM_PLUGIN_PATH"); }
+  PluginPath(const PluginPath&) = delete;
+  PluginPath& operator=(const PluginPath&) = delete;
+};
+
+std::string scene_with(const std::string& integrator) {
+  return tiny_scene("Integrator \"dsppm\" \"integer iterations\" 2 \"integer photons\" 200 \"integer seed\" 5",
+                    integrator);
+}
+
+std::string plugin_directive(const std::string& file) { return std::string("Plugin \"").append(file).append("\""); }
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no \"" << part << "\" in:\n" << text;
+}
+
+void expect_paintings(const TinyDirectory& directory) {
+  for (int frame = 1; frame <= 3; ++frame)
+    EXPECT_EQ(read_image(directory / ("tiny.000" + std::to_string(frame) + ".exr")).at(5, 5),
+              Rgb(0.25f * static_cast<float>(frame)));
+}
+
+TEST(Modules, TheCommandLineNamesThem) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc", "--integrator", "mischief"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  expect_paintings(directory);
+}
+
+TEST(Modules, ASceneNamesThemBesideItself) {
+  const TinyDirectory directory;
+  std::filesystem::create_directory(directory / "plugins");
+  std::filesystem::copy(module_file("mischief"), directory / "plugins");
+  put_file(directory / "tiny.dsc", scene_with("Plugin \"plugins/libmischief.so\" Integrator \"mischief\""));
+  const Outcome outcome = run(directory, {"tiny.dsc"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  expect_paintings(directory);
+}
+
+TEST(Modules, AFolderOfThemMayBeSet) {
+  const TinyDirectory directory;
+  std::filesystem::create_directory(directory / "plugins");
+  std::filesystem::copy(module_file("mischief"), directory / "plugins");
+  const PluginPath path(std::string(":").append(directory / "plugins"));
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--integrator", "mischief"}).code, 0);
+  expect_paintings(directory);
+  put_file(directory / "tiny.dsc",
+           scene_with("Plugin \"libmischief.so\" Integrator \"mischief\" \"string mood\" \"nan\""));
+  EXPECT_EQ(run(directory, {"tiny.dsc"}).code, 0);
+}
+
+TEST(Modules, AFolderThatIsNotThereIsToldOf) {
+  const TinyDirectory directory;
+  const PluginPath path("/nowhere/at/all");
+  const Outcome outcome = run(directory, {"--list"});
+  EXPECT_EQ(outcome.code, 2);
+  expect_contains(outcome.err, "DSPM_PLUGIN_PATH: /nowhere/at/all: No such file or directory");
+}
+
+TEST(Modules, OneFileIsLoadedOnce) {
+  const TinyDirectory directory;
+  std::filesystem::create_symlink(module_file("mischief"), directory / "other.so");
+  put_file(directory / "tiny.dsc", scene_with("Plugin \"other.so\" Plugin \"./other.so\" Integrator \"mischief\""));
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST(Modules, ListsTellTheOrigin) {
+  const TinyDirectory directory;
+  const std::string list = run(directory, {"--plugin", module_file("mischief"), "--list"}).out;
+  expect_contains(list, "  mischief        libmischief.so  does what a bad integrator may do\n");
+  expect_contains(list, "  photonmap       dspm            ");
+  const std::string description =
+      run(directory, {"--plugin", module_file("mischief"), "--describe", "integrator:mischief"}).out;
+  expect_contains(description, "integrator:mischief (libmischief.so): does what");
+  expect_contains(description, "what it does (good, throw,");
+}
+
+struct Unfit {
+  std::string name;
+  std::vector<std::string> said;
+};
+
+TEST(Modules, UnfitOnesAreToldAndNothingRuns) {
+  const std::vector<Unfit> all = {
+      {"other_version", {"libother_version.so: it was built for dspm 7.1.0, and this is dspm 0.1.0", "build it again"}},
+      {"other_layout", {"dspm::SurfacePoint takes", "build it again"}},
+      {"usurper", {"dspm itself has the material \"diffuse\" already"}},
+      {"idle", {"it adds no plugin"}},
+      {"thrower", {"libthrower.so: no licence for dspm 0.1.0"}},
+      {"missing", {"No such file or directory"}},
+  };
+  for (const Unfit& unfit : all) {
+    const TinyDirectory directory;
+    setenv("DSPM_TEST_TRACE", (directory / "trace").c_str(), 1);
+    const Outcome by_option = run(directory, {"--plugin", module_file(unfit.name), "tiny.dsc"});
+    EXPECT_EQ(by_option.code, 2) << unfit.name;
+    for (const std::string& part : unfit.said) expect_contains(by_option.err, part);
+    EXPECT_FALSE(directory.has("tiny.0001.exr")) << unfit.name;
+    EXPECT_FALSE(directory.has("trace")) << "its static constructor has run";
+
+    if (unfit.name == "missing") continue;
+    put_file(directory / "tiny.dsc", plugin_directive(module_file(unfit.name)) + kTinyScene);
+    const Outcome by_scene = run(directory, {"tiny.dsc"});
+    EXPECT_EQ(by_scene.code, 1) << unfit.name;
+    expect_contains(by_scene.err, "tiny.dsc:1:8");
+    for (const std::string& part : unfit.said) expect_contains(by_scene.err, part);
+  }
+  unsetenv("DSPM_TEST_TRACE");
+}
+
+TEST(Modules, WhatIsNoModuleIsTold) {
+  const TinyDirectory directory;
+  put_file(directory / "text.so", "no library");
+  expect_contains(run(directory, {"--plugin", "text.so", "--list"}).err, "text.so: it is no shared library");
+  expect_contains(run(directory, {"--plugin", "missing.so", "--list"}).err, "missing.so: No such file or directory");
+  put_file(directory / "tiny.dsc", plugin_directive("missing.so") + kTinyScene);
+  const Outcome outcome = run(directory, {"tiny.dsc"});
+  EXPECT_EQ(outcome.code, 1);
+  expect_contains(outcome.err, "tiny.dsc:1:8: error: there is no module \"missing.so\"");
+}
+
+TEST(Modules, ANameBelongsToOne) {
+  const TinyDirectory directory;
+  const Outcome outcome =
+      run(directory, {"--plugin", module_file("mischief"), "--plugin", module_file("twin"), "--list"});
+  EXPECT_EQ(outcome.code, 2);
+  expect_contains(outcome.err, "libtwin.so: libmischief.so has the integrator \"mischief\" already");
+}
+
+TEST(Modules, WhatOneThrowsIsItsErrorAndImagesAreKept) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"throw\""));
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc"});
+  EXPECT_EQ(outcome.code, 1);
+  expect_contains(outcome.err, "integrator \"mischief\" of libmischief.so threw: out of paint");
+  expect_paintings(directory);
+}
+
+TEST(Modules, WhatAFactoryThrowsIsItsErrorToo) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"refuse\""));
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc"});
+  EXPECT_EQ(outcome.code, 1);
+  expect_contains(outcome.err, "integrator \"mischief\" of libmischief.so threw: not today");
+}
+
+TEST(Modules, NoNanReachesAFile) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"nan\""));
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc", "--quiet"});
+  EXPECT_EQ(outcome.code, 0);
+  expect_contains(
+      outcome.err,
+      "integrator \"mischief\" of libmischief.so: 2 pixels of frame 3 are not finite, the first at x = 3, y = 1");
+  const Image image = read_image(directory / "tiny.0003.exr");
+  EXPECT_EQ(image.at(3, 1), Rgb(0));
+  EXPECT_EQ(image.at(4, 1), Rgb(0.75f));
+}
+
+TEST(Modules, OneThatDoesNotComeBackIsNamed) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"hang\""));
+  const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc", "--patience", "1s"});
+  EXPECT_EQ(outcome.code, 0);
+  expect_contains(outcome.err, "iteration 3 has not ended after 1");
+  expect_contains(outcome.err, "at work: integrator \"mischief\" of libmischief.so");
+}
+
+}  // namespace
+}  // namespace dspm::test

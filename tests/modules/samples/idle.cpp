@@ -1,0 +1,4 @@
+// Adds nothing.
+#include "modules/module.h"
+
+DSPM_MODULE(registry) {}

@@ -1,0 +1,47 @@
+// An integrator that does what a bad one may do; without a mood it paints every frame in its own grey.
+#include <stdexcept>
+#include <thread>
+
+#include "modules/module.h"
+
+namespace {
+
+using namespace dspm;
+
+class Mischief final : public Integrator {
+ public:
+  Mischief(std::string mood, const RenderSettings& render) : mood_(std::move(mood)), render_(render) {}
+
+  int iterations() const override { return 4; }
+  std::string settings() const override { return mood_; }
+  void iterate(int iteration) override {
+    if (iteration == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
+    if (iteration == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
+    ++statistics_.iterations;
+  }
+  Image estimate(Frame frame) const override {
+    Image image(render_.crop.width(), render_.crop.height());
+    for (Rgb& c : image.pixels) c = Rgb(0.25f * static_cast<float>(frame + 1));
+    if (mood_ == "nan") image.at(3, 1) = image.at(0, 2) = Rgb(std::numeric_limits<float>::quiet_NaN());
+    return image;
+  }
+  Statistics statistics() const override { return statistics_; }
+
+ private:
+  std::string mood_;
+  RenderSettings render_;
+  Statistics statistics_;
+};
+
+std::unique_ptr<Integrator> make_mischief(ParamReader& params, const Scene&, const RenderSettings& render) {
+  const std::string mood = params.choice("mood", "good", {"good", "throw", "refuse", "hang", "nan"}, "what it does");
+  params.finish();
+  if (mood == "refuse") throw std::runtime_error("not today");
+  return std::make_unique<Mischief>(mood, render);
+}
+
+}  // namespace
+
+DSPM_MODULE(registry) {
+  registry.add(integrator_plugins(), {{"mischief", "does what a bad integrator may do", make_mischief}});
+}

@@ -1,0 +1,8 @@
+// Claims a name that mischief.cpp has, too.
+#include "modules/module.h"
+
+DSPM_MODULE(registry) {
+  using namespace dspm;
+  const IntegratorPlugin* const path = integrator_plugins().find("path");
+  registry.add(integrator_plugins(), {{"mischief", "another one", path->make}});
+}
