@@ -20,14 +20,17 @@
 namespace dspm {
 namespace {
 
+constexpr const char* kOwn = "dspm";
+
 struct Entry {
   std::string kind, name, sentence, origin;
   std::function<std::vector<ParamInfo>()> params;
+  bool is_own() const { return origin == kOwn; }
 };
 
 template <class AnyPlugin>
 std::string origin_of(const AnyPlugin& plugin) {
-  return plugin.origin.empty() ? "dspm" : std::string(plugin.origin);
+  return plugin.origin.empty() ? kOwn : std::string(plugin.origin);
 }
 
 template <class AnyPlugin, class... Context>
@@ -96,6 +99,14 @@ std::string list_plugins() {
     text += fmt::format("  {:<{}}  {:<{}}  {}\n", entry.name, names, entry.origin, origins, entry.sentence);
   }
   return text;
+}
+
+std::string in_words(std::string_view kind, std::string_view name) {
+  const std::string plugin = fmt::format("{} \"{}\"", kind, name);
+  for (const Entry& entry : all_plugins())
+    if (entry.kind == kind && entry.name == name && !entry.is_own())
+      return fmt::format("{} of {}", plugin, entry.origin);
+  return plugin;
 }
 
 std::string in_words(const LoadedModule& module) {

@@ -5,11 +5,13 @@
 #include <set>
 #include <utility>
 
+#include "app/catalogue.h"
 #include "app/frame_intervals.h"
 #include "app/job.h"
 #include "app/load.h"
 #include "app/memory_bound.h"
 #include "app/messages.h"
+#include "app/not_finite.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run_report.h"
@@ -81,10 +83,6 @@ class Run {
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The images of the interval's frames; the last ones go to the video, too.
   void write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last);
-  /// No NaN and no infinity may reach a file.
-  void black_out_invalid(Image& image, Frame frame);
-  /// The integrator, as messages name it.
-  std::string subject() const;
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -136,7 +134,7 @@ void Run::render_interval(std::size_t index) {
            (options_.time_limit > 0 && done > 0 && seconds_since(begin) >= seconds);
   };
   while (!finished()) {
-    watch_.begin(fmt::format("iteration {}", done + 1), subject());
+    watch_.begin(fmt::format("iteration {}", done + 1), in_words("integrator", job_.integrator));
     iterate(*integrator, frames, done++, begin);
     progress_->step(static_cast<int>(index), done);
     if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false);
@@ -181,34 +179,15 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
 void Run::write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last) {
   watch_.begin("writing the images", "");
   const Statistics statistics = integrator.statistics();
+  tell(statistics.rejections, world_, interval, job_, messages_);
   for (std::size_t j = 0; j < interval.size(); ++j) {
     Image image = integrator.estimate(static_cast<Frame>(j));
-    black_out_invalid(image, interval[j]);
+    black_out_invalid(image, interval[j], job_, messages_);
     if (last) output_.add_to_video(image);
     output_.write(interval[j], std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
   }
   output_.write_contact_sheet();
   written_.insert(interval.begin(), interval.end());
-}
-
-std::string Run::subject() const {
-  const std::string_view origin = job_.plugin->origin;
-  return fmt::format("integrator \"{}\"{}{}", job_.integrator, origin.empty() ? "" : " of ", origin);
-}
-
-void Run::black_out_invalid(Image& image, Frame frame) {
-  const auto invalid = [](const Rgb& c) { return !is_finite(c); };
-  const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
-  if (first == image.pixels.end()) return;
-  const auto at = static_cast<int>(first - image.pixels.begin());
-  const auto count = std::count_if(first, image.pixels.end(), invalid);
-  std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
-  Diagnostics diagnostics;
-  diagnostics.warning({}, fmt::format("{}: {} pixels of frame {} are not finite, the first at x = {}, y = {}; they are "
-                                      "written black",
-                                      subject(), count, frame + 1, job_.settings.crop.x0 + at % image.width,
-                                      job_.settings.crop.y0 + at / image.width));
-  messages_.show(diagnostics);
 }
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {

@@ -92,7 +92,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
     json.end_object();
   }
   json.end_object();
-  json.member("invalid", s.invalid);
+  json.member("invalid", s.rejections.count());
 }
 
 /// Frame by frame of the job, as far as they were rendered.
@@ -123,7 +123,7 @@ void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_int
   sum.photons_stored += interval.photons_stored;
   sum.photon_tests += interval.photon_tests;
   sum.photons_found += interval.photons_found;
-  sum.invalid += interval.invalid;
+  sum.rejections += interval.rejections;
   sum.energy.insert(sum.energy.end(), interval.energy.begin(), interval.energy.end());
   if (!interval.energy.empty()) frames.insert(frames.end(), of_interval.begin(), of_interval.end());
   sum.bytes = std::max(sum.bytes, interval.bytes);
@@ -179,7 +179,8 @@ std::string table_of(const Job& job, const RunReport& report) {
   line("ends with weights", s.camera.weighted, s.photon.weighted);
   text += fmt::format("\n  memory: {} at most, of which trees {}, integrator {}\n", readable_bytes(peak_memory()),
                       readable_bytes(report.tree_bytes), readable_bytes(s.bytes));
-  if (s.invalid > 0) text += fmt::format("  {} contributions were not finite and were left out\n", grouped(s.invalid));
+  if (const std::uint64_t count = s.rejections.count(); count > 0)
+    text += fmt::format("  {} contributions were not finite and were left out\n", grouped(count));
   return text;
 }
 

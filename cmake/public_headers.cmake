@@ -7,7 +7,7 @@ set(public_headers
   core/rng.h core/sampling.h core/spectrum.h core/transform.h core/vec.h core/version.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/integrator.h integrators/pixel_statistics.h integrators/statistics.h integrators/tiles.h
+  integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/material.h materials/parameters.h materials/shading_frame.h
   modules/module.h modules/stamp.h
@@ -20,7 +20,7 @@ set(toolkit_headers
   core/frame_lanes.h core/rgb_lanes.h
   integrators/direct_light.h integrators/estimator.h integrators/gather.h
   integrators/hit_point.h integrators/joint_path.h integrators/memory_needs.h integrators/path_step.h
-  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h 
+  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h
   integrators/point_grid.h integrators/points_within.h integrators/progressive.h integrators/progressive_settings.h
   integrators/radiance_estimate.h integrators/refit.h integrators/seen_light.h integrators/strand.h
   lights/aim.h lights/strength.h

@@ -17,12 +17,13 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&) with the
-/// radiance that the surface sends towards wo by it, for the frames in which nothing lies between. `weight(wi, pdf_w)`
-/// multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for delta lights.
+/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&, giver) with the
+/// radiance that the surface (`point`, of `hit`) sends towards wo by it, for the frames in which nothing lies between.
+/// `weight(wi, pdf_w)` multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for
+/// delta lights. Radiance that is not finite is handed on; giver() is then who gave it.
 template <class Weight, class Fn>
-void sample_direct_light(const Scene& scene, FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf,
-                         const Vec3& wo, LobeSet lobes, const PathRandom& random, int bounce,
+void sample_direct_light(const Scene& scene, FrameSet frames, const RayHit& hit, const SurfacePoint& point,
+                         const Bsdf& bsdf, const Vec3& wo, LobeSet lobes, const PathRandom& random, int bounce,
                          std::uint64_t& shadow_rays, Weight&& weight, Fn&& fn) {
   const ChosenLight chosen = scene.choose_light(random.number(bounce, kLightChoice));
   if (chosen.probability == 0) return;
@@ -34,10 +35,14 @@ void sample_direct_light(const Scene& scene, FrameSet frames, const SurfacePoint
         const float pdf_w = chosen.probability * lit->pdf_w;
         const Rgb f = bsdf.evaluate(wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
         const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
-        if (is_black(radiance) || !is_finite(radiance)) return;
+        if (is_black(radiance)) return;
+        const auto giver = [&] {
+          return is_finite(f) ? ScenePart{ScenePart::Kind::light, chosen.index} : material_part(scene, hit);
+        };
+        if (!is_finite(radiance)) return fn(common, radiance, giver);
         ++shadow_rays;
         const FrameSet free = common - scene.accel->occluded(shadow_ray(point, *lit), common);
-        if (!free.empty()) fn(free, radiance);
+        if (!free.empty()) fn(free, radiance, giver);
       });
 }
 

@@ -15,7 +15,7 @@ namespace dspm {
 /// Work of a gather.
 struct GatherCounts {
   SharedCount tests, found;
-  std::uint64_t invalid = 0;
+  Rejections rejections;
 };
 
 /// Calls fn(strands, frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that
@@ -41,7 +41,7 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
       if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
       const Rgb flux =
           photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
-      counts.invalid += !is_finite(flux);
+      if (!is_finite(flux)) counts.rejections.add({ScenePart::Kind::material, scattering->material}, frames, hit.pixel);
       fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
     });
   }
@@ -53,7 +53,7 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
 /// Takes the counts of all tiles into `statistics`.
 inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
   for (const GatherCounts& c : tiles)
-    statistics.photon_tests += c.tests, statistics.photons_found += c.found, statistics.invalid += c.invalid;
+    statistics.photon_tests += c.tests, statistics.photons_found += c.found, statistics.rejections += c.rejections;
 }
 
 }  // namespace dspm

@@ -46,7 +46,9 @@ class HitPointTracer {
     const Vec2 film = film_point(render_, x, y, random);
     scene_.camera.for_each(frames_, [&](FrameSet frames, const Camera& camera) {
       camera_ = &camera;
-      stack_.push({camera.ray(film, random.pair(0, kLightDirection)), Rgb(1), frames});
+      const Ray ray = camera.ray(film, random.pair(0, kLightDirection));
+      if (!is_finite(ray)) return reject(frames, {ScenePart::Kind::camera});
+      stack_.push({ray, Rgb(1), frames});
       run(random);
     });
     ++out_.paths.paths;
@@ -100,15 +102,19 @@ class HitPointTracer {
 
   void follow(const PathState& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) {
-      for_each_escape(
-          scene_, part.frames, path.ray.direction,
-          [&](FrameSet frames, const Rgb& radiance, const SceneLight&, const Light&) { see(path, frames, radiance); });
+      for_each_escape(scene_, part.frames, path.ray.direction,
+                      [&](FrameSet frames, const Rgb& radiance, const SceneLight& light, const Light&) {
+                        see(path, frames, radiance, [&] { return light_part(scene_, light); });
+                      });
       return;
     }
+    met_ = &part.hit;
     const Vec3 wo = -path.ray.direction;
     const SurfacePoint point = scene_.surface_point(part.hit);
-    for_each_emission(scene_, part, point, wo,
-                      [&](FrameSet frames, const Rgb& radiance, const Light&) { see(path, frames, radiance); });
+    if (!is_finite(point)) return reject(part.frames, shape_part(part.hit));
+    for_each_emission(scene_, part, point, wo, [&](FrameSet frames, const Rgb& radiance, const Light&) {
+      see(path, frames, radiance, [&] { return emitter_part(scene_, part.hit); });
+    });
     if (path.bounces >= settings_.max_depth) return;
     PathState arrived = path;
     arrived.length += part.hit.t, arrived.frames = part.frames;
@@ -173,7 +179,10 @@ class HitPointTracer {
   void add_hit_point(const PathState& path, std::span<const FrameFactor> factors, const SurfacePoint& point,
                      const Vec3& wo, const Bsdf* bsdf, LobeSet lobes) {
     PathState ended = path;
-    if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep_all)) return;
+    const auto keep = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+      return if_finite(after, frames);
+    };
+    if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep)) return;
     HitPoint& hit = out_.hit_points.emplace_back();
     hit.p = point.p;
     hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
@@ -183,7 +192,8 @@ class HitPointTracer {
     out_.paths.weighted += ended.strands != 0;
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(out_.scatterings.size());
-    out_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), wo, point.p_error, lobes, bsdf->transmits(lobes)});
+    out_.scatterings.push_back(
+        {BsdfSlot::copy_of(*bsdf), wo, point.p_error, lobes, bsdf->transmits(lobes), material().index});
   }
 
   /// Calls fn(const BsdfSample&) unless the frames end.
@@ -195,7 +205,10 @@ class HitPointTracer {
     if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
       add_direct_light(path, point, bsdf, wo, glossy, choice.chance, random,
                        [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
-    if (const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes)) fn(*sample);
+    const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
+    if (!sample) return;
+    if (!is_finite(sample->wi)) return reject(path.frames, material());
+    fn(*sample);
   }
 
   void push(const PathState& path, std::span<const FrameFactor> factors, const SurfacePoint& point,
@@ -203,8 +216,8 @@ class HitPointTracer {
     PathState& branch = stack_.push(path);
     move_on(branch, point, sample);
     const float u = random.number(path.bounces, kRoulette);
-    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
-      if (!is_finite(after)) return reject(frames), Rgb();
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& product) {
+      const Rgb after = if_finite(product, frames);
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
       return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
     };
@@ -216,19 +229,27 @@ class HitPointTracer {
   void add_direct_light(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
                         LobeSet lobes, float chance, const PathRandom& random, Weight&& weight) {
     sample_direct_light(
-        scene_, path.frames, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
+        scene_, path.frames, *met_, point, bsdf, wo, lobes, random, path.bounces + 1, out_.paths.shadow_rays,
         [&](const Vec3&, float pdf_w) { return weight(pdf_w); },
-        [&](FrameSet frames, const Rgb& radiance) { see(path, frames, radiance / chance); });
+        [&](FrameSet frames, const Rgb& radiance, auto&& giver) { see(path, frames, radiance / chance, giver); });
   }
 
-  void see(const PathState& path, FrameSet frames, const Rgb& radiance) {
+  /// `giver`: who is at fault where it is not finite.
+  template <class WhoGave>
+  void see(const PathState& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     for_each_strand(out_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
       const Rgb seen = path.throughput * weight * radiance;
-      if (!is_finite(seen)) return reject(alike);
+      if (!is_finite(seen)) return reject(alike, giver());
       out_.seen.push_back({pixel_, alike, seen});
     });
   }
-  void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
+  void reject(FrameSet frames, const ScenePart& giver) { out_.rejections.add(giver, frames, pixel_); }
+  ScenePart material() const { return material_part(scene_, *met_); }
+  Rgb if_finite(const Rgb& carried, FrameSet frames) {
+    if (is_finite(carried)) return carried;
+    reject(frames, material());
+    return {};
+  }
 
   float radius(float path_length) const {
     if (settings_.radius > 0) return settings_.radius;
@@ -246,6 +267,7 @@ class HitPointTracer {
   std::vector<Parted> parted_;
   std::vector<Waiting> waiting_;
   bool finishing_ = false;
+  const RayHit* met_ = nullptr;  // where the path just now has arrived
   int pixel_ = 0;
   bool met_dynamic_ = false;
 };
@@ -255,13 +277,13 @@ void clear(HitPointTile& tile) {
   tile.scatterings.clear();
   tile.strands.clear();
   tile.seen.clear();
-  tile.paths = {}, tile.invalid = 0;
+  tile.paths = {}, tile.rejections = {};
 }
 
 }  // namespace
 
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
-  for (const HitPointTile& tile : tiles) statistics.camera += tile.paths, statistics.invalid += tile.invalid;
+  for (const HitPointTile& tile : tiles) statistics.camera += tile.paths, statistics.rejections += tile.rejections;
 }
 
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {

@@ -27,6 +27,7 @@ struct Scattering {
   Vec3 p_error;
   LobeSet lobes;   // that gather here
   bool transmits;  // photons on the other side of the surface count as well
+  int material;    // index into the scene's
 };
 
 /// Light that a camera path saw itself: emission, or sampled direct light; radiance times throughput.
@@ -52,7 +53,7 @@ struct HitPointTile {
   StrandTable strands;
   std::vector<SeenLight> seen;
   PathCounts paths;
-  std::uint64_t invalid = 0;  // non-finite contributions that were kept out
+  Rejections rejections;
 
   /// Null where f is constant.
   const Scattering* scattering_of(const HitPoint& hit) const {

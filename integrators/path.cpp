@@ -42,7 +42,10 @@ class PixelTracer {
       TracedPath path;
       path.ray = camera.ray(film, random.pair(0, kLightDirection));
       path.throughput = Rgb(1), path.frames = frames;
-      stack_.push(path);
+      if (is_finite(path.ray))
+        stack_.push(path);
+      else
+        reject(frames, {ScenePart::Kind::camera});
     });
     run(random);
     ++counts_.paths;
@@ -51,7 +54,7 @@ class PixelTracer {
   }
 
   const PathCounts& counts() const { return counts_; }
-  std::uint64_t invalid() const { return invalid_; }
+  const Rejections& rejections() const { return rejections_; }
 
  private:
   void run(const PathRandom& random) {
@@ -67,19 +70,20 @@ class PixelTracer {
     if (part.hit.missed()) return escape(path, part.frames);
     const Vec3 wo = -path.ray.direction;
     const SurfacePoint point = scene_.surface_point(part.hit);
+    if (!is_finite(point)) return reject(part.frames, shape_part(part.hit));
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       met_dynamic_ |= frames != scene_.frames();
       add_emission(path, {frames, part.hit}, point, wo);
       if (path.bounces >= max_depth_) return;
       sample_direct_light(
-          scene_, frames, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
+          scene_, frames, part.hit, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
           [&](const Vec3& wi, float pdf_w) {
             return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
           },
-          [&](FrameSet lit, const Rgb& radiance) { add(lit, path.throughput * radiance); });
+          [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(lit, path.throughput * radiance, giver); });
       TracedPath branch = path;
       branch.frames = frames;
-      scatter(branch, point, bsdf, wo, random);
+      scatter(branch, part.hit, point, bsdf, wo, random);
     });
   }
 
@@ -87,7 +91,8 @@ class PixelTracer {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
-                      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1));
+                      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+                          [&] { return light_part(scene_, scene_light); });
                     });
   }
 
@@ -96,16 +101,18 @@ class PixelTracer {
       const PlacedShape& shape = scene_.shapes[static_cast<std::size_t>(part.hit.shape)];
       const float other = scene_.lights[static_cast<std::size_t>(shape.light)].probability *
                           light.pdf_w(path.from, point, part.hit.primitive);
-      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1));
+      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+          [&] { return emitter_part(scene_, part.hit); });
     });
   }
 
-  void scatter(TracedPath& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+  void scatter(TracedPath& path, const RayHit& hit, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
                const PathRandom& random) {
     const int bounce = path.bounces;
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
     extend(path, point, *sample);
+    if (!is_finite(path.ray) || !is_finite(path.throughput)) return reject(path.frames, material_part(scene_, hit));
     path.from = point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
     if (!is_black(path.throughput) &&
@@ -113,10 +120,13 @@ class PixelTracer {
       stack_.push(path);
   }
 
-  void add(FrameSet frames, const Rgb& radiance) {
+  /// `giver`: who is at fault where it is not finite.
+  template <class WhoGave>
+  void add(FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     if (is_finite(radiance)) return out_.add({pixel_, frames, radiance});
-    invalid_ += static_cast<std::uint64_t>(frames.count());
+    reject(frames, giver());
   }
+  void reject(FrameSet frames, const ScenePart& giver) { rejections_.add(giver, frames, pixel_); }
 
   const Scene& scene_;
   const RenderSettings& render_;
@@ -126,7 +136,7 @@ class PixelTracer {
   int pixel_ = 0;
   bool met_dynamic_ = false;
   PathCounts counts_;
-  std::uint64_t invalid_ = 0;
+  Rejections rejections_;
 };
 
 class Path final : public Integrator {
@@ -154,9 +164,9 @@ class Path final : public Integrator {
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
                              [&](int x, int y) { tracer.trace(x, y, static_cast<std::uint64_t>(iteration)); });
       counts[static_cast<std::size_t>(t)].camera = tracer.counts();
-      counts[static_cast<std::size_t>(t)].invalid = tracer.invalid();
+      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
     });
-    for (const Statistics& c : counts) statistics_.camera += c.camera, statistics_.invalid += c.invalid;
+    for (const Statistics& c : counts) statistics_.camera += c.camera, statistics_.rejections += c.rejections;
     ++statistics_.iterations;
   }
 

@@ -49,6 +49,11 @@ inline const FrameStates<Material>& material_at(const Scene& scene, const RayHit
   return scene.materials[static_cast<std::size_t>(scene.shapes[static_cast<std::size_t>(hit.shape)].material)];
 }
 
+inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
+inline bool is_finite(const SurfacePoint& point) {
+  return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
+}
+
 /// Calls fn(FrameSet, const Bsdf&) for each scattering that the part's frames find at its hit: one, unless the material
 /// differs between them.
 template <class Fn>
@@ -57,6 +62,18 @@ void for_each_surface(const Scene& scene, const FrameHit& part, const SurfacePoi
     BsdfSlot slot;
     fn(frames, material.bsdf(point, slot));
   });
+}
+
+/// Of whose plugin something is, for what it gives that is not finite.
+inline ScenePart shape_part(const RayHit& hit) { return {ScenePart::Kind::shape, hit.shape}; }
+inline ScenePart material_part(const Scene& scene, const RayHit& hit) {
+  return {ScenePart::Kind::material, scene.shapes[static_cast<std::size_t>(hit.shape)].material};
+}
+inline ScenePart emitter_part(const Scene& scene, const RayHit& hit) {
+  return {ScenePart::Kind::light, scene.shapes[static_cast<std::size_t>(hit.shape)].light};
+}
+inline ScenePart light_part(const Scene& scene, const SceneLight& light) {
+  return {ScenePart::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
 /// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const

@@ -48,13 +48,13 @@ class PhotonTracer {
       const auto emission = start.light->emit(u_point, u_direction);
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.probability;
-      if (!is_finite(flux)) {
-        reject(start.frames);
+      if (!is_finite(flux) || !is_finite(emission->ray)) {
+        reject(start.frames, {ScenePart::Kind::light, chosen.index});
         continue;
       }
       PhotonPath& path = stack_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
       path.strands = start.strands;
-      if (start.varied != nullptr && !weigh(path, *start.varied)) {
+      if (start.varied != nullptr && !weigh(path, *start.varied, chosen.index)) {
         stack_.drop();
         continue;
       }
@@ -63,16 +63,27 @@ class PhotonTracer {
   }
 
   /// Gives each state of a light its share of a photon that starts as the first's; whether any has one.
-  bool weigh(PhotonPath& path, const SceneLight::Alike& alike) {
+  bool weigh(PhotonPath& path, const SceneLight::Alike& alike, int index) {
     FrameArray<FrameFactor> weights;
-    for (const auto& [frames, light] : alike.states) weights.add({frames, light->ratio_along(*alike.first, path.ray)});
-    return multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
+    for (const auto& [frames, light] : alike.states) {
+      const Rgb weight = light->ratio_along(*alike.first, path.ray);
+      if (is_finite(weight))
+        weights.add({frames, weight});
+      else
+        reject(frames, {ScenePart::Kind::light, index});
+    }
+    return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
 
   void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
     if (part.hit.missed()) return balance(path, part.frames, &EnergyBalance::escaped);
+    met_ = &part.hit;
     const Vec3 wo = -path.ray.direction;
     const SurfacePoint point = scene_.surface_point(part.hit);
+    if (!is_finite(point)) {
+      reject(part.frames, shape_part(part.hit));
+      return balance(path, part.frames, &EnergyBalance::absorbed);
+    }
     if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(path, part, point, wo, random);
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) store(path, frames, point, wo);
@@ -125,7 +136,9 @@ class PhotonTracer {
     if (kind_after(path, choice.rough) == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
       return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
-    if (!sample) return balance(path, frames, &EnergyBalance::absorbed);
+    const bool valid = !sample || is_finite(sample->wi);
+    if (!valid) reject(frames, material_part(scene_, *met_));
+    if (!sample || !valid) return balance(path, frames, &EnergyBalance::absorbed);
     fn(*sample, choice.rough, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance));
   }
 
@@ -142,7 +155,7 @@ class PhotonTracer {
     met_dynamic_ |= factors[0].frames != frames_;
     const auto roulette = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_finite(after);
-      if (!valid) reject(frames);
+      if (!valid) reject(frames, material_part(scene_, *met_));
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb left = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
       const double arrived = sum(before), scattered = valid ? sum(after) : arrived;
@@ -155,7 +168,7 @@ class PhotonTracer {
     return multiply(path, factors, out_.strands, ByRatio::yes, roulette);
   }
 
-  void reject(FrameSet frames) { out_.invalid += static_cast<std::uint64_t>(frames.count()); }
+  void reject(FrameSet frames, const ScenePart& giver) { out_.rejections.add(giver, frames); }
 
   /// Adds what these frames of the path carry.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
@@ -180,13 +193,14 @@ class PhotonTracer {
   FrameSet frames_;
   PhotonTrace& out_;
   PathStack<PhotonPath> stack_;
+  const RayHit* met_ = nullptr;  // where the path just now has arrived
   bool met_dynamic_ = false;
 };
 
 void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
   trace.photons.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
-  trace.paths = {}, trace.stored = {}, trace.invalid = 0;
+  trace.paths = {}, trace.stored = {}, trace.rejections = {};
   trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
 }
 
@@ -208,7 +222,7 @@ void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
   for (const PhotonTrace& trace : traces) {
     statistics.photon += trace.paths;
     statistics.photons_stored += trace.stored;
-    statistics.invalid += trace.invalid;
+    statistics.rejections += trace.rejections;
     for (std::size_t f = 0; f < statistics.energy.size(); ++f) statistics.energy[f] += trace.energy[f];
   }
 }

@@ -45,7 +45,7 @@ struct PhotonTrace {
   PathCounts paths;
   SharedCount stored;
   std::vector<EnergyBalance> energy;  // by frame
-  std::uint64_t invalid = 0;
+  Rejections rejections;
 };
 
 /// Takes the traces' counts into `statistics`.

@@ -153,6 +153,7 @@ class PhotonMapper final : public Integrator {
       path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
       path.frames = hit.frames;
       extend(path, point, *sample);
+      if (!is_valid(path, hit, scattering.material, counts)) continue;
       follow_gather_ray(path, hit, random, counts, add);
     }
   }
@@ -168,17 +169,22 @@ class PhotonMapper final : public Integrator {
       for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) continue;
         const SurfacePoint point = scene_.surface_point(part.hit);
+        if (!is_finite(point)) {
+          counts.gather.rejections.add(shape_part(part.hit), part.frames, from.pixel);
+          continue;
+        }
+        const int material = material_part(scene_, part.hit).index;
         for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
           PathState branch = path;
           branch.frames = frames;
-          end_or_follow(branch, point, bsdf, from, random, stack, counts, add);
+          end_or_follow(branch, point, bsdf, material, from, random, stack, counts, add);
         });
       }
     }
   }
 
   template <class Add>
-  void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const HitPoint& from,
+  void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, int material, const HitPoint& from,
                      const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
     const Vec3 wo = -path.ray.direction;
     const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
@@ -187,8 +193,8 @@ class PhotonMapper final : public Integrator {
       HitPoint hit = from;
       hit.p = point.p, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
       hit.throughput = path.throughput, hit.frames = path.frames;
-      const Scattering scattering{BsdfSlot::copy_of(bsdf), wo, point.p_error, choice.lobes,
-                                  bsdf.transmits(choice.lobes)};
+      const Scattering scattering{BsdfSlot::copy_of(bsdf),      wo,      point.p_error, choice.lobes,
+                                  bsdf.transmits(choice.lobes), material};
       estimate_radiance(hit, &scattering, global_, global_how_, counts.gather, add);
       return;
     }
@@ -196,7 +202,13 @@ class PhotonMapper final : public Integrator {
     const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
     if (!sample) return;
     extend(path, point, *sample);
-    if (!is_black(path.throughput) && is_finite(path.throughput)) stack.push(path);
+    if (!is_black(path.throughput) && is_valid(path, from, material, counts)) stack.push(path);
+  }
+
+  static bool is_valid(const PathState& path, const HitPoint& from, int material, TileCounts& counts) {
+    const bool valid = is_finite(path.throughput) && is_finite(path.ray);
+    if (!valid) counts.gather.rejections.add({ScenePart::Kind::material, material}, path.frames, from.pixel);
+    return valid;
   }
 
   PhotonMapSettings settings_;

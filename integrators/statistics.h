@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "integrators/rejections.h"
+
 namespace dspm {
 
 /// Work that several frames share: what was done, and what separate renders of the frames would have done.
@@ -62,7 +64,7 @@ struct Statistics {
   SharedCount photons_stored;
   SharedCount photon_tests;           // distance tests of the gather
   SharedCount photons_found;          // that passed
-  std::uint64_t invalid = 0;          // non-finite contributions that were kept out
+  Rejections rejections;              // contributions that were not finite
   std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
   std::size_t bytes = 0;              // of the integrator's own buffers, at their largest
   int photon_batches = 1;             // an iteration

@@ -157,6 +157,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       }
       WorldShape& world = shapes_.emplace_back();
       owned_.push_back(shape);
+      world.use = &use;
       world.placed.shape = shape.get();
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();

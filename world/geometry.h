@@ -17,6 +17,7 @@ struct WorldShape {
   std::vector<bool> present;  // by frame of the file
   int emitter = -1;           // which of Geometry::emitters it belongs to
   int dynamic_block = -1;     // of the description; -1: static
+  const ShapeUse* use = nullptr;
 };
 
 /// A thing that emits: the places of one part of one shape directive, with its AreaLightSource.

@@ -64,7 +64,7 @@ class LightMaker {
   std::optional<WorldLight> finish(const PluginUse& use, std::string name, const Plugin<MakeLight>& plugin,
                                    const Timeline<LightState>& states) {
     WorldLight light;
-    light.name = std::move(name);
+    light.name = std::move(name), light.use = &use;
     light.states.state_of = states.state_of;
     const int errors = diagnostics_.error_count();
     for (const LightState& state : states.states) {

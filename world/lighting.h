@@ -15,6 +15,7 @@ struct WorldLight {
   std::vector<std::vector<int>> alike;  // its states in groups whose photons start as those of the first
   bool infinite = false;
   std::string name;  // for messages
+  const PluginUse* use = nullptr;
 };
 
 /// The directives' lights, then the geometry's emitters in their order.

@@ -37,6 +37,11 @@ class Looks {
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
   /// Light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
+  /// What the text says of it in a frame of the file.
+  const PluginUse& use_of(int material, Frame frame) const {
+    const Timeline<Recipe>& recipes = look(material).recipes;
+    return *recipes.states[static_cast<std::size_t>(recipes.at(frame))].use;
+  }
   /// `material "glass"`, for messages.
   const std::string& name_of(int material) const { return look(material).name; }
 

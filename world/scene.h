@@ -62,6 +62,14 @@ struct ChosenLight {
   float probability;
 };
 
+/// What a plugin has made, for messages.
+struct ScenePart {
+  enum class Kind { camera, shape, material, light };
+  Kind kind;
+  int index = 0;  // into the scene's shapes, materials or lights
+  friend bool operator==(const ScenePart& a, const ScenePart& b) { return a.kind == b.kind && a.index == b.index; }
+};
+
 class Scene {
  public:
   std::vector<Frame> file_frames;  // frame j here is frame file_frames[j] of the file; ascending, at most kMaxFrames

@@ -10,15 +10,18 @@ namespace {
 
 constexpr float kEmptySceneRadius = 1;
 
+const CameraUse& camera_use(const SceneDescription& description) {
+  static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
+  return description.camera ? *description.camera : fallback;
+}
+
 Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
                                                     Diagnostics& diagnostics) {
   struct State {
     ParamList params;
     Matrix4 camera_from_world;
   };
-  CameraUse fallback;
-  fallback.type = "perspective";
-  const CameraUse& use = description.camera ? *description.camera : fallback;
+  const CameraUse& use = camera_use(description);
   Timeline<std::shared_ptr<const Camera>> cameras;
   const auto* plugin = camera_plugins().find(use.type, use.type_where, diagnostics);
   if (!plugin) return cameras;
@@ -91,14 +94,18 @@ struct World::Parts {
   std::vector<PlacedShape> shapes_in(const std::vector<Frame>& frames) const {
     std::vector<PlacedShape> shapes;
     const auto directives = static_cast<int>(description.lights.size());
-    for (const WorldShape& shape : geometry.shapes()) {
-      const FrameSet present = present_in(shape, frames);
-      if (present.empty()) continue;
-      PlacedShape& placed = shapes.emplace_back(shape.placed);
-      placed.frames = present;
-      placed.light = shape.emitter < 0 ? -1 : directives + shape.emitter;
+    for (const WorldShape* shape : shapes_there(frames)) {
+      PlacedShape& placed = shapes.emplace_back(shape->placed);
+      placed.frames = present_in(*shape, frames);
+      placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
     }
     return shapes;
+  }
+  std::vector<const WorldShape*> shapes_there(const std::vector<Frame>& frames) const {
+    std::vector<const WorldShape*> there;
+    for (const WorldShape& shape : geometry.shapes())
+      if (!present_in(shape, frames).empty()) there.push_back(&shape);
+    return there;
   }
 
   const SceneDescription& description;
@@ -134,6 +141,17 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   ParamReader reader(none, "accelerator", {}, ignored);
   scene->accel = parts_->accel->make(reader, scene->shapes, scene->frames());
   return scene;
+}
+
+const PluginUse& World::use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const {
+  switch (part.kind) {
+    case ScenePart::Kind::camera: break;
+    case ScenePart::Kind::material: return parts_->looks.use_of(part.index, frames[static_cast<std::size_t>(j)]);
+    case ScenePart::Kind::light: return *parts_->lights[static_cast<std::size_t>(part.index)].use;
+    case ScenePart::Kind::shape:
+      return *parts_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(part.index)]->use;
+  }
+  return camera_use(parts_->description);
 }
 
 int World::pictures_held() const { return parts_->looks.pictures_held(); }

@@ -30,6 +30,8 @@ class World {
   /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
   /// a world agree in what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
+  /// The directive that made a part of scene(frames), as frame j of it has it.
+  const PluginUse& use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const;
   /// How many pictures the textures hold of those that are made: those of this world's scenes, and what all need.
   int pictures_held() const;
   /// What the trees of that scene may take at most while it is made, in bytes: an estimate, without making it.
