@@ -63,7 +63,8 @@ class RoundBox final : public Shape {
     SurfacePoint point;
     const DoubleVec3 p = direction * low, n = normal(p);
     point.p = narrow(p);
-    point.p_error = Vec3(static_cast<float>(1e-6 * reach_));
+    const auto error = static_cast<float>(1e-6 * reach_);
+    point.p_error = {error, error, error};
     point.ng = point.ns = narrow(n);
     point.dpdu = Basis::around(point.ng).x;
     point.uv = uv;
