@@ -18,6 +18,7 @@
 #include "app/signals.h"
 #include "app/standard_streams.h"
 #include "app/watch.h"
+#include "app/write_faults.h"
 #include "core/atomic_file.h"
 #include "core/parallel.h"
 #include "world/world.h"
@@ -55,6 +56,12 @@ class WriteSchedule {
   Clock::time_point last_ = Clock::now();
 };
 
+void write_report(const Job& job, const RunReport& report, const Options& options) {
+  if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
+  if (options.stats == "-") print_data(json_of(job, report));
+  if (options.stats_in_file()) write_file(options.stats, json_of(job, report));
+}
+
 /// A render: the world's frames through the integrator into files.
 class Run {
  public:
@@ -65,7 +72,8 @@ class Run {
         memory_(memory),
         messages_(messages),
         watch_(watch),
-        output_(job, options),
+        faults_(messages),
+        output_(job, options, messages),
         intervals_(memory.plan(job, world, output_.bytes_while_writing(), messages)) {
     report_.threads = thread_count();
   }
@@ -73,7 +81,8 @@ class Run {
   /// All intervals, or until a signal came.
   RunReport render();
   const std::vector<FrameList>& intervals() const { return intervals_; }
-  void finish_video() { output_.finish_video(); }
+  /// The statistics and the video. Whether all files are written.
+  bool finish(const RunReport& report);
 
  private:
   void render_interval(std::size_t index);
@@ -94,9 +103,10 @@ class Run {
   const MemoryBound& memory_;
   Messages& messages_;
   Watch& watch_;
+  WriteFaults faults_;
   Output output_;
   std::vector<FrameList> intervals_;
-  std::set<Frame> written_;  // those that have images
+  std::set<Frame> written_;  // those that have images, as far as files can be written
   RunReport report_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_ = Clock::now();
@@ -106,7 +116,7 @@ RunReport Run::render() {
   for (std::size_t i = 0; i < intervals_.size() && InterruptRequests::signal() == 0; ++i) render_interval(i);
   progress_.reset();
   report_.seconds = seconds_since(begin_);
-  report_.exit_code = InterruptRequests::exit_code(0);
+  report_.exit_code = InterruptRequests::exit_code(faults_.any() ? 1 : 0);
   say_end();
   return report_;
 }
@@ -154,9 +164,11 @@ void Run::iterate(Integrator& integrator, const FrameList& frames, int iteration
 
 void Run::say_end() {
   const std::size_t left = job_.frames.size() - written_.size();
-  const std::string what = report_.exit_code != 0 ? "interrupted" : "done";
+  const std::string what = InterruptRequests::signal() != 0 ? "interrupted" : "done";
   const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
   if (written_.empty()) return messages_.say("{} before the first iteration; nothing was written", what);
+  if (faults_.any())
+    return messages_.say("{} after {}, but not all could be written{}", what, readable_time(report_.seconds), missing);
   const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
   messages_.say("{} after {}: {}{}{}", what, readable_time(report_.seconds), output_.name(*written_.begin()).string(),
                 last, missing);
@@ -180,25 +192,42 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
   watch_.begin("writing the images", "");
   const Statistics statistics = integrator.statistics();
   tell(statistics.rejections, world_, interval, job_, messages_);
+  faults_.retry();
   for (std::size_t j = 0; j < interval.size(); ++j) {
-    Image image = integrator.estimate(static_cast<Frame>(j));
-    black_out_invalid(image, interval[j], job_, messages_);
-    if (last) output_.add_to_video(image);
-    output_.write(interval[j], std::move(image), statistics.iterations, statistics.photon.paths, seconds_since(begin));
+    const Frame frame = interval[j];
+    const std::filesystem::path name = output_.name(frame);
+    const auto image = std::make_shared<Image>();
+    const auto estimate = [&] {
+      *image = integrator.estimate(static_cast<Frame>(j));
+      black_out_invalid(*image, frame, job_, messages_);
+      if (last) output_.add_to_video(*image);
+    };
+    const auto write_image = [this, frame, image, iterations = statistics.iterations, photons = statistics.photon.paths,
+                              seconds = seconds_since(begin)] {
+      output_.write(frame, *image, iterations, photons, seconds);
+    };
+    // Later there is nobody to ask for the last images.
+    const bool keep = last && options_.memory == 0;
+    if (faults_.attempt(name, estimate))
+      faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
   }
-  output_.write_contact_sheet();
+  faults_.attempt(options_.contact_sheet, [&] { output_.write_contact_sheet(); });
+  faults_.tell();
   written_.insert(interval.begin(), interval.end());
+}
+
+bool Run::finish(const RunReport& report) {
+  faults_.retry();
+  faults_.attempt(options_.stats == "-" ? "standard output" : options_.stats,
+                  [&] { write_report(job_, report, options_); });
+  faults_.attempt(options_.video, [&] { output_.finish_video(); });
+  faults_.tell_end();
+  return !faults_.any();
 }
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {
   for (const FrameList& interval : intervals)
     for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
-}
-
-void write_report(const Job& job, const RunReport& report, const Options& options) {
-  if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
-  if (options.stats == "-") print_data(json_of(job, report));
-  if (options.stats_in_file()) write_file(options.stats, json_of(job, report));
 }
 
 }  // namespace
@@ -214,9 +243,7 @@ int render_scene(const Options& options) {
   Run run(loaded.job, *loaded.world, options, memory, messages, watch);
   if (options.explain) explain(*loaded.world, run.intervals());
   const RunReport report = run.render();
-  write_report(loaded.job, report, options);
-  run.finish_video();
-  return InterruptRequests::exit_code(report.exit_code);
+  return InterruptRequests::exit_code(run.finish(report) ? 0 : 1);
 }
 
 int check_scene(const Options& options) {

@@ -10,4 +10,10 @@ void Messages::show(const Diagnostics& diagnostics) {
   }
 }
 
+void Messages::warn(std::string message, std::string hint) {
+  Diagnostics diagnostics;
+  diagnostics.warning({}, std::move(message), std::move(hint));
+  show(diagnostics);
+}
+
 }  // namespace dspm

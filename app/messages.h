@@ -18,6 +18,8 @@ class Messages {
 
   /// Warnings and, unless quiet, notes; each once. Errors are left to throw_if_errors.
   void show(const Diagnostics& diagnostics);
+  /// A warning of no place in a scene.
+  void warn(std::string message, std::string hint = {});
 
   template <class... Values>
   void say(fmt::format_string<Values...> format, Values&&... values) const {

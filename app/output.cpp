@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "app/signals.h"
+#include "app/trial_writes.h"
 #include "core/atomic_file.h"
 #include "core/version.h"
 #include "film/image_name.h"
@@ -17,24 +18,32 @@ namespace {
 
 constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
-/// Makes and removes a file in the same directory.
-void expect_writable(const std::filesystem::path& path) { const AtomicFile trial(path); }
+/// No file may take another one's place, the scenes' neither.
+void expect_all_distinct(const std::vector<NamedFile>& written, const Options& options) {
+  std::vector<NamedFile> files;
+  for (const std::string& scene : options.scenes)
+    if (scene != "-") files.push_back({scene, "the scene"});
+  files.insert(files.end(), written.begin(), written.end());
+  if (!options.video.empty()) files.push_back({options.video, "the video"});
+  expect_distinct(files);
+}
+
+std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const NamedFile& file : files) paths.push_back(file.path);
+  return paths;
+}
 
 }  // namespace
 
-Output::Output(const Job& job, const Options& options)
+Output::Output(const Job& job, const Options& options, Messages& messages)
     : job_(job), png_(options.png), sheet_path_(options.contact_sheet), sheet_places_(job) {
-  expect_distinct(files(options));
-  const auto longest = std::max_element(job.frames.begin(), job.frames.end(), [&](Frame a, Frame b) {
-    return name(a).string().size() < name(b).string().size();  // names may be too long
-  });
-  expect_writable(name(*longest));
-  if (options.stats_in_file()) expect_writable(options.stats);
+  const std::vector<NamedFile> written = files(options);
+  expect_all_distinct(written, options);
+  try_writes(paths_of(written));
+  warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
-  if (!sheet_path_.empty()) {
-    expect_writable(sheet_path_);
-    sheet_.emplace(sheet_places_.layout(width, height));
-  }
+  if (!sheet_path_.empty()) sheet_.emplace(sheet_places_.layout(width, height));
   const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
                                 job.description->frames.combination_of(job.frames.back());
   if (!options.video.empty() && !is_one_variation)
@@ -46,19 +55,31 @@ Output::Output(const Job& job, const Options& options)
 
 std::vector<NamedFile> Output::files(const Options& options) const {
   std::vector<NamedFile> files;
-  for (const std::string& scene : options.scenes)
-    if (scene != "-") files.push_back({scene, "the scene"});
   for (const Frame frame : job_.frames) {
     const std::string whose =
         job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
-    files.push_back({name(frame), whose + "image"});
-    std::filesystem::path png = name(frame).replace_extension(".png");
-    if (png_ && png != name(frame)) files.push_back({std::move(png), whose + "PNG"});
+    const char* what = "image";
+    for (const std::filesystem::path& path : image_files(frame))
+      files.push_back({path, whose + std::exchange(what, "PNG")});
   }
   if (options.stats_in_file()) files.push_back({options.stats, "the statistics"});
   if (!options.contact_sheet.empty()) files.push_back({options.contact_sheet, "the contact sheet"});
-  if (!options.video.empty()) files.push_back({options.video, "the video"});
   return files;
+}
+
+std::vector<std::filesystem::path> Output::image_files(Frame frame) const {
+  std::filesystem::path image = name(frame), png = image;
+  png.replace_extension(".png");
+  if (png_ && png != image) return {image, png};
+  return {image};
+}
+
+std::uint64_t Output::bytes_on_disk() const {
+  constexpr std::uint64_t kBytes = 3;  // a pixel of a PNG; other images have two or four for each of them
+  std::uint64_t a_pixel = 0;
+  for (const std::filesystem::path& file : image_files(job_.frames.front()))
+    a_pixel += file.extension() == ".png" ? kBytes : kBytes * (job_.film.save_half ? 2 : 4);
+  return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
 }
 
 std::filesystem::path Output::name(Frame frame) const {
@@ -67,8 +88,8 @@ std::filesystem::path Output::name(Frame frame) const {
 }
 
 std::size_t Output::bytes_while_writing() const {
-  // The image, a copy, both in the file's form, and the file; for the sheet only the latter.
-  constexpr std::size_t kImages = 5;
+  // The image, two copies, the last in the file's form, and the file as it grows; for the sheet only the latter.
+  constexpr std::size_t kImages = 6;
   const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
   return (kImages * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
 }
@@ -95,11 +116,14 @@ void Output::write(Frame frame, Image image, int iterations, std::uint64_t photo
   header.integers["iterations"] = iterations;
   header.numbers["photons"] = static_cast<double>(photons);
   header.numbers["seconds"] = seconds;
-  std::filesystem::path path = name(frame);
   if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
-  write_image(path, image, job_.film, header, kToneMap);
-  if (png_ && path.extension() != ".png")
-    write_image(path.replace_extension(".png"), std::move(image), job_.film, header, kToneMap);
+  std::exception_ptr failure;
+  for (const std::filesystem::path& file : image_files(frame)) try {
+      write_image(file, image, job_.film, header, kToneMap);
+    } catch (const WriteError&) {
+      failure = std::current_exception();
+    }
+  if (failure) std::rethrow_exception(failure);
 }
 
 void Output::write_contact_sheet() const {

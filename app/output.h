@@ -7,6 +7,7 @@
 
 #include "app/distinct_files.h"
 #include "app/job.h"
+#include "app/messages.h"
 #include "app/sheet_places.h"
 #include "film/video.h"
 #include "image/exr.h"
@@ -15,25 +16,31 @@ namespace dspm {
 
 class Output {
  public:
-  /// Throws where a file cannot be written later: before rendering is the time to learn it.
-  Output(const Job& job, const Options& options);
+  /// Throws WriteError where a file cannot be written, and warns where there may be too little room for all of them:
+  /// before rendering is the time to learn it.
+  Output(const Job& job, const Options& options, Messages& messages);
 
   /// Where the image of a frame of the file goes.
   std::filesystem::path name(Frame frame) const;
   /// What writing takes in memory, at most.
   std::size_t bytes_while_writing() const;
-  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one.
+  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one. Throws WriteError, but tries
+  /// its PNG all the same.
   void write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;
   /// To the video, where one was asked for: an image of every frame, one after the other.
   void add_to_video(Image image);
-  /// The video with what was added. Throws std::runtime_error where it cannot be made.
+  /// The video with what was added. Throws WriteError where it cannot be made.
   void finish_video();
 
  private:
-  /// All that the run reads and writes.
+  /// All that the run writes, but for the video.
   std::vector<NamedFile> files(const Options& options) const;
+  /// A frame's image, and its PNG where that is another file.
+  std::vector<std::filesystem::path> image_files(Frame frame) const;
+  /// What all images take on the disk, uncompressed.
+  std::uint64_t bytes_on_disk() const;
   ExrHeader header(Frame frame) const;
 
   const Job& job_;

@@ -6,9 +6,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <stdexcept>
-#include <string>
 #include <system_error>
+
+#include "core/atomic_file.h"
 
 namespace dspm {
 namespace {
@@ -29,7 +29,7 @@ void prepare_standard_streams() {
 
 void print_data(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size() || std::fflush(stdout) != 0)
-    throw std::runtime_error("cannot write to standard output: " + std::generic_category().message(errno));
+    throw WriteError("standard output", std::generic_category().message(errno));
 }
 
 void print_message(std::string_view text) {

@@ -9,7 +9,7 @@ namespace dspm {
 /// limit on the size of files are errors of writing, where they would end the program.
 void prepare_standard_streams();
 
-/// To standard output. Throws std::runtime_error where not all of it can be written.
+/// To standard output. Throws WriteError where not all of it can be written.
 void print_data(std::string_view text);
 /// To standard error. What cannot be shown ends nothing: a render is worth more than its messages.
 void print_message(std::string_view text);

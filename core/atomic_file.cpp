@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -37,15 +36,17 @@ fs::path file_behind(const fs::path& target) {
   return file;
 }
 
+WriteError::WriteError(const fs::path& file, std::string cause)
+    : std::runtime_error("cannot write " + file.string() + ": " + cause), cause_(std::move(cause)) {}
+
 AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(file_behind(target)) {
   std::error_code ignored;
   const fs::path directory = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  if (!fs::is_directory(directory, ignored)) {
-    throw std::runtime_error("cannot write " + shown_.string() + ": there is no directory " + directory.string());
-  }
-  if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
-    throw std::runtime_error("cannot write " + shown_.string() + ": it is not a regular file");
-  }
+  if (!fs::is_directory(directory, ignored)) throw WriteError(shown_, "there is no directory " + directory.string());
+  const bool exists = fs::exists(target_, ignored);
+  if (exists && !fs::is_regular_file(target_, ignored)) throw WriteError(shown_, "it is not a regular file");
+  // Another file could take its place all the same; but who protects a file wants to keep it.
+  if (exists && faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   if (fs::is_symlink(target_, ignored)) fail(ELOOP);
   temporary_ = temporary_name(target_);
   descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -66,16 +67,18 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::sync() {
   if (fsync(descriptor_) != 0) fail(errno);
+}
+
+void AtomicFile::commit() {
+  sync();
   if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
 }
 
-void AtomicFile::fail(int error) const {
-  throw std::runtime_error("cannot write " + shown_.string() + ": " + std::generic_category().message(error));
-}
+void AtomicFile::fail(int error) const { throw WriteError(shown_, std::generic_category().message(error)); }
 
 void write_file(const fs::path& target, std::string_view bytes) {
   AtomicFile file(target);

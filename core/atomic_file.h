@@ -4,16 +4,29 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "core/sudden_end.h"
 
 namespace dspm {
 
-/// Errors are std::runtime_error and name the target and the cause.
+/// A file that cannot be written: what() names it and the cause.
+class WriteError : public std::runtime_error {
+ public:
+  WriteError(const std::filesystem::path& file, std::string cause);
+  /// "No space left on device", and perhaps a way out.
+  const std::string& cause() const { return cause_; }
+
+ private:
+  std::string cause_;
+};
+
+/// Errors are WriteErrors.
 class AtomicFile {
  public:
-  /// The directory must exist. The target may not be a directory or a device; a symbolic link stays one.
+  /// The directory must exist. The target may not be a directory, a device or write-protected; a symbolic link stays one.
   explicit AtomicFile(const std::filesystem::path& target);
   /// Without commit() nothing is left.
   ~AtomicFile();
@@ -23,7 +36,9 @@ class AtomicFile {
   void write(std::string_view bytes);
   /// The file until commit(), for another program that writes it.
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Brings everything to the disk and puts it into the target's place.
+  /// Brings what was written to the disk: some learn only then that there is no room.
+  void sync();
+  /// Likewise everything, and puts it into the target's place.
   void commit();
 
  private:

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -94,20 +93,16 @@ std::unique_ptr<Video::Encoder> Video::encoder(ChildProcess::GiveUp give_up) con
     return std::make_unique<Encoder>(path_, format_, std::move(give_up));
   } catch (const std::system_error& error) {
     const bool missing = error.code() == std::errc::no_such_file_or_directory;
-    throw std::runtime_error(
-        missing ? fmt::format("cannot write {}: a video takes the program ffmpeg, and there is none; install it, or "
-                              "leave out the video",
-                              path_.string())
-                : fmt::format("cannot write {}: the program ffmpeg cannot be run ({}); mend it, or leave out the video",
-                              path_.string(), error.code().message()));
+    throw WriteError(path_,
+                     missing ? "a video takes the program ffmpeg, and there is none; install it, or leave out the video"
+                             : fmt::format("the program ffmpeg cannot be run ({}); mend it, or leave out the video",
+                                           error.code().message()));
   }
 }
 
 void Video::end(Encoder& encoder) {
   const int code = encoder.ffmpeg.wait();
-  const auto fail = [&](const std::string& how) {
-    throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), how));
-  };
+  const auto fail = [&](const std::string& how) { throw WriteError(path_, how); };
   const std::string& said = encoder.ffmpeg.errors();
   if (encoder.ffmpeg.was_given_up()) fail("interrupted while ffmpeg was at work");
   if (code != 0)

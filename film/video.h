@@ -25,13 +25,13 @@ class Video {
   /// Whether the user wants an end. Then nobody waits long for an ffmpeg that does not move.
   using EndWanted = std::function<bool()>;
 
-  /// Tries ffmpeg on a black image. Throws std::runtime_error where there is none, where it fails, or where the file
+  /// Tries ffmpeg on a black image. Throws WriteError where there is none, where it fails, or where the file
   /// cannot be written: all of that is better known before rendering.
   Video(std::filesystem::path path, const VideoFormat& format, EndWanted end_wanted = {});
 
   /// The next image, which has been tone mapped. Errors are told by finish().
   void add(const Image& shown);
-  /// Writes the file with the images so far; without any, there is none. Throws std::runtime_error.
+  /// Writes the file with the images so far; without any, there is none. Throws WriteError.
   void finish();
 
  private:

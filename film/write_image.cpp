@@ -1,9 +1,8 @@
 #include "film/write_image.h"
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "core/atomic_file.h"
 #include "image/png.h"
 
 namespace dspm {
@@ -13,7 +12,7 @@ void write_image(const std::filesystem::path& path, Image image, const FilmSetti
   for (Rgb& pixel : image.pixels) pixel = limited(pixel, film.max_component);
   if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
   if (path.extension() != ".exr") {
-    throw std::runtime_error("cannot write " + path.string() + ": images are .exr or .png files");
+    throw WriteError(path, "images are .exr or .png files");
   }
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;

@@ -218,8 +218,10 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrH
   try {
     if (image.empty()) throw std::runtime_error("the image has no pixels");
     bytes = encode(image, header, pixels);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error("cannot write " + path.string() + ": " + error.what());
+    throw WriteError(path, error.what());
   }
   write_file(path, bytes);
 }

@@ -107,7 +107,7 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&header, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
-    throw std::runtime_error("cannot write " + path.string() + ": " + header.message);
+    throw WriteError(path, header.message);
   }
   write_file(path, std::string_view(bytes).substr(0, size));
 }

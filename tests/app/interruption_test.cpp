@@ -32,11 +32,7 @@ TEST(Interruption, TheSecondCtrlCEndsAtOnce) {
   const TinyDirectory directory;
   // One iteration takes long: many photons.
   const Process process(directory, {"tiny.dsc", "--iterations", "0", "--photons", "500000000", "-t", "1"});
-  std::string said;
-  for (int i = 0; i < 3000 && said.find("memory") == said.npos; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    said = contents(directory / "err.txt");
-  }
+  ASSERT_TRUE(says(directory, "memory"));
   process.send(SIGINT);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   process.send(SIGINT);

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,15 +27,24 @@ struct Outcome {
 /// A run of the program in `directory`; standard input is the file "input" there, or empty.
 class Process {
  public:
-  /// Standard output and standard error go to these files; empty: they are closed.
+  /// Standard output and standard error go to these files; empty: they are closed. `prepare` is called in the process
+  /// that is to become dspm.
   Process(const TemporaryDirectory& directory, const std::vector<std::string>& arguments,
-          const std::string& out = "out.txt", const std::string& err = "err.txt")
+          const std::string& out = "out.txt", const std::string& err = "err.txt",
+          const std::function<void()>& prepare = {})
       : directory_(directory), out_(out), err_(err) {
     child_ = fork();
-    if (child_ == 0) become(arguments);
+    if (child_ == 0) become(arguments, prepare);
   }
 
   void send(int signal) const { kill(child_, signal); }
+  /// A limit of the running process, "soft".
+  void limit(__rlimit_resource resource, rlim_t value) const {
+    rlimit limits{};
+    prlimit(child_, resource, nullptr, &limits);
+    limits.rlim_cur = value;
+    prlimit(child_, resource, &limits, nullptr);
+  }
 
   Outcome wait() const {
     int status = 0;
@@ -46,7 +56,7 @@ class Process {
   }
 
  private:
-  [[noreturn]] void become(const std::vector<std::string>& arguments) const {
+  [[noreturn]] void become(const std::vector<std::string>& arguments, const std::function<void()>& prepare) const {
     if (chdir((directory_ / "").c_str()) != 0) _exit(126);
     redirect(std::filesystem::exists("input") ? "input" : "/dev/null", O_RDONLY, 0);
     redirect(out_, O_WRONLY | O_CREAT | O_TRUNC, 1);
@@ -54,6 +64,7 @@ class Process {
     std::vector<char*> words{const_cast<char*>(DSPM_BINARY)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
+    if (prepare) prepare();
     execv(DSPM_BINARY, words.data());
     _exit(127);
   }
@@ -77,10 +88,16 @@ inline Outcome run(const TemporaryDirectory& directory, const std::vector<std::s
 }
 
 /// Within half a minute.
+inline bool comes_true(const std::function<bool()>& condition) {
+  for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return condition();
+}
 inline bool appears(const std::filesystem::path& path) {
-  for (int i = 0; i < 3000 && !std::filesystem::exists(path); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return std::filesystem::exists(path);
+  return comes_true([&] { return std::filesystem::exists(path); });
+}
+/// On standard error.
+inline bool says(const TemporaryDirectory& directory, const std::string& words) {
+  return comes_true([&] { return contents(directory / "err.txt").find(words) != std::string::npos; });
 }
 
 /// Three frames of 12 x 8 pixels: a ball that moves under a spherical lamp.

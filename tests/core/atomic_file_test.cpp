@@ -90,6 +90,17 @@ TEST(AtomicFile, ErrorsNameTheFileAndTheCause) {
   EXPECT_EQ(directory.file_count(), 0);
 }
 
+TEST(AtomicFile, TheCauseIsKnownByItself) {
+  const TemporaryDirectory directory;
+  try {
+    write_file(directory / "nowhere/a.txt", "text");
+    FAIL();
+  } catch (const WriteError& error) {
+    EXPECT_EQ(error.cause(), "there is no directory " + (directory / "nowhere").string());
+    EXPECT_EQ(error.what(), "cannot write " + (directory / "nowhere/a.txt").string() + ": " + error.cause());
+  }
+}
+
 /// A disk that is full, played by a limit on the size of files.
 TEST(AtomicFile, AFullDiskLeavesTheOldFile) {
   const TemporaryDirectory directory;
