@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "app/memory_bound.h"
 #include "app/messages.h"
 #include "app/not_finite.h"
+#include "app/out_of_memory.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run_report.h"
@@ -147,17 +149,22 @@ void Run::render_interval(std::size_t index) {
     watch_.begin(fmt::format("iteration {}", done + 1), in_words("integrator", job_.integrator));
     iterate(*integrator, frames, done++, begin);
     progress_->step(static_cast<int>(index), done);
-    if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false);
+    if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false), faults_.tell();
   }
   if (done > 0) write(frames, *integrator, begin, true);
+  if (index + 1 < intervals_.size()) faults_.tell();
   report_.add(integrator->statistics(), frames);
 }
 
 void Run::iterate(Integrator& integrator, const FrameList& frames, int iteration, Clock::time_point begin) {
+  constexpr std::size_t kLibraries = 1 << 20;  // what OpenEXR and zlib take besides
   try {
-    integrator.iterate(iteration);
+    // Address space only. It is free again in the catch clause, so that images are written even where memory ends.
+    const std::unique_ptr<char[]> reserve(new (std::nothrow) char[output_.bytes_while_writing() + kLibraries]);
+    naming_memory_step(watch_, [&] { integrator.iterate(iteration); });
   } catch (...) {
     if (iteration > 0) write(frames, integrator, begin, false);
+    faults_.tell_end();
     throw;
   }
 }
@@ -212,7 +219,6 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
       faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
   }
   faults_.attempt(options_.contact_sheet, [&] { output_.write_contact_sheet(); });
-  faults_.tell();
   written_.insert(interval.begin(), interval.end());
 }
 
@@ -230,36 +236,39 @@ void explain(const World& world, const std::vector<FrameList>& intervals) {
     for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
 }
 
+/// Calls task(run, loaded scene, messages) once all is ready. `step`: what comes before.
+template <class Task>
+int with_run(const Options& options, const char* step, const Task& task) {
+  const ThreadLimit threads(options.threads);
+  Messages messages(options.quiet);
+  MemoryBound memory(options.memory);
+  Watch watch(options.patience);
+  watch.begin(step, "");
+  return naming_memory_step(watch, [&] {
+    const LoadedScene loaded(options, messages);
+    const InterruptRequests interrupts;
+    Run run(loaded.job, *loaded.world, options, memory, messages, watch);
+    if (options.explain) explain(*loaded.world, run.intervals());
+    return task(run, loaded, messages);
+  });
+}
+
 }  // namespace
 
 int render_scene(const Options& options) {
-  const ThreadLimit threads(options.threads);
-  Messages messages(options.quiet);
-  MemoryBound memory(options.memory);
-  Watch watch(options.patience);
-  watch.begin("reading the scene", "");
-  const LoadedScene loaded(options, messages);
-  const InterruptRequests interrupts;
-  Run run(loaded.job, *loaded.world, options, memory, messages, watch);
-  if (options.explain) explain(*loaded.world, run.intervals());
-  const RunReport report = run.render();
-  return InterruptRequests::exit_code(run.finish(report) ? 0 : 1);
+  return with_run(options, "reading the scene", [](Run& run, const LoadedScene&, Messages&) {
+    const RunReport report = run.render();
+    return InterruptRequests::exit_code(run.finish(report) ? 0 : 1);
+  });
 }
 
 int check_scene(const Options& options) {
-  const ThreadLimit threads(options.threads);
-  Messages messages(options.quiet);
-  MemoryBound memory(options.memory);
-  Watch watch(options.patience);
-  watch.begin("checking the scene", "");
-  const LoadedScene loaded(options, messages);
-  const InterruptRequests interrupts;
-  const Run run(loaded.job, *loaded.world, options, memory, messages, watch);
-  if (options.explain) explain(*loaded.world, run.intervals());
-  const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
-  make_integrator(loaded.job, *scene, messages);
-  messages.say("scene ok: {}", summary_of(loaded));
-  return 0;
+  return with_run(options, "checking the scene", [](Run&, const LoadedScene& loaded, Messages& messages) {
+    const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
+    make_integrator(loaded.job, *scene, messages);
+    messages.say("scene ok: {}", summary_of(loaded));
+    return 0;
+  });
 }
 
 }  // namespace dspm

@@ -129,13 +129,20 @@ void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_int
   sum.bytes = std::max(sum.bytes, interval.bytes);
 }
 
-std::size_t peak_memory() {
-  // getrusage counts what the process was before it became dspm as well: a large parent's copy.
+namespace {
+
+/// getrusage counts what the process was before it became dspm as well: a large parent's copy.
+std::size_t kernels_account(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
-    if (std::size_t kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+    if (std::size_t kilobytes = 0; word == name && status >> kilobytes) return 1024 * kilobytes;
   return 0;
 }
+
+}  // namespace
+
+std::size_t peak_memory() { return kernels_account("VmHWM:"); }
+std::size_t peak_address_space() { return kernels_account("VmPeak:"); }
 
 std::string readable_bytes(std::size_t bytes) {
   const auto count = static_cast<double>(bytes);

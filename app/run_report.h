@@ -26,6 +26,8 @@ struct RunReport {
 
 /// The largest memory of this process so far, in bytes.
 std::size_t peak_memory();
+/// Likewise of its address space: also what is reserved and not used.
+std::size_t peak_address_space();
 /// "678.2 MB", "12.3 KB"
 std::string readable_bytes(std::size_t bytes);
 

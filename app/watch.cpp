@@ -2,18 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <system_error>
+
 #include "app/catalogue.h"
 #include "app/progress.h"
 #include "app/standard_streams.h"
 #include "modules/blame.h"
 
 namespace dspm {
+namespace {
+
+template <class Body>
+std::thread started(const Body& body) {
+  try {
+    return std::thread(body);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(
+        fmt::format("no thread can be started ({}): too little memory (ulimit -v), or too many processes (ulimit -u)",
+                    error.code().message()));
+  }
+}
+
+}  // namespace
 
 Watch::Watch(double patience)
     : patience_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience))),
       begin_(Clock::now()),
       next_(begin_ + patience_),
-      thread_([this] { run(); }) {}
+      thread_(started([this] { run(); })) {}
 
 Watch::~Watch() {
   {

@@ -11,7 +11,7 @@ namespace dspm {
 
 class Watch {
  public:
-  /// A step may take `patience` seconds; then it is told, and again after twice the time, and so on.
+  /// Throws std::runtime_error where it finds no thread for itself. A step may take `patience` seconds; then it is told, and again after twice the time, and so on.
   explicit Watch(double patience);
   ~Watch();
   Watch(const Watch&) = delete;
@@ -19,6 +19,7 @@ class Watch {
 
   /// A new step begins: "iteration 3". `own`: who does it where no module is found at work; may be empty.
   void begin(std::string step, std::string own);
+  std::string step() const { return step_; }
 
  private:
   using Clock = std::chrono::steady_clock;

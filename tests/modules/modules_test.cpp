@@ -154,6 +154,25 @@ TEST(Modules, WhatOneThrowsIsItsErrorAndImagesAreKept) {
   expect_paintings(directory);
 }
 
+TEST(Modules, OneThatTakesAllMemoryIsNamedAndImagesAreKept) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes more address space than there is";
+#endif
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"hoard\""));
+  const Outcome outcome =
+      Process(directory, {"--plugin", module_file("mischief"), "tiny.dsc"}, "out.txt", "err.txt", [] {
+        const rlimit limit{300'000'000, 300'000'000};
+        setrlimit(RLIMIT_AS, &limit);
+      }).wait();
+  EXPECT_EQ(outcome.code, 1);
+  expect_contains(
+      outcome.err,
+      "out of memory: iteration 3 (in integrator \"mischief\" of libmischief.so) needs more than there is, after ");
+  expect_contains(outcome.err, " of the 300.0 MB that ulimit -v allows");
+  expect_paintings(directory);
+}
+
 TEST(Modules, WhatAFactoryThrowsIsItsErrorToo) {
   const TinyDirectory directory;
   put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"refuse\""));

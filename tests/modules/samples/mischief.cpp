@@ -1,6 +1,8 @@
 // An integrator that does what a bad one may do; without a mood it paints every frame in its own grey.
+#include <list>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "modules/module.h"
 
@@ -17,6 +19,7 @@ class Mischief final : public Integrator {
   void iterate(int iteration) override {
     if (iteration == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
     if (iteration == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
+    if (iteration == 2 && mood_ == "hoard") hoard();
     ++statistics_.iterations;
   }
   Image estimate(Frame frame) const override {
@@ -28,13 +31,22 @@ class Mischief final : public Integrator {
   Statistics statistics() const override { return statistics_; }
 
  private:
+  /// All memory that a process with a limit may have.
+  void hoard() {
+    constexpr std::size_t kPiece = 1 << 18, kUnlimited = 1 << 12;
+    while (hoard_.size() < kUnlimited) hoard_.emplace_back(kPiece);
+    throw std::logic_error("a test for processes with a limit");
+  }
+
   std::string mood_;
   RenderSettings render_;
   Statistics statistics_;
+  std::list<std::vector<char>> hoard_;
 };
 
 std::unique_ptr<Integrator> make_mischief(ParamReader& params, const Scene&, const RenderSettings& render) {
-  const std::string mood = params.choice("mood", "good", {"good", "throw", "refuse", "hang", "nan"}, "what it does");
+  const std::string mood =
+      params.choice("mood", "good", {"good", "throw", "refuse", "hang", "nan", "hoard"}, "what it does");
   params.finish();
   if (mood == "refuse") throw std::runtime_error("not today");
   return std::make_unique<Mischief>(mood, render);

@@ -1,0 +1,26 @@
+#include "app/out_of_memory.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "app/catalogue.h"
+#include "app/run_report.h"
+#include "modules/blame.h"
+
+namespace dspm {
+
+std::string out_of_memory(const std::string& step) {
+  rlimit limit{};
+  const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  const std::string taken = limited ? fmt::format("{} of the {} that ulimit -v allows",
+                                                  readable_bytes(peak_address_space()), readable_bytes(limit.rlim_cur))
+                                    : readable_bytes(peak_memory());
+  const LoadedModule* const module = module_that_threw();
+  const std::string who = module != nullptr ? fmt::format("{} (in {})", step, in_words(*module)) : step;
+  return fmt::format(
+      "out of memory: {} needs more than there is, after {} were taken; --memory with what there is makes a run fit or "
+      "says what it takes, and a smaller image, fewer photons or fewer frames (--frames) take less",
+      who, taken);
+}
+
+}  // namespace dspm
