@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/catalogue.h"
+#include "app/checkpoints.h"
 #include "app/frame_intervals.h"
 #include "app/job.h"
 #include "app/load.h"
@@ -21,7 +22,9 @@
 #include "app/standard_streams.h"
 #include "app/watch.h"
 #include "app/write_faults.h"
+#include "app/write_schedule.h"
 #include "core/atomic_file.h"
+#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "world/world.h"
 
@@ -41,23 +44,6 @@ std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, 
   return integrator;
 }
 
-/// When the images are to be written between iterations.
-class WriteSchedule {
- public:
-  explicit WriteSchedule(const Interval& every) : every_(every) {}
-  /// After that many iterations; the clock starts anew where it says yes.
-  bool due(int iterations) {
-    const bool yes = (every_.iterations > 0 && iterations % every_.iterations == 0) ||
-                     (every_.seconds > 0 && seconds_since(last_) >= every_.seconds);
-    if (yes) last_ = Clock::now();
-    return yes;
-  }
-
- private:
-  Interval every_;
-  Clock::time_point last_ = Clock::now();
-};
-
 void write_report(const Job& job, const RunReport& report, const Options& options) {
   if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
   if (options.stats == "-") print_data(json_of(job, report));
@@ -76,7 +62,9 @@ class Run {
         watch_(watch),
         faults_(messages),
         output_(job, options, messages),
-        intervals_(memory.plan(job, world, output_.bytes_while_writing(), messages)) {
+        checkpoints_(job, options, messages),
+        intervals_(memory.plan(job, world, output_.bytes_while_writing(), checkpoints_.intervals(), messages)),
+        seconds_before_(checkpoints_.seconds()) {
     report_.threads = thread_count();
   }
 
@@ -88,16 +76,19 @@ class Run {
 
  private:
   void render_interval(std::size_t index);
-  /// Where it throws, the images so far are written; they may hold a part of that iteration.
-  void iterate(Integrator& integrator, const FrameList& frames, int iteration, Clock::time_point begin);
+  /// Where it throws, the images so far are written; they may hold a part of that iteration. False: it was given up.
+  bool iterate(Integrator& integrator, const FrameList& frames, int iteration);
   void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The images of the interval's frames; the last ones go to the video, too.
-  void write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last);
+  void write(const FrameList& interval, const Integrator& integrator, bool last);
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
   }
+
+  /// That its frames have taken so far.
+  double seconds_of_interval() const { return interval_seconds_ + seconds_since(interval_begin_); }
 
   const Job& job_;
   const World& world_;
@@ -107,7 +98,11 @@ class Run {
   Watch& watch_;
   WriteFaults faults_;
   Output output_;
+  Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
+  double seconds_before_;        // of the run that is resumed
+  double interval_seconds_ = 0;  // of the interval, in runs before this one
+  Clock::time_point interval_begin_;
   std::set<Frame> written_;  // those that have images, as far as files can be written
   RunReport report_;
   std::unique_ptr<Progress> progress_;
@@ -117,7 +112,7 @@ class Run {
 RunReport Run::render() {
   for (std::size_t i = 0; i < intervals_.size() && InterruptRequests::signal() == 0; ++i) render_interval(i);
   progress_.reset();
-  report_.seconds = seconds_since(begin_);
+  report_.seconds = seconds_before_ + seconds_since(begin_);
   report_.exit_code = InterruptRequests::exit_code(faults_.any() ? 1 : 0);
   say_end();
   return report_;
@@ -134,36 +129,52 @@ void Run::render_interval(std::size_t index) {
     throw UsageError(
         fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
                     intervals_.size()));
-  if (index == 0) announce(*scene, *integrator, iterations);
+  if (index == 0) {
+    announce(*scene, *integrator, iterations);
+    checkpoints_.begin(intervals_, *integrator);
+  }
   report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
 
   const double seconds = options_.time_limit > 0 ? time_share(index) : 0;
-  const Clock::time_point begin = Clock::now();
+  const IntervalState before = checkpoints_.resume(index, *integrator);
+  interval_begin_ = Clock::now(), interval_seconds_ = before.seconds;
+  progress_->begin(static_cast<int>(index), before.iterations);
   WriteSchedule schedule(options_.write_every);
-  int done = 0;
+  int done = before.iterations, saved = before.iterations;
+  const auto save = [&] {
+    saved = done;
+    faults_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), *integrator); });
+    faults_.tell();
+  };
   const auto finished = [&] {
     return (iterations > 0 && done >= iterations) || InterruptRequests::signal() != 0 ||
-           (options_.time_limit > 0 && done > 0 && seconds_since(begin) >= seconds);
+           (options_.time_limit > 0 && done > 0 && seconds_since(interval_begin_) >= seconds);
   };
   while (!finished()) {
     watch_.begin(fmt::format("iteration {}", done + 1), in_words("integrator", job_.integrator));
-    iterate(*integrator, frames, done++, begin);
-    progress_->step(static_cast<int>(index), done);
-    if (schedule.due(done) && !finished()) write(frames, *integrator, begin, false), faults_.tell();
+    if (!iterate(*integrator, frames, done)) break;
+    progress_->step(static_cast<int>(index), ++done);
+    if (checkpoints_.due(done)) save();
+    const bool wanted = InterruptRequests::take_write_request();
+    if ((schedule.due(done) || wanted) && !finished()) write(frames, *integrator, false), faults_.tell();
   }
-  if (done > 0) write(frames, *integrator, begin, true);
+  if (done > saved) save();
+  if (done > 0) write(frames, *integrator, true);
   if (index + 1 < intervals_.size()) faults_.tell();
   report_.add(integrator->statistics(), frames);
 }
 
-void Run::iterate(Integrator& integrator, const FrameList& frames, int iteration, Clock::time_point begin) {
+bool Run::iterate(Integrator& integrator, const FrameList& frames, int iteration) {
   constexpr std::size_t kLibraries = 1 << 20;  // what OpenEXR and zlib take besides
   try {
     // Address space only. It is free again in the catch clause, so that images are written even where memory ends.
     const std::unique_ptr<char[]> reserve(new (std::nothrow) char[output_.bytes_while_writing() + kLibraries]);
     naming_memory_step(watch_, [&] { integrator.iterate(iteration); });
+    return true;
+  } catch (const Cancelled&) {
+    return false;
   } catch (...) {
-    if (iteration > 0) write(frames, integrator, begin, false);
+    if (iteration > 0) write(frames, integrator, false);
     faults_.tell_end();
     throw;
   }
@@ -195,7 +206,7 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
 
-void Run::write(const FrameList& interval, const Integrator& integrator, Clock::time_point begin, bool last) {
+void Run::write(const FrameList& interval, const Integrator& integrator, bool last) {
   watch_.begin("writing the images", "");
   const Statistics statistics = integrator.statistics();
   tell(statistics.rejections, world_, interval, job_, messages_);
@@ -210,7 +221,7 @@ void Run::write(const FrameList& interval, const Integrator& integrator, Clock::
       if (last) output_.add_to_video(*image);
     };
     const auto write_image = [this, frame, image, iterations = statistics.iterations, photons = statistics.photon.paths,
-                              seconds = seconds_since(begin)] {
+                              seconds = seconds_of_interval()] {
       output_.write(frame, *image, iterations, photons, seconds);
     };
     // Later there is nobody to ask for the last images.

@@ -125,31 +125,37 @@ MemoryBound::MemoryBound(std::size_t bytes) : bytes_(bytes) {
 std::size_t MemoryBound::held() const { return kProgram + kThreads + allocated() - held_before_; }
 
 std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
-                                         const Messages& messages) {
+                                         const std::vector<FrameList>& given, const Messages& messages) {
   const FrameIntervals frames(*job.description, job.frames);
-  if (bytes_ == 0) return frames.cut(job.plugin->frames_together);
+  if (bytes_ == 0) return given.empty() ? frames.cut(job.plugin->frames_together) : given;
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
     throw std::runtime_error(fmt::format("{}: reading the scene took {}", bound, readable_bytes(peak)));
 
   Trials trials(*this, job, world, writing);
-  const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
-  auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {
-    return !trials.of(trials.with_largest_trees(frames.cut(candidate)));
-  });
-  for (; length != lengths.end(); ++length) {
-    const std::vector<FrameList> intervals = frames.cut(*length);
+  const auto accepts = [&](const std::vector<FrameList>& intervals) {
     const std::vector<Trials::Result> results = trials.of(intervals);
-    if (results.empty()) continue;
     int batches = 1;
     for (const Trials::Result& result : results) {
       batches = std::max(batches, result.batches);
       shares_.push_back(result.share);
     }
-    messages.say("{}: {}", bound, in_words(intervals.size(), *length, batches));
+    if (results.empty()) return false;
+    messages.say("{}: {}", bound, in_words(intervals.size(), longest(intervals), batches));
     one_thread_.reset();
-    return intervals;
+    return true;
+  };
+  if (!given.empty()) {
+    if (accepts(given)) return given;
+    throw std::runtime_error(
+        fmt::format("{}: the checkpoint's {} frames together take {}", bound, longest(given), trials.shortage()));
   }
+  const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
+  auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {
+    return !trials.of(trials.with_largest_trees(frames.cut(candidate)));
+  });
+  for (; length != lengths.end(); ++length)
+    if (std::vector<FrameList> intervals = frames.cut(*length); accepts(intervals)) return intervals;
   throw std::runtime_error(fmt::format("{}: even one frame at a time takes {}", bound, trials.shortage()));
 }
 

@@ -20,8 +20,10 @@ class MemoryBound {
   explicit MemoryBound(std::size_t bytes);
 
   /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the
-  /// figures where not even single frames fit. `writing`: what the images take while they are written.
-  std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing, const Messages& messages);
+  /// figures where not even single frames fit. `writing`: what the images take while they are written; `given`: the
+  /// intervals of a run that is resumed, which stay as they are, or none.
+  std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing,
+                              const std::vector<FrameList>& given, const Messages& messages);
   /// What the integrator of the plan's i-th interval may hold; 0: no bound.
   std::size_t for_integrator(std::size_t i) const { return bytes_ == 0 ? 0 : shares_[i]; }
 

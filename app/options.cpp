@@ -62,8 +62,7 @@ void add_tasks(CLI::App& app, Options& o) {
   add_text(app, "--describe", "KIND:NAME", "print a plugin's parameters, as of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
   app.add_option_function<std::vector<std::string>>(
-         "--new-plugin",
-         [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
+         "--new-plugin", [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
          "write a project to start a plugin from: integrator ambient my-folder")
       ->expected(3)
       ->type_name("KIND NAME DIR");
@@ -110,6 +109,14 @@ void add_output(CLI::App& app, Options& o) {
       ->type_name("FILE");
   add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
            [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });
+  app.add_option("--checkpoint", o.checkpoint, "keep the state of the render in this file, for --resume")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  add_text(app, "--checkpoint-every", "TIME", "how often: every 30s, 10m (the default), or so many iterations",
+           [&](const std::string& text) { o.checkpoint_every = parse_interval("--checkpoint-every", text); });
+  app.add_option("--resume", o.resume, "go on from this checkpoint, and keep it up to date")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
   app.add_flag("--stats{table}", o.stats, "a table of times and counts at the end; in FILE: for programs");
 }

@@ -25,6 +25,8 @@ void expect_all_distinct(const std::vector<NamedFile>& written, const Options& o
     if (scene != "-") files.push_back({scene, "the scene"});
   files.insert(files.end(), written.begin(), written.end());
   if (!options.video.empty()) files.push_back({options.video, "the video"});
+  if (!options.resume.empty() && options.resume != options.checkpoint)
+    files.push_back({options.resume, "the checkpoint to resume"});
   expect_distinct(files);
 }
 
@@ -64,6 +66,7 @@ std::vector<NamedFile> Output::files(const Options& options) const {
   }
   if (options.stats_in_file()) files.push_back({options.stats, "the statistics"});
   if (!options.contact_sheet.empty()) files.push_back({options.contact_sheet, "the contact sheet"});
+  if (!options.checkpoint.empty()) files.push_back({options.checkpoint, "the checkpoint"});
   return files;
 }
 

@@ -46,6 +46,10 @@ void Progress::clear() {
   width_ = 0;
 }
 
+void Progress::begin(int interval, int iterations) {
+  before_ += std::max(0.0, share_done(interval, iterations) - share_done(interval, 0));
+}
+
 void Progress::step(int interval, int iterations) {
   if (quiet_ || elapsed() < next_) return;
   next_ = elapsed() + (terminal_ ? kSecondsBetweenBars : kSecondsBetweenLines);
@@ -77,7 +81,8 @@ std::string Progress::text(int interval, int iterations) const {
   line += fmt::format(", {}", readable_time(elapsed()));
   const double share = share_done(interval, iterations);
   if (share == 0) return line;
-  if (share < 1) line += fmt::format(", {} left", readable_time(elapsed() * (1 - share) / share));
+  if (share < 1)
+    line += fmt::format(", {} left", readable_time(elapsed() * (1 - share) / std::max(share - before_, 1e-9)));
   return terminal_ ? bar(share) + " " + line : line;
 }
 

@@ -22,6 +22,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// That many iterations of the interval were done in an earlier run.
+  void begin(int interval, int iterations);
   /// `iterations` of the interval (counted from 0) are done.
   void step(int interval, int iterations);
   /// Other output follows: the bar makes room for it.
@@ -34,6 +36,7 @@ class Progress {
 
   Extent extent_;
   bool quiet_, terminal_;
+  double before_ = 0;      // the share that earlier runs have done
   double next_ = 0;        // seconds at which the next line is due
   std::size_t width_ = 0;  // of the bar's line on the terminal
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -1,12 +1,13 @@
-// Ctrl-C from the moment on where files are written: the first asks for an end after the iteration, the second ends the
-// program at once.
+// Signals from the moment on where files are written. The first Ctrl-C asks for an end after the iteration, or within ten
+// seconds where that can be given up; the second ends the program at once. SIGHUP and SIGUSR1 ask for the images so far.
 #pragma once
 
 #include <csignal>
+#include <map>
 
 namespace dspm {
 
-/// While it lives, SIGINT and SIGTERM are such requests.
+/// While it lives, SIGINT, SIGTERM, SIGHUP and SIGUSR1 are such requests.
 class InterruptRequests {
  public:
   InterruptRequests();
@@ -16,11 +17,13 @@ class InterruptRequests {
 
   /// The signal that came; 0: none. It is remembered.
   static int signal();
+  /// Whether images were asked for since the last call.
+  static bool take_write_request();
   /// 128 + the signal that came, 130 for Ctrl-C; `otherwise` where none did.
   static int exit_code(int otherwise) { return signal() != 0 ? 128 + signal() : otherwise; }
 
  private:
-  struct sigaction interrupt_before_, terminate_before_;
+  std::map<int, struct sigaction> before_;
 };
 
 }  // namespace dspm

@@ -4,7 +4,7 @@ set(public_headers
   accel/accel.h
   cameras/camera.h
   core/errors.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h core/registry.h core/rgb.h
-  core/rng.h core/sampling.h core/spectrum.h core/transform.h core/vec.h core/version.h
+  core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h core/vec.h core/version.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
   integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h integrators/tiles.h

@@ -59,6 +59,12 @@ AtomicFile::~AtomicFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
+void AtomicFile::reserve(std::uint64_t bytes) {
+  if (bytes == 0) return;
+  const int error = posix_fallocate(descriptor_, 0, static_cast<off_t>(bytes));
+  if (error != 0 && error != EOPNOTSUPP && error != EINVAL) fail(error);
+}
+
 void AtomicFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());

@@ -2,6 +2,7 @@
 // target's place in one step at the end. A run that fails or is killed leaves an older file of that name as it was.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -33,6 +34,8 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// Room for as many bytes, where the file system can tell: a full disk or a quota is an error now, not later.
+  void reserve(std::uint64_t bytes);
   void write(std::string_view bytes);
   /// The file until commit(), for another program that writes it.
   const std::filesystem::path& temporary() const { return temporary_; }

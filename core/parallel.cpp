@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "core/cancellation.h"
+
 #ifdef DSPM_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 /// What TBB itself does by way of malloc and memcpy is not to be judged either.
@@ -82,6 +84,7 @@ void detail::run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, 
   LoopOrder order;
   const auto run_some = [&](const tbb::blocked_range<std::int64_t>& chunks) {
     for (std::int64_t c = chunks.begin(); c < chunks.end(); ++c) {
+      if (Cancellable::is_cancelled()) throw Cancelled{};
       const LoopOrder::Chunk chunk(order);
       body(context, c * grain, std::min(c * grain + grain, count));
     }

@@ -15,7 +15,8 @@ void run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const vo
 }  // namespace detail
 
 /// Calls body(begin, end) for [0, grain), [grain, 2 grain), ... up to count, in parallel. When a body throws, chunks
-/// that have not begun may be left out, and one of the exceptions thrown comes out of here.
+/// that have not begun may be left out, and one of the exceptions thrown comes out of here. So may Cancelled (see
+/// core/cancellation.h).
 template <class Body>
 void parallel_chunks(std::int64_t count, std::int64_t grain, const Body& body) {
   detail::run_chunks(

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/state_stream.h"
 #include "integrators/gather.h"
 
 namespace dspm {
@@ -24,6 +25,8 @@ class PixelEstimator {
   virtual void see(const SeenLight& light) = 0;
   /// Once an iteration, after all gathers.
   virtual void end_iteration() = 0;
+  /// Between iterations; see Integrator::persist.
+  virtual void persist(StateStream& state) = 0;
   /// Radiance after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Nothing where only sums are kept.
@@ -43,6 +46,10 @@ class IterationRadius {
     scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
   }
   int iterations() const { return iterations_; }
+  void persist(StateStream& state) {
+    state.part(iterations_);
+    state.part(scale_);
+  }
 
  private:
   int iterations_ = 0;

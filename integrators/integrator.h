@@ -9,6 +9,7 @@
 
 #include "core/params.h"
 #include "core/registry.h"
+#include "core/state_stream.h"
 #include "film/pixel_filter.h"
 #include "film/pixel_rect.h"
 #include "image/image.h"
@@ -36,7 +37,8 @@ class Integrator {
   virtual int iterations() const = 0;
   /// The settings that matter to its user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// All frames take one step; iterations count from 0 and come in order.
+  /// All frames take one step; iterations count from 0 and come in order. Where it ends by Cancelled, nothing has
+  /// changed.
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.
   virtual Image estimate(Frame frame) const = 0;
@@ -44,6 +46,9 @@ class Integrator {
   virtual std::optional<PixelStatistics> pixel_statistics(int /*pixel*/, Frame) const { return std::nullopt; }
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
+  /// Between iterations: counts, saves or loads what they have left behind, so that another integrator of the same scene
+  /// and settings goes on from there to the same bits. False: there are no checkpoints of it.
+  virtual bool persist(StateStream&) { return false; }
 };
 
 /// `scene` outlives the integrator.

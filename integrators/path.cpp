@@ -179,6 +179,12 @@ class Path final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
 
+  bool persist(StateStream& state) override {
+    statistics_.persist(state);
+    sums_.persist(state);
+    return true;
+  }
+
  private:
   int iterations_, max_depth_;
   const Scene& scene_;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "integrators/memory_needs.h"
 #include "integrators/path_step.h"
@@ -73,7 +74,7 @@ class PhotonMapper final : public Integrator {
   }
 
   void iterate(int iteration) override {
-    if (statistics_.iterations == 0) make_maps();
+    if (!has_maps_) make_maps();
     {
       const StepTimer timer(statistics_.steps[kHitPoints]);
       tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), static_cast<std::uint64_t>(iteration),
@@ -94,6 +95,12 @@ class PhotonMapper final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
 
+  bool persist(StateStream& state) override {
+    statistics_.persist(state);
+    sums_.persist(state);
+    return true;
+  }
+
  private:
   struct TileCounts {
     GatherCounts gather;
@@ -101,15 +108,17 @@ class PhotonMapper final : public Integrator {
   };
 
   void make_maps() {
+    const Cancellable nothing_is_lost;
     const StepTimer timer(statistics_.steps[kPhotonMaps]);
     make_map(global_, global_settings(settings_, render_), settings_.photons, global_how_.radius);
     make_map(caustic_, caustic_settings(settings_, render_), settings_.caustic_photons, caustic_how_.radius);
+    has_maps_ = true;
   }
 
   void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
     const auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
     map.build(traces, scene_.frame_count(), radius / 4);
-    account(traces, statistics_);
+    if (statistics_.iterations == 0) account(traces, statistics_);  // else they are the maps of before, made again
   }
 
   void gather_tiles(std::uint64_t iteration) {
@@ -216,6 +225,7 @@ class PhotonMapper final : public Integrator {
   RenderSettings render_;
   SeenLightSums sums_;
   PhotonMap global_, caustic_;
+  bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;
   Statistics statistics_;

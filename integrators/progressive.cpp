@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "integrators/memory_needs.h"
 
@@ -58,13 +59,13 @@ class Progressive final : public Integrator {
   std::string settings() const override { return in_words(settings_); }
 
   void iterate(int iteration) override {
-    trace_camera_paths(static_cast<std::uint64_t>(iteration));
-    const float cell_size = mean_search_radius();
-    for (std::int64_t first = 0; first < settings_.photons; first += batch_) {
+    const float cell_size = trace_until_first_gather(static_cast<std::uint64_t>(iteration));
+    see_lights();
+    gather_photons();
+    for (std::int64_t first = batch_; first < settings_.photons; first += batch_) {
       trace_light_paths(static_cast<std::uint64_t>(iteration), first);
       build_photon_map(cell_size);
       gather_photons();
-      statistics_.bytes = std::max(statistics_.bytes, bytes());
     }
     estimator_->end_iteration();
     ++statistics_.iterations;
@@ -83,14 +84,37 @@ class Progressive final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
 
+  bool persist(StateStream& state) override {
+    statistics_.persist(state);
+    estimator_->persist(state);
+    return true;
+  }
+
  private:
+  /// Changes no pixel, so that it may be given up. Returns the cell size of the photon maps.
+  float trace_until_first_gather(std::uint64_t iteration) {
+    const Statistics before = statistics_;
+    try {
+      const Cancellable nothing_is_lost;
+      trace_camera_paths(iteration);
+      const float cell_size = mean_search_radius();
+      trace_light_paths(iteration, 0);
+      build_photon_map(cell_size);
+      return cell_size;
+    } catch (const Cancelled&) {
+      statistics_ = before;
+      throw;
+    }
+  }
+
   // [WG12 4.1]
   void trace_camera_paths(std::uint64_t iteration) {
-    {
-      const StepTimer timer(statistics_.steps[kHitPoints]);
-      tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, iteration, std::move(tiles_));
-      account(tiles_, statistics_);
-    }
+    const StepTimer timer(statistics_.steps[kHitPoints]);
+    tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, iteration, std::move(tiles_));
+    account(tiles_, statistics_);
+  }
+
+  void see_lights() {
     const StepTimer timer(statistics_.steps[kStatistics]);
     for_each_tile([this](const HitPointTile& tile, std::size_t) {
       for (const SeenLight& light : tile.seen) estimator_->see(light);
@@ -132,6 +156,7 @@ class Progressive final : public Integrator {
       for (const HitPoint& hit : tile.hit_points) estimator_->gather_at(hit, tile, map_, counts[t]);
     });
     account(counts, statistics_);
+    statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
   template <class Fn>

@@ -28,4 +28,9 @@ Rejections& Rejections::operator+=(const Rejections& other) {
   return *this;
 }
 
+void Rejections::persist(StateStream& state) {
+  state.part(count_);
+  state.list(entries_, kMostEntries);
+}
+
 }  // namespace dspm

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/state_stream.h"
 #include "world/scene.h"
 
 namespace dspm {
@@ -22,6 +23,8 @@ class Rejections {
     add({part, static_cast<std::uint64_t>(frames.count()), frames.lowest(), pixel});
   }
   Rejections& operator+=(const Rejections& other);
+
+  void persist(StateStream& state);
 
   /// Of all parts; `entries` tells of the first few only.
   std::uint64_t count() const { return count_; }

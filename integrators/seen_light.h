@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/state_stream.h"
 #include "integrators/hit_point.h"
 
 namespace dspm {
@@ -21,6 +22,7 @@ class SeenLightSums {
   Rgb mean(int pixel, Frame frame, int iterations) const {
     return iterations == 0 ? Rgb() : sums_[index(pixel, frame)] / static_cast<float>(iterations);
   }
+  void persist(StateStream& state) { state.part(sums_); }
   std::size_t bytes() const { return sums_.capacity() * sizeof(Rgb); }
 
  private:

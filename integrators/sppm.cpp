@@ -62,6 +62,11 @@ class Hj09 final : public PixelEstimator {
     ++iterations_;
   }
 
+  void persist(StateStream& state) override {
+    state.part(iterations_);
+    state.part(pixels_);
+  }
+
   Rgb radiance(int pixel, Frame) const override {
     return statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
   }
@@ -95,6 +100,11 @@ class Kz11 final : public PixelEstimator {
   }
 
   void end_iteration() override { radius_.end_iteration(of_.alpha); }
+
+  void persist(StateStream& state) override {
+    radius_.persist(state);
+    state.part(sums_);
+  }
 
   Rgb radiance(int pixel, Frame) const override {
     const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);

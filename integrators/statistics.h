@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/state_stream.h"
 #include "integrators/rejections.h"
 
 namespace dspm {
@@ -68,6 +69,9 @@ struct Statistics {
   std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
   std::size_t bytes = 0;              // of the integrator's own buffers, at their largest
   int photon_batches = 1;             // an iteration
+
+  /// What adds up from iteration to iteration.
+  void persist(StateStream& state);
 };
 
 /// Adds the time of its own life to a StepTime.

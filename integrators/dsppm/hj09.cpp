@@ -116,6 +116,11 @@ class Hj09 final : public PixelEstimator {
     ++iterations_;
   }
 
+  void persist(StateStream& state) override {
+    state.part(iterations_);
+    state.part(statistics_);
+  }
+
   Rgb radiance(int pixel, Frame frame) const override {
     const auto emitted = static_cast<double>(iterations_ * of_.photons);
     return statistics(pixel, frame)->radiance(emitted);

@@ -64,6 +64,12 @@ class Kz11 final : public PixelEstimator {
 
   void end_iteration() override { radius_.end_iteration(of_.alpha); }
 
+  void persist(StateStream& state) override {
+    radius_.persist(state);
+    state.part(shared_);
+    state.part(own_);
+  }
+
   Rgb radiance(int pixel, Frame frame) const override {
     if (radius_.iterations() == 0) return {};
     const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);

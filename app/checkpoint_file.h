@@ -1,0 +1,52 @@
+// A checkpoint as a file: of which render it is, and the state of each of its frame intervals. It replaces the one before
+// in one step, and a checksum tells of damage.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/facts.h"
+#include "app/frame_intervals.h"
+#include "integrators/integrator.h"
+
+namespace dspm {
+
+/// Where an interval stands.
+struct IntervalState {
+  FrameList frames;
+  int iterations = 0;                  // done; 0: there is no state
+  double seconds = 0;                  // that they took
+  std::uint64_t offset = 0, size = 0;  // of the state in the file
+};
+
+class CheckpointFile {
+ public:
+  /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or none.
+  explicit CheckpointFile(const std::filesystem::path& path);
+
+  const std::vector<Fact>& facts() const { return facts_; }
+  const std::vector<IntervalState>& intervals() const { return intervals_; }
+  /// Into an integrator that was made for that interval.
+  void load(std::size_t interval, Integrator& integrator) const;
+
+  /// Writes `path` anew with the state of one interval; those of the others come from `before`, which may be null or the
+  /// file that is replaced. Throws WriteError; the file is then as before.
+  static void write(const std::filesystem::path& path, const std::vector<Fact>& facts,
+                    std::vector<IntervalState> intervals, std::size_t interval, Integrator& integrator,
+                    const CheckpointFile* before);
+
+ private:
+  std::filesystem::path path_;
+  mutable std::ifstream file_;  // stays readable when another one takes its name
+  std::vector<Fact> facts_;
+  std::vector<IntervalState> intervals_;
+};
+
+/// Bytes of its state; nothing where there are no checkpoints of it.
+std::optional<std::uint64_t> state_bytes(Integrator& integrator);
+
+}  // namespace dspm

@@ -1,0 +1,95 @@
+#include "app/checkpoints.h"
+
+#include <fmt/format.h>
+
+#include "app/progress.h"
+#include "app/run_report.h"
+#include "core/atomic_file.h"
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of all intervals' states, each in proportion to its frames.
+std::uint64_t bytes_of_all(const std::vector<FrameList>& intervals, std::uint64_t first) {
+  std::size_t frames = 0;
+  for (const FrameList& interval : intervals) frames += interval.size();
+  return first * frames / intervals.front().size();
+}
+
+std::string in_words(const Interval& every) {
+  return every.seconds > 0 ? readable_time(every.seconds) : fmt::format("{} iterations", every.iterations);
+}
+
+void refuse_to_overwrite(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return;
+  throw UsageError(fmt::format("--checkpoint {}: it is there already; --resume {} goes on with it, or remove it first",
+                               path.string(), path.string()));
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messages)
+    : messages_(messages),
+      path_(options.checkpoint.empty() ? options.resume : options.checkpoint),
+      every_(options.checkpoint_every),
+      schedule_(every_) {
+  if (!writes()) return;
+  if (path_ != options.resume) refuse_to_overwrite(path_);
+  facts_ = facts_of(job);
+  if (options.resume.empty()) return;
+  last_ = std::make_unique<CheckpointFile>(options.resume);
+  states_ = last_->intervals();
+  Diagnostics diagnostics;
+  compare(last_->facts(), facts_, diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+std::vector<FrameList> Checkpoints::intervals() const {
+  std::vector<FrameList> intervals;
+  for (const IntervalState& state : states_) intervals.push_back(state.frames);
+  return intervals;
+}
+
+double Checkpoints::seconds() const {
+  double sum = 0;
+  for (const IntervalState& state : states_) sum += state.seconds;
+  return sum;
+}
+
+void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& first) {
+  if (!writes()) return;
+  const std::optional<std::uint64_t> bytes = state_bytes(first);
+  if (!bytes) throw UsageError("--checkpoint: this integrator keeps no checkpoints (Integrator::persist)");
+  const std::uint64_t all = bytes_of_all(intervals, *bytes);
+  AtomicFile(path_).reserve(all);
+  messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
+  if (states_.empty())
+    for (const FrameList& interval : intervals) states_.push_back({interval});
+}
+
+IntervalState Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
+  if (last_ == nullptr || states_[interval].iterations == 0) return {};
+  last_->load(interval, integrator);
+  const IntervalState& state = states_[interval];
+  messages_.say("resumed behind iteration {}{}", state.iterations,
+                states_.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states_.size()) : "");
+  return state;
+}
+
+void Checkpoints::save(std::size_t interval, int iterations, double seconds, Integrator& integrator) {
+  if (!writes()) return;
+  std::vector<IntervalState> states = states_;
+  states[interval].iterations = iterations, states[interval].seconds = seconds;
+  CheckpointFile::write(path_, facts_, std::move(states), interval, integrator, last_.get());
+  try {
+    last_ = std::make_unique<CheckpointFile>(path_);
+  } catch (const std::runtime_error& error) {
+    throw WriteError(path_, error.what());  // somebody else has taken it away already
+  }
+  states_ = last_->intervals();
+}
+
+}  // namespace dspm

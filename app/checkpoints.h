@@ -1,0 +1,47 @@
+// --checkpoint and --resume: a render that ends early goes on later, to the same bits.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/checkpoint_file.h"
+#include "app/messages.h"
+#include "app/write_schedule.h"
+
+namespace dspm {
+
+class Checkpoints {
+ public:
+  /// Throws UsageError where a checkpoint would be lost, SceneError with what has changed since the one to be resumed,
+  /// std::runtime_error where it cannot be read.
+  Checkpoints(const Job& job, const Options& options, Messages& messages);
+
+  /// Of the run that is resumed; empty: there is none.
+  std::vector<FrameList> intervals() const;
+  /// Of the run that is resumed, over all intervals.
+  double seconds() const;
+
+  /// Before the first iteration. Throws where the file cannot be written or is too large for the disk.
+  void begin(const std::vector<FrameList>& intervals, Integrator& first);
+  /// Loads where the interval stands; without a state, it is at its beginning.
+  IntervalState resume(std::size_t interval, Integrator& integrator) const;
+  bool due(int iterations) { return writes() && schedule_.due(iterations); }
+  /// Does nothing where none is asked for. Throws WriteError.
+  void save(std::size_t interval, int iterations, double seconds, Integrator& integrator);
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  bool writes() const { return !path_.empty(); }
+
+  Messages& messages_;
+  std::filesystem::path path_;  // empty: none is written
+  Interval every_;
+  WriteSchedule schedule_;
+  std::vector<Fact> facts_;
+  std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
+  std::vector<IntervalState> states_;           // as in the last one
+};
+
+}  // namespace dspm

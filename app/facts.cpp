@@ -1,0 +1,90 @@
+#include "app/facts.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "core/files_read.h"
+#include "core/version.h"
+#include "lang/canonical.h"
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& where = {}) {
+  return {std::move(name), fmt::format("{:016x}", digest), true, where};
+}
+
+void add_settings(const Job& job, std::vector<Fact>& facts) {
+  const RenderSettings& s = job.settings;
+  const PixelRect& crop = s.crop;
+  facts.push_back({"the version of dspm", std::string(kVersion)});
+  facts.push_back({"the image", fmt::format("{} x {} pixels", s.width, s.height)});
+  facts.push_back(
+      {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
+  facts.push_back({"the seed", std::to_string(s.seed)});
+  facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
+  facts.push_back(digest_fact("the frames to render", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
+  facts.push_back({"the integrator", job.integrator});
+  facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
+                              digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
+  if (const auto& filter = job.description->filter)
+    facts.push_back(digest_fact("the pixel filter", digest_of(filter->type, filter->params), filter->where));
+}
+
+/// But for the scene's text, which counts by what it says.
+void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
+  std::set<fs::path> texts;
+  std::error_code ignored;
+  for (const auto& file : description.files) texts.insert(fs::canonical(file->name, ignored));
+  for (const auto& [path, content] : files_read())
+    if (texts.count(path) == 0) facts.push_back(digest_fact(fmt::format("file {}", path.string()), content));
+}
+
+/// Facts of the same name in their order.
+std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>& facts) {
+  std::map<std::string, std::vector<const Fact*>> map;
+  for (const Fact& fact : facts) map[fact.name].push_back(&fact);
+  return map;
+}
+
+}  // namespace
+
+std::vector<Fact> facts_of(const Job& job) {
+  std::vector<Fact> facts;
+  add_settings(job, facts);
+  for (ScenePartDigest& part : digests_of(*job.description))
+    facts.push_back(digest_fact(std::move(part.name), part.digest, part.where));
+  add_files(*job.description, facts);
+  return facts;
+}
+
+void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics) {
+  constexpr const char* kWayOut = "a checkpoint goes on with the same scene only; to begin anew, use another one";
+  const auto before = by_name(then), after = by_name(now);
+  for (const auto& [name, facts] : after) {
+    const auto same = before.find(name);
+    const std::size_t count = same == before.end() ? 0 : same->second.size();
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+      const Fact& fact = *facts[i];
+      if (i >= count)
+        diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", name), kWayOut);
+      else if (const Fact& old = *same->second[i]; old.text != fact.text)
+        diagnostics.error(fact.where,
+                          fact.is_digest ? fmt::format("{} has changed since the checkpoint", name)
+                                         : fmt::format("{}: {} now, {} in the checkpoint", name, fact.text, old.text),
+                          kWayOut);
+    }
+  }
+  for (const auto& [name, facts] : before) {
+    const auto same = after.find(name);
+    const std::size_t left = same == after.end() ? 0 : same->second.size();
+    for (std::size_t i = left; i < facts.size(); ++i)
+      diagnostics.error({}, fmt::format("{} of the checkpoint is not there any more", name), kWayOut);
+  }
+}
+
+}  // namespace dspm

@@ -1,0 +1,16 @@
+#include "integrators/statistics.h"
+
+namespace dspm {
+
+void Statistics::persist(StateStream& state) {
+  state.part(iterations);
+  for (StepTime& step : steps) state.part(step.seconds);
+  state.part(camera);
+  state.part(photon);
+  for (SharedCount* count : {&photons_stored, &photon_tests, &photons_found}) state.part(*count);
+  rejections.persist(state);
+  state.part(energy);
+  state.part(bytes);
+}
+
+}  // namespace dspm

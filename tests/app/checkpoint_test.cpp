@@ -1,0 +1,226 @@
+// A render that is interrupted and resumed gives the bits of one that was not; one of another scene is refused.
+#include <gtest/gtest.h>
+
+#include "image/exr.h"
+#include "image/image.h"
+#include "tests/app/process.h"
+
+namespace dspm::test {
+namespace {
+
+constexpr const char* kImages[] = {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"};
+
+using Arguments = std::vector<std::string>;
+
+Arguments operator+(Arguments a, const Arguments& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+void expect_success(const TinyDirectory& directory, const Arguments& arguments) {
+  const Outcome outcome = run(directory, arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+std::vector<Image> images_in(const TinyDirectory& directory) {
+  std::vector<Image> images;
+  for (const char* name : kImages) images.push_back(read_image(directory / name));
+  return images;
+}
+
+std::vector<Image> undisturbed(const Arguments& arguments) {
+  const TinyDirectory directory;
+  expect_success(directory, Arguments{"tiny.dsc", "--float"} + arguments);
+  return images_in(directory);
+}
+
+class Resumed : public testing::TestWithParam<Arguments> {};
+
+TEST_P(Resumed, EqualsARunThatWasNotInterrupted) {
+  const Arguments how = Arguments{"tiny.dsc", "--float"} + GetParam();
+  const TinyDirectory directory;
+  expect_success(directory, how + Arguments{"--iterations", "2", "--checkpoint", "a"});
+  expect_success(directory, how + Arguments{"--iterations", "3", "--resume", "a", "-t", "1"});
+  expect_success(directory, how + Arguments{"--iterations", "7", "--resume", "a", "--checkpoint", "b", "-t", "3"});
+  EXPECT_EQ(images_in(directory), undisturbed(GetParam() + Arguments{"--iterations", "7"}));
+  EXPECT_EQ(read_exr_header(directory / kImages[2]).integers.at("iterations"), 7);
+
+  // Once more from the end: nothing is left to do.
+  for (const char* image : kImages) std::filesystem::remove(directory / image);
+  expect_success(directory, how + Arguments{"--iterations", "7", "--resume", "b"});
+  EXPECT_EQ(images_in(directory), undisturbed(GetParam() + Arguments{"--iterations", "7"}));
+}
+
+std::string name_of(const testing::TestParamInfo<Arguments>& info) { return "Case" + std::to_string(info.index); }
+INSTANTIATE_TEST_SUITE_P(Integrators, Resumed,
+                         testing::Values(Arguments{"--integrator", "dsppm"}, Arguments{"--integrator", "sppm"},
+                                         Arguments{"--integrator", "photonmap"}, Arguments{"--integrator", "path"},
+                                         Arguments{"--integrator", "dsppm", "--frames", "1-3:1", "--seed", "9"}),
+                         name_of);
+
+TEST(Checkpoint, KeepsProgressiveRadii) {
+  for (const char* integrator : {"dsppm", "sppm"}) {
+    const TinyDirectory directory;
+    put_file(directory / "tiny.dsc",
+             tiny_scene("\"dsppm\" \"integer iterations\" 2",
+                        std::string("\"") + integrator + "\" \"string estimator\" \"hj09\" \"integer iterations\" 6"));
+    expect_success(directory, {"tiny.dsc", "--float"});
+    const std::vector<Image> expected = images_in(directory);
+    expect_success(directory, {"tiny.dsc", "--float", "--iterations", "4", "--checkpoint", "a"});
+    expect_success(directory, {"tiny.dsc", "--float", "--resume", "a"});
+    EXPECT_EQ(images_in(directory), expected) << integrator;
+  }
+}
+
+TEST(Checkpoint, HarmlessChangesAreAllowed) {
+  const TinyDirectory directory;
+  expect_success(directory, {"tiny.dsc", "--float", "--checkpoint", "a"});
+  put_file(directory / "tiny.dsc", "# The same with other words.\n" + tiny_scene("tiny.exr", "other.exr"));
+  expect_success(directory, {"tiny.dsc", "--float", "--resume", "a", "--iterations", "5", "-t", "1", "--accel",
+                             "bruteforce", "--memory", "1G", "-o", "tiny.exr"});
+  EXPECT_EQ(images_in(directory), undisturbed({"--iterations", "5"}));
+}
+
+struct Change {
+  std::string from, to;
+  std::string told;
+};
+
+TEST(Checkpoint, OfAnotherSceneIsRefusedAndTheChangeNamed) {
+  const TinyDirectory directory;
+  expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
+  const std::string before = contents(directory / "a");
+  const std::vector<Change> changes = {
+      {"0.4", "0.41", "tiny.dsc:22:5: error: shape \"sphere\" has changed since the checkpoint"},
+      {"[.7 .6 .5]", "[.7 .6 .6]", "tiny.dsc:13:3: error: material \"diffuse\" has changed"},
+      {"[5 5 5]", "[5 5 6]", "tiny.dsc:9:5: error: area light \"diffuse\" has changed"},
+      {"\"float fov\" 45", "\"float fov\" 46", "tiny.dsc:5:1: error: camera \"perspective\" has changed"},
+      {"Translate 1 0 0", "Translate 1 0 1", "shape \"sphere\" has changed"},
+      {"Frames 3", "Frames 4", "the frames of the file has changed"},
+      {"xresolution\" 12", "xresolution\" 13", "the image: 13 x 8 pixels now, 12 x 8 pixels in the checkpoint"},
+      {"photons\" 200", "photons\" 201", "tiny.dsc:3:1: error: integrator \"dsppm\" has changed"},
+      {"seed\" 5", "seed\" 6", "the seed: 6 now, 5 in the checkpoint"},
+      {"WorldBegin", "PixelFilter \"box\" WorldBegin", "the pixel filter is new since the checkpoint"},
+      {"Shape \"sphere\" \"float radius\" 0.4", "", "shape \"sphere\" of the checkpoint is not there any more"},
+  };
+  for (const Change& change : changes) {
+    put_file(directory / "tiny.dsc", tiny_scene(change.from, change.to));
+    const Outcome outcome = run(directory, {"tiny.dsc", "--resume", "a"});
+    EXPECT_EQ(outcome.code, 1) << change.to;
+    EXPECT_NE(outcome.err.find(change.told), std::string::npos) << change.to << "\n" << outcome.err;
+    EXPECT_EQ(contents(directory / "a"), before);
+  }
+}
+
+TEST(Checkpoint, OfOtherFilesIsRefused) {
+  const TinyDirectory directory;
+  const auto mesh = [](const char* x) {
+    return std::string(
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n") +
+           x + " 0 0\n0 1 0\n3 0 1 2\n";
+  };
+  put_file(directory / "mesh.ply", mesh("1"));
+  put_file(directory / "tiny.dsc", kTinyScene + "Shape \"plymesh\" \"string filename\" \"mesh.ply\"\n");
+  expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
+  expect_success(directory, {"tiny.dsc", "--resume", "a"});
+  put_file(directory / "mesh.ply", mesh("2"));
+  const Outcome outcome = run(directory, {"tiny.dsc", "--resume", "a"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("mesh.ply has changed since the checkpoint"), std::string::npos) << outcome.err;
+}
+
+TEST(Checkpoint, IsNeverOverwrittenByAnotherRun) {
+  const TinyDirectory directory;
+  expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
+  const std::string before = contents(directory / "a");
+  const Outcome outcome = run(directory, {"tiny.dsc", "--checkpoint", "a"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("--resume a goes on with it"), std::string::npos) << outcome.err;
+  EXPECT_EQ(contents(directory / "a"), before);
+}
+
+TEST(Checkpoint, WhereItCannotBeIsKnownBeforeTheFirstIteration) {
+  const TinyDirectory directory;
+  for (const char* file : {"missing/a", "tiny.dsc", "."}) {
+    const Outcome outcome = run(directory, {"tiny.dsc", "--checkpoint", file});
+    EXPECT_NE(outcome.code, 0) << file;
+    EXPECT_NE(outcome.err.find(file), std::string::npos) << outcome.err;
+    EXPECT_FALSE(directory.has("tiny.0001.exr"));
+  }
+  const Outcome outcome = run(directory, {"tiny.dsc", "--resume", "missing"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("checkpoint missing: there is no such file"), std::string::npos) << outcome.err;
+}
+
+TEST(Checkpoint, DamageIsFound) {
+  const TinyDirectory directory;
+  expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
+  const std::string whole = contents(directory / "a");
+  std::vector<std::string> damaged = {"", "no checkpoint", whole + "x"};
+  for (std::size_t i = 0; i < 12; ++i) {
+    const std::size_t at = whole.size() * i / 12;
+    damaged.push_back(whole.substr(0, at));
+    damaged.push_back(whole);
+    damaged.back()[at] = static_cast<char>(damaged.back()[at] ^ 16);
+  }
+  for (const std::string& bytes : damaged) {
+    put_file(directory / "b", bytes);
+    const Outcome outcome = run(directory, {"tiny.dsc", "--resume", "b"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("checkpoint b: it "), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(Checkpoint, IsWrittenAtTheEndThatASignalAsksFor) {
+  const TinyDirectory directory;
+  const Process process(directory, {"tiny.dsc", "--float", "--iterations", "0", "--write-every", "1", "--checkpoint",
+                                    "a", "--checkpoint-every", "1h"});
+  ASSERT_TRUE(appears(directory / "tiny.0003.exr"));
+  EXPECT_FALSE(directory.has("a"));
+  process.send(SIGTERM);
+  EXPECT_EQ(process.wait().code, 143);
+  const int done = read_exr_header(directory / kImages[0]).integers.at("iterations");
+  const std::string iterations = std::to_string(done + 3);
+  expect_success(directory, {"tiny.dsc", "--float", "--resume", "a", "--iterations", iterations});
+  EXPECT_EQ(images_in(directory), undisturbed({"--iterations", iterations}));
+}
+
+TEST(Checkpoint, AWholeNumberOfIterationsMayLieBetween) {
+  const TinyDirectory directory;
+  const Process process(directory, {"tiny.dsc", "--iterations", "0", "--checkpoint", "a", "--checkpoint-every", "2"});
+  EXPECT_TRUE(appears(directory / "a"));
+  process.send(SIGKILL);
+  EXPECT_EQ(process.wait().code, -SIGKILL);
+  expect_success(directory, {"tiny.dsc", "--resume", "a", "--iterations", "1"});
+}
+
+TEST(Signals, ImagesCanBeAskedFor) {
+  for (const int signal : {SIGHUP, SIGUSR1}) {
+    const TinyDirectory directory;
+    const Process process(directory, {"tiny.dsc", "--iterations", "0"});
+    for (int i = 0; i < 1000 && contents(directory / "err.txt").find("memory") == std::string::npos; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    process.send(signal);
+    EXPECT_TRUE(appears(directory / "tiny.0003.exr"));
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
+  }
+}
+
+TEST(Signals, AnIterationThatTakesTooLongIsGivenUp) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", tiny_scene("\"diffuse\" \"rgb reflectance\" [.7 .6 .5]", "\"conductor\""));
+  const Process process(directory, {"tiny.dsc", "--iterations", "0", "--photons", "1000000000"});
+  for (int i = 0; i < 1000 && contents(directory / "err.txt").find("memory") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto begin = std::chrono::steady_clock::now();
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_NE(outcome.err.find("interrupted before the first iteration"), std::string::npos) << outcome.err;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+}
+
+}  // namespace
+}  // namespace dspm::test

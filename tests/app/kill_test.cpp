@@ -1,0 +1,66 @@
+// A render that is killed at random moments, while it computes, writes images or its checkpoint: what is there is whole,
+// and in the end it has the bits of an undisturbed one.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "app/checkpoint_file.h"
+#include "image/image.h"
+#include "tests/app/process.h"
+
+namespace dspm::test {
+namespace {
+
+constexpr int kKills = 50;
+constexpr const char* kImages[] = {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"};
+
+/// Over all intervals.
+int iterations_in(const TinyDirectory& directory) {
+  int sum = 0;
+  const CheckpointFile checkpoint(directory / "a");
+  for (const IntervalState& interval : checkpoint.intervals()) sum += interval.iterations;
+  return sum;
+}
+
+void expect_whole_images(const TinyDirectory& directory) {
+  for (const char* image : kImages)
+    if (directory.has(image)) {
+      EXPECT_EQ(read_image(directory / image).width, 12) << image;
+    }
+}
+
+class Kill : public testing::TestWithParam<const char*> {};
+
+TEST_P(Kill, AtAnyMomentLosesAnIterationAtMost) {
+  const auto with = [](std::vector<std::string> arguments) {
+    for (const char* own : {"tiny.dsc", "--float", "--iterations", "2000", "--quiet", "--integrator", GetParam()})
+      arguments.emplace_back(own);
+    return arguments;
+  };
+  const TinyDirectory directory, calm;
+  std::mt19937 random(20261121);
+  std::uniform_int_distribution<int> milliseconds(1, 80);
+  int done = 0;
+  for (int kill = 0; kill < kKills; ++kill) {
+    const char* const option = directory.has("a") ? "--resume" : "--checkpoint";
+    const Process process(directory, with({"--write-every", "1", "--checkpoint-every", "1", option, "a"}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
+    process.send(SIGKILL);
+    ASSERT_EQ(process.wait().code, -SIGKILL) << "it has ended before it could be killed";
+    expect_whole_images(directory);
+    if (!directory.has("a")) continue;
+    const int now = iterations_in(directory);
+    EXPECT_GE(now, done);
+    done = now;
+  }
+  EXPECT_GT(done, 0);
+  EXPECT_EQ(run(directory, with({"--resume", "a"})).code, 0);
+  EXPECT_EQ(run(calm, with({})).code, 0);
+  for (const char* image : kImages) EXPECT_EQ(read_image(directory / image), read_image(calm / image));
+}
+
+// sppm renders three intervals, one after the other.
+INSTANTIATE_TEST_SUITE_P(Integrators, Kill, testing::Values("dsppm", "sppm"));
+
+}  // namespace
+}  // namespace dspm::test
