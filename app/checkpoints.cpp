@@ -11,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr Interval kEvery{.seconds = 600};
+
 /// Of all intervals' states, each in proportion to its frames.
 std::uint64_t bytes_of_all(const std::vector<FrameList>& intervals, std::uint64_t first) {
   std::size_t frames = 0;
@@ -34,7 +36,7 @@ void refuse_to_overwrite(const fs::path& path) {
 Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messages)
     : messages_(messages),
       path_(options.checkpoint.empty() ? options.resume : options.checkpoint),
-      every_(options.checkpoint_every),
+      every_(options.checkpoint_every.value_or(kEvery)),
       schedule_(every_) {
   if (!writes()) return;
   if (path_ != options.resume) refuse_to_overwrite(path_);

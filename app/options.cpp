@@ -153,6 +153,8 @@ void check(const Options& o) {
     throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
   if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")
     throw UsageError("--video " + o.video + ": the video is an .mp4");
+  if (o.checkpoint_every && o.checkpoint.empty() && o.resume.empty())
+    throw UsageError("--checkpoint-every: which file? Give --checkpoint or --resume, too");
   for (const std::string& define : o.defines)
     if (define.find('=') == define.npos || define.front() == '=')
       throw UsageError("-D " + define + ": expected name=value");

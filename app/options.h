@@ -34,9 +34,9 @@ struct Options {
   bool png = false;
   std::optional<bool> half;  // what the Film says otherwise
   Interval write_every;
-  std::string checkpoint, resume;  // files
-  Interval checkpoint_every{.seconds = 600};
-  std::string stats;  // "table", or a file for JSON ("-": standard output); empty: no statistics
+  std::string checkpoint, resume;            // files
+  std::optional<Interval> checkpoint_every;  // else every ten minutes
+  std::string stats;                         // "table", or a file for JSON ("-": standard output); empty: no statistics
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 
   int threads = 0;  // 0: all

@@ -61,8 +61,8 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::reserve(std::uint64_t bytes) {
   if (bytes == 0) return;
-  const int error = posix_fallocate(descriptor_, 0, static_cast<off_t>(bytes));
-  if (error != 0 && error != EOPNOTSUPP && error != EINVAL) fail(error);
+  // Not posix_fallocate, which writes byte after byte where the file system has no such function.
+  if (fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP) fail(errno);
 }
 
 void AtomicFile::write(std::string_view bytes) {
