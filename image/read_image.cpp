@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/files_read.h"
 #include "image/decoders.h"
 #include "image/encoding.h"
 #include "image/exr.h"
@@ -23,6 +24,7 @@ std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
     throw std::runtime_error("it cannot be read");
+  note_file_read(path, bytes);
   return bytes;
 }
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/files_read.h"
+
 namespace dspm {
 namespace {
 
@@ -78,6 +80,7 @@ std::string read_bytes(const std::filesystem::path& path) {
     data.resize(static_cast<std::size_t>(file.gcount()));
   }
   data.append(std::istreambuf_iterator<char>(file), {});  // a pipe has no size
+  note_file_read(path, data);
   return data;
 }
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/files_read.h"
+
 namespace dspm {
 
 // zlib hands on files that are not compressed as they are.
@@ -28,6 +30,7 @@ std::string read_mesh_file(const std::filesystem::path& path) {
     if (size > kMost) throw std::runtime_error("the file is larger than 16 GiB when expanded");
   }
   bytes.resize(size);
+  note_file_read(path, bytes);
   return bytes;
 }
 

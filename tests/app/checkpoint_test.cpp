@@ -3,6 +3,7 @@
 
 #include "image/exr.h"
 #include "image/image.h"
+#include "image/png.h"
 #include "tests/app/process.h"
 
 namespace dspm::test {
@@ -120,14 +121,19 @@ TEST(Checkpoint, OfOtherFilesIsRefused) {
                "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n") +
            x + " 0 0\n0 1 0\n3 0 1 2\n";
   };
+  const std::string wood = "Texture \"wood\" \"spectrum\" \"imagemap\" \"string filename\" \"wood.png\"\n";
   put_file(directory / "mesh.ply", mesh("1"));
-  put_file(directory / "tiny.dsc", kTinyScene + "Shape \"plymesh\" \"string filename\" \"mesh.ply\"\n");
+  write_png(directory / "wood.png", Image(2, 2));
+  put_file(directory / "tiny.dsc", kTinyScene + wood + "Shape \"plymesh\" \"string filename\" \"mesh.ply\"\n");
   expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
   expect_success(directory, {"tiny.dsc", "--resume", "a"});
   put_file(directory / "mesh.ply", mesh("2"));
+  write_png(directory / "wood.png", Image(2, 1));
   const Outcome outcome = run(directory, {"tiny.dsc", "--resume", "a"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.err.find("mesh.ply has changed since the checkpoint"), std::string::npos) << outcome.err;
+  for (const char* file : {"mesh.ply", "wood.png"})
+    EXPECT_NE(outcome.err.find(std::string(file) + " has changed since the checkpoint"), std::string::npos)
+        << outcome.err;
 }
 
 TEST(Checkpoint, IsNeverOverwrittenByAnotherRun) {
