@@ -46,6 +46,12 @@ class Ambient final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
 
+  bool persist(StateStream& state) override {
+    state.part(open_);
+    statistics_.persist(state);
+    return true;
+  }
+
  private:
   /// One camera ray of the pixel, in all frames.
   void look(int x, int y, std::uint64_t iteration) {

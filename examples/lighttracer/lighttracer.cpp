@@ -24,8 +24,8 @@ class PhotonWalk {
   PhotonWalk(const Scene& scene, const RenderSettings& render, int max_depth)
       : scene_(scene), render_(render), max_depth_(max_depth) {}
 
-  void trace(std::uint64_t path_index, std::uint64_t iteration) {
-    const PathRandom random(render_.seed, Stream::photon, path_index, iteration);
+  void trace(std::uint64_t path_index, int iteration) {
+    const PathRandom random(render_.seed, Stream::photon, path_index, static_cast<std::uint64_t>(iteration));
     const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
     if (chosen.probability == 0) return;
     const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
@@ -65,9 +65,8 @@ class PhotonWalk {
     scene_.camera.for_each(frames, [&](FrameSet seeing, const Camera& camera) {
       const auto sight = camera.sight(point.p, random.pair(path.bounces + 1, kLightPoint));
       if (!sight) return;
-      const Vec2 offset = render_.filter->sample(random.pair(path.bounces + 1, kLightDirection));
-      const int x = static_cast<int>(std::floor(sight->film.x - offset.x)),
-                y = static_cast<int>(std::floor(sight->film.y - offset.y));
+      const Vec2 film = sight->film - render_.filter->sample(random.pair(path.bounces + 1, kLightDirection));
+      const int x = static_cast<int>(std::floor(film.x)), y = static_cast<int>(std::floor(film.y));
       if (x < render_.crop.x0 || x >= render_.crop.x1 || y < render_.crop.y0 || y >= render_.crop.y1) return;
       const float cosine = std::abs(dot(sight->w, point.ns)) * shading_correction(point, wo, sight->w);
       const Rgb radiance = path.throughput * bsdf.evaluate(wo, sight->w, Transport::flux, bsdf.all_lobes()) *
@@ -102,9 +101,8 @@ class LightTracer final : public Integrator {
     std::vector<PhotonWalk> walks(static_cast<std::size_t>(chunk_count(photons_, kGrain)),
                                   {scene_, render_, max_depth_});
     parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i)
-        walks[static_cast<std::size_t>(begin / kGrain)].trace(static_cast<std::uint64_t>(i),
-                                                              static_cast<std::uint64_t>(iteration));
+      PhotonWalk& walk = walks[static_cast<std::size_t>(begin / kGrain)];
+      for (std::int64_t i = begin; i < end; ++i) walk.trace(static_cast<std::uint64_t>(i), iteration);
     });
     for (const PhotonWalk& walk : walks)
       for (const Splat& splat : walk.splats())
@@ -122,6 +120,10 @@ class LightTracer final : public Integrator {
   }
 
   Statistics statistics() const override { return statistics_; }
+  bool persist(StateStream& state) override {
+    for (Image& sum : sums_) state.part(sum.pixels);
+    return statistics_.persist(state), true;
+  }
 
  private:
   int iterations_, photons_, max_depth_;
