@@ -141,7 +141,7 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene, ::testing::Values("dsppm", "sppm", "photonmap", "path"));
 
-TEST(SenselessScene, IsRefusedWithItsPlace) {
+TEST(SenselessScene, IsRefused) {
   const TemporaryDirectory directory;
   for (const Degenerate& scene : kRefused) {
     put_scene(directory, scene.text);

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
@@ -44,6 +45,14 @@ class Process {
     prlimit(child_, resource, nullptr, &limits);
     limits.rlim_cur = value;
     prlimit(child_, resource, &limits, nullptr);
+  }
+
+  /// Of the running process; 0: it has ended.
+  std::size_t resident_bytes() const {
+    std::ifstream status("/proc/" + std::to_string(child_) + "/status");
+    for (std::string word; status >> word;)
+      if (std::size_t kilobytes = 0; word == "VmRSS:" && status >> kilobytes) return 1024 * kilobytes;
+    return 0;
   }
 
   Outcome wait() const {
