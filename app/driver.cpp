@@ -1,10 +1,7 @@
 #include "app/driver.h"
 
-#include <algorithm>
 #include <chrono>
 #include <new>
-#include <set>
-#include <utility>
 
 #include "app/catalogue.h"
 #include "app/checkpoints.h"
@@ -13,17 +10,14 @@
 #include "app/load.h"
 #include "app/memory_bound.h"
 #include "app/messages.h"
-#include "app/not_finite.h"
 #include "app/out_of_memory.h"
-#include "app/output.h"
 #include "app/progress.h"
+#include "app/results.h"
 #include "app/run_report.h"
 #include "app/signals.h"
 #include "app/standard_streams.h"
 #include "app/watch.h"
-#include "app/write_faults.h"
 #include "app/write_schedule.h"
-#include "core/atomic_file.h"
 #include "core/cancellation.h"
 #include "core/parallel.h"
 #include "world/world.h"
@@ -44,12 +38,6 @@ std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, 
   return integrator;
 }
 
-void write_report(const Job& job, const RunReport& report, const Options& options) {
-  if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
-  if (options.stats == "-") print_data(json_of(job, report));
-  if (options.stats_in_file()) write_file(options.stats, json_of(job, report));
-}
-
 /// A render: the world's frames through the integrator into files.
 class Run {
  public:
@@ -60,10 +48,9 @@ class Run {
         memory_(memory),
         messages_(messages),
         watch_(watch),
-        faults_(messages),
-        output_(job, options, messages),
+        results_(job, world, options, messages),
         checkpoints_(job, options, messages),
-        intervals_(memory.plan(job, world, output_.bytes_while_writing(), checkpoints_.intervals(), messages)),
+        intervals_(memory.plan(job, world, results_.bytes_while_writing(), checkpoints_.intervals(), messages)),
         seconds_before_(checkpoints_.seconds()) {
     report_.threads = thread_count();
   }
@@ -72,16 +59,14 @@ class Run {
   RunReport render();
   const std::vector<FrameList>& intervals() const { return intervals_; }
   /// The statistics and the video. Whether all files are written.
-  bool finish(const RunReport& report);
+  bool finish(const RunReport& report) { return results_.finish(report); }
 
  private:
   void render_interval(std::size_t index);
   /// Where it throws, the images so far are written; they may hold a part of that iteration. False: it was given up.
   bool iterate(Integrator& integrator, const FrameList& frames, int iteration);
-  void say_end();
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
-  /// The images of the interval's frames; the last ones go to the video, too.
-  void write(const FrameList& interval, const Integrator& integrator, bool last);
+  void write(const FrameList& interval, const Integrator& integrator, Results::Images images);
   /// Seconds for the interval: an equal share of what the intervals before it left.
   double time_share(std::size_t index) const {
     return (options_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
@@ -96,14 +81,12 @@ class Run {
   const MemoryBound& memory_;
   Messages& messages_;
   Watch& watch_;
-  WriteFaults faults_;
-  Output output_;
+  Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
   double seconds_before_;        // of the run that is resumed
   double interval_seconds_ = 0;  // of the interval, in runs before this one
   Clock::time_point interval_begin_;
-  std::set<Frame> written_;  // those that have images, as far as files can be written
   RunReport report_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_ = Clock::now();
@@ -113,8 +96,8 @@ RunReport Run::render() {
   for (std::size_t i = 0; i < intervals_.size() && InterruptRequests::signal() == 0; ++i) render_interval(i);
   progress_.reset();
   report_.seconds = seconds_before_ + seconds_since(begin_);
-  report_.exit_code = InterruptRequests::exit_code(faults_.any() ? 1 : 0);
-  say_end();
+  report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
+  results_.say_end(report_.seconds);
   return report_;
 }
 
@@ -143,8 +126,8 @@ void Run::render_interval(std::size_t index) {
   int done = before.iterations, saved = before.iterations;
   const auto save = [&] {
     saved = done;
-    faults_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), *integrator); });
-    faults_.tell();
+    results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), *integrator); });
+    results_.tell_faults();
   };
   const auto finished = [&] {
     return (iterations > 0 && done >= iterations) || InterruptRequests::signal() != 0 ||
@@ -156,11 +139,12 @@ void Run::render_interval(std::size_t index) {
     progress_->step(static_cast<int>(index), ++done);
     if (checkpoints_.due(done)) save();
     const bool wanted = InterruptRequests::take_write_request();
-    if ((schedule.due(done) || wanted) && !finished()) write(frames, *integrator, false), faults_.tell();
+    if ((schedule.due(done) || wanted) && !finished())
+      write(frames, *integrator, Results::Images::so_far), results_.tell_faults();
   }
   if (done > saved) save();
-  if (done > 0) write(frames, *integrator, true);
-  if (index + 1 < intervals_.size()) faults_.tell();
+  if (done > 0) write(frames, *integrator, Results::Images::last);
+  if (index + 1 < intervals_.size()) results_.tell_faults();
   report_.add(integrator->statistics(), frames);
 }
 
@@ -168,28 +152,16 @@ bool Run::iterate(Integrator& integrator, const FrameList& frames, int iteration
   constexpr std::size_t kLibraries = 1 << 20;  // what OpenEXR and zlib take besides
   try {
     // Address space only. It is free again in the catch clause, so that images are written even where memory ends.
-    const std::unique_ptr<char[]> reserve(new (std::nothrow) char[output_.bytes_while_writing() + kLibraries]);
+    const std::unique_ptr<char[]> reserve(new (std::nothrow) char[results_.bytes_while_writing() + kLibraries]);
     naming_memory_step(watch_, [&] { integrator.iterate(iteration); });
     return true;
   } catch (const Cancelled&) {
     return false;
   } catch (...) {
-    if (iteration > 0) write(frames, integrator, false);
-    faults_.tell_end();
+    if (iteration > 0) write(frames, integrator, Results::Images::so_far);
+    results_.tell_missing();
     throw;
   }
-}
-
-void Run::say_end() {
-  const std::size_t left = job_.frames.size() - written_.size();
-  const std::string what = InterruptRequests::signal() != 0 ? "interrupted" : "done";
-  const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
-  if (written_.empty()) return messages_.say("{} before the first iteration; nothing was written", what);
-  if (faults_.any())
-    return messages_.say("{} after {}, but not all could be written{}", what, readable_time(report_.seconds), missing);
-  const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
-  messages_.say("{} after {}: {}{}{}", what, readable_time(report_.seconds), output_.name(*written_.begin()).string(),
-                last, missing);
 }
 
 void Run::announce(const Scene& scene, const Integrator& integrator, int iterations) {
@@ -206,40 +178,9 @@ void Run::announce(const Scene& scene, const Integrator& integrator, int iterati
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
 
-void Run::write(const FrameList& interval, const Integrator& integrator, bool last) {
+void Run::write(const FrameList& interval, const Integrator& integrator, Results::Images images) {
   watch_.begin("writing the images", "");
-  const Statistics statistics = integrator.statistics();
-  tell(statistics.rejections, world_, interval, job_, messages_);
-  faults_.retry();
-  for (std::size_t j = 0; j < interval.size(); ++j) {
-    const Frame frame = interval[j];
-    const std::filesystem::path name = output_.name(frame);
-    const auto image = std::make_shared<Image>();
-    const auto estimate = [&] {
-      *image = integrator.estimate(static_cast<Frame>(j));
-      black_out_invalid(*image, frame, job_, messages_);
-      if (last) output_.add_to_video(*image);
-    };
-    const auto write_image = [this, frame, image, iterations = statistics.iterations, photons = statistics.photon.paths,
-                              seconds = seconds_of_interval()] {
-      output_.write(frame, *image, iterations, photons, seconds);
-    };
-    // Later there is nobody to ask for the last images.
-    const bool keep = last && options_.memory == 0;
-    if (faults_.attempt(name, estimate))
-      faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
-  }
-  faults_.attempt(options_.contact_sheet, [&] { output_.write_contact_sheet(); });
-  written_.insert(interval.begin(), interval.end());
-}
-
-bool Run::finish(const RunReport& report) {
-  faults_.retry();
-  faults_.attempt(options_.stats == "-" ? "standard output" : options_.stats,
-                  [&] { write_report(job_, report, options_); });
-  faults_.attempt(options_.video, [&] { output_.finish_video(); });
-  faults_.tell_end();
-  return !faults_.any();
+  results_.write(interval, integrator, seconds_of_interval(), images);
 }
 
 void explain(const World& world, const std::vector<FrameList>& intervals) {
