@@ -15,7 +15,10 @@ namespace {
 constexpr std::int64_t kGrain = 1 << 14;
 constexpr double kCellsPerPoint = 8, kLeastCells = 4096;
 
-int cells_along(float extent, float cell) { return std::max(1, static_cast<int>(std::floor(extent / cell)) + 1); }
+/// At least 0; NaN, as of huge coordinates, counts as that.
+int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
+
+int cells_along(float extent, float cell) { return truncated(extent / cell, 1e6f) + 1; }
 
 /// Widens the cells until there are at most `most` of them.
 float affordable_cell(const Vec3& extent, float cell, double most) {
@@ -31,8 +34,8 @@ float affordable_cell(const Vec3& extent, float cell, double most) {
 
 PointGrid::Cell PointGrid::cell_of(const Vec3& p) const {
   const Vec3 c = (p - bounds_.low) * inverse_cell_;
-  const auto clamped = [](float v, int n) { return static_cast<int>(std::clamp(v, 0.f, static_cast<float>(n - 1))); };
-  return {clamped(c.x, nx_), clamped(c.y, ny_), clamped(c.z, nz_)};
+  const auto along = [](float v, int n) { return truncated(v, static_cast<float>(n - 1)); };
+  return {along(c.x, nx_), along(c.y, ny_), along(c.z, nz_)};
 }
 
 void PointGrid::build(std::span<const Vec3> points, float cell_size) {

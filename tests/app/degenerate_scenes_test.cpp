@@ -42,6 +42,9 @@ const Degenerate kNothing[] = {
 const Degenerate kSomething[] = {
     {"HugeCoordinates", R"(Shape "trianglemesh" "integer indices" [0 1 2]
                            "point3 P" [-3e38 -3e38 1 3e38 0 1 0 3e38 1])"},
+    {"AHugeSphere", R"(Shape "sphere" "float radius" 1e19)"},
+    {"ALargerSphere", R"(Shape "sphere" "float radius" 1e38)"},
+    {"AHugeScale", R"(Scale 1e30 1e30 1e30 Shape "sphere" Shape "disk")"},
     {"IdenticalTriangles", R"(Shape "trianglemesh" "integer indices" [0 1 2 0 1 2 0 1 2 2 1 0]
                               "point3 P" [-1 -1 0 1 -1 0 0 1 0])"},
     {"ALightOnASurface", R"(LightSource "point" "rgb I" [5 5 5] "point3 from" [0 0 3])"},

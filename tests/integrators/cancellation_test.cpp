@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/support/render.h"
+#include "tests/support/state_bytes.h"
 
 namespace dspm::testing {
 namespace {
@@ -31,20 +32,6 @@ DynamicBegin "ball"
   Shape "sphere" "float radius" 0.4
 DynamicEnd
 )";
-
-class Bytes final : public StateStream {
- public:
-  std::string all;
-
- protected:
-  void bytes(void* data, std::size_t count) override { all.append(static_cast<const char*>(data), count); }
-};
-
-std::string state_of(Integrator& integrator) {
-  Bytes bytes;
-  EXPECT_TRUE(integrator.persist(bytes));
-  return bytes.all;
-}
 
 /// Whether it was given up.
 bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int iteration) {
