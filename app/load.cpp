@@ -27,12 +27,23 @@ ParseOptions parse_options_of(const Options& options) {
 LoadedScene::LoadedScene(const Options& options, Messages& messages) {
   Diagnostics diagnostics(options.lenient);
   description = std::make_unique<SceneDescription>(parse_files(options.scenes, parse_options_of(options), diagnostics));
+  make(options, diagnostics);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+LoadedScene::LoadedScene(const std::string& name, std::string text, const Options& options, Diagnostics& diagnostics)
+    : description(std::make_unique<SceneDescription>(
+          parse_text(name, std::move(text), parse_options_of(options), diagnostics))) {
+  make(options, diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+void LoadedScene::make(const Options& options, Diagnostics& diagnostics) {
   load_modules(*description, diagnostics);
   job = make_job(*description, options, diagnostics);
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
   world = std::make_unique<World>(*description, world_options, diagnostics);
-  messages.show(diagnostics);
-  diagnostics.throw_if_errors();
 }
 
 std::string summary_of(const LoadedScene& loaded) {

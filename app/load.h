@@ -12,10 +12,15 @@ namespace dspm {
 /// Throws SceneError with everything that is wrong with the scene; warnings and notes have been shown by then.
 struct LoadedScene {
   LoadedScene(const Options& options, Messages& messages);
+  /// The same of a text in memory; files that it names are looked for beside `name`.
+  LoadedScene(const std::string& name, std::string text, const Options& options, Diagnostics& diagnostics);
 
   std::unique_ptr<const SceneDescription> description;  // locations in messages point into it
   Job job;
   std::unique_ptr<const World> world;
+
+ private:
+  void make(const Options& options, Diagnostics& diagnostics);
 };
 
 /// Frames, pixels, shapes, ... in a line.

@@ -22,12 +22,13 @@ struct SceneLine {
   const char *kind, *usual, *own;
 };
 constexpr SceneLine kSceneLines[] = {
-    {"integrator", "Integrator \"dsppm\" \"integer iterations\" 16", "Integrator \"@name@\""},
+    {"integrator", "Integrator \"dsppm\" \"string direct\" \"sampled\" \"integer iterations\" 16",
+     "Integrator \"@name@\""},
     {"accelerator", "", "Accelerator \"@name@\""},
     {"camera", "Camera \"perspective\" \"float fov\" 40", "Camera \"@name@\" \"float fov\" 100"},
-    {"light", "LightSource \"point\" \"point3 from\" [2 4 -3] \"rgb I\" [30 30 28]",
-     "AttributeBegin Translate 2 4 -3 LightSource \"@name@\" \"rgb I\" [30 30 28] AttributeEnd"},
-    {"texture", "", "Texture \"pattern\" \"spectrum\" \"@name@\""},
+    {"light", "LightSource \"point\" \"point3 from\" [2 4 -3] \"rgb I\" [60 58 54]",
+     "AttributeBegin Translate 2 4 -3 LightSource \"@name@\" \"rgb I\" [60 58 54] AttributeEnd"},
+    {"texture", "", "Texture \"pattern\" \"spectrum\" \"@name@\" \"rgb light\" [.8 .75 .6] \"rgb dark\" [.15 .2 .35]"},
     {"material", "Material \"diffuse\" \"rgb reflectance\" [.7 .6 .5]",
      "Material \"@name@\" \"rgb reflectance\" [.7 .6 .5]"},
     {"shape", "Shape \"disk\" \"float radius\" 1.5", "Shape \"@name@\" \"float width\" 3 \"float height\" 2"},
@@ -89,6 +90,7 @@ std::string new_plugin(std::string_view kind, const std::string& name, const fs:
   const Words words = words_of(kind, name);
   write_file(folder / "CMakeLists.txt", filled(template_text("CMakeLists.txt"), words));
   write_file(folder / (name + ".cpp"), filled(template_text(std::string(kind) + ".cpp"), words));
+  write_file(folder / (name + "_test.cpp"), filled(template_text(std::string(kind) + "_test.cpp"), words));
   write_file(folder / (name + ".dsc"), filled(template_text("scene.dsc"), words));
   return fmt::format("cd {}\ncmake -B build && cmake --build build && ctest --test-dir build\n", folder.string());
 }

@@ -14,7 +14,7 @@ target_compile_options(libdspm INTERFACE ${dspm_code_options})
 set_target_properties(dspm PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS dspm)
 install(TARGETS libdspm EXPORT dspm LIBRARY NAMELINK_COMPONENT Development)
-foreach(header ${public_headers} ${toolkit_headers})
+foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${header_folder}/${folder} COMPONENT Development)
 endforeach()
@@ -24,6 +24,8 @@ configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL
 write_basic_package_version_file(dspmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT Development)
+
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 # cpack makes a .deb that brings its dependencies, as the linked libraries' packages name them.
 set(CPACK_GENERATOR DEB)
@@ -37,5 +39,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, ffmpeg")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, make, ffmpeg")
 include(CPack)

@@ -1,5 +1,5 @@
-# What modules outside of the tree may include. The first list is stable within a minor version; the second is what dspm's
-# own integrators are made of, and may change with any version.
+# What modules outside of the tree may include. The first two lists, for modules and for their tests, are stable within a
+# minor version; the third is what dspm's own integrators are made of, and may change with any version.
 set(public_headers
   accel/accel.h
   cameras/camera.h
@@ -14,6 +14,9 @@ set(public_headers
   shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h
   world/scene.h)
+set(testing_headers
+  testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/scattering.h testing/scattering_cases.h
+  testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/meet.h
   cameras/projection.h

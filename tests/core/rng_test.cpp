@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/chi2.h"
+#include "testing/chi2.h"
 
 namespace dspm {
 namespace {

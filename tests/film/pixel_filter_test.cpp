@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/rng.h"
-#include "tests/support/chi2.h"
+#include "testing/chi2.h"
 
 namespace dspm {
 namespace {

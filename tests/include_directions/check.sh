@@ -24,7 +24,7 @@ BEGIN {
   allowed["modules"] = "core shapes materials textures lights cameras accel world film/pixel_filter.h" \
       " integrators/integrator.h"
   allowed["examples"] = "*"
-  allowed["app"] = allowed["bench"] = "*"
+  allowed["app"] = allowed["bench"] = allowed["testing"] = "*"
   allowed["scenes"] = "core image shapes"
 
   # Headers of a library, and the only files that may include them.

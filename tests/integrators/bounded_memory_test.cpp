@@ -5,16 +5,17 @@
 #include <cmath>
 #include <optional>
 
+#include "app/job.h"
 #include "core/parallel.h"
 #include "integrators/memory_needs.h"
+#include "testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
-#include "tests/support/render.h"
 
 namespace dspm {
 namespace {
 
-using testing::RandomScene;
-using testing::TestScene;
+using test::RandomScene;
+using test::TestScene;
 
 constexpr int kFrames = 3, kIterations = 3;
 constexpr std::size_t kPlenty = std::size_t{1} << 40;

@@ -7,10 +7,10 @@
 #include <string>
 #include <thread>
 
-#include "tests/support/render.h"
+#include "testing/test_scene.h"
 #include "tests/support/state_bytes.h"
 
-namespace dspm::testing {
+namespace dspm::test {
 namespace {
 
 constexpr const char* kScene = R"(
@@ -76,4 +76,4 @@ std::string name_of(const ::testing::TestParamInfo<const char*>& info) { return 
 INSTANTIATE_TEST_SUITE_P(Integrators, Cancellation, ::testing::Values("dsppm", "sppm"), name_of);
 
 }  // namespace
-}  // namespace dspm::testing
+}  // namespace dspm::test

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
+#include "testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
-#include "tests/support/render.h"
 
 namespace dspm {
 namespace {
 
-using testing::RandomScene;
-using testing::TestScene;
+using test::RandomScene;
+using test::TestScene;
 
 constexpr int kIterations = 3;
 constexpr float kTolerance = 1e-5f;

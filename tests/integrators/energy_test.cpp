@@ -1,14 +1,14 @@
 // No light is lost or made up: in every frame, what lamps emit is absorbed, escapes, or is cut off.
 #include <gtest/gtest.h>
 
+#include "testing/scenes.h"
+#include "testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
-#include "tests/support/render.h"
-#include "tests/support/scenes.h"
 
 namespace dspm {
 namespace {
 
-using testing::TestScene;
+using test::TestScene;
 
 EnergyBalance balance_of(TestScene& test, Frame frame, int iterations) {
   const auto scene = test.scene(test.all_frames());
@@ -19,7 +19,7 @@ EnergyBalance balance_of(TestScene& test, Frame frame, int iterations) {
 
 TEST(Energy, IsKeptInEveryFrame) {
   for (unsigned seed = 0; seed < 12; ++seed) {
-    const std::string text = testing::RandomScene(seed, 6).text(R"(Integrator "dsppm" "integer photons" 5000)");
+    const std::string text = test::RandomScene(seed, 6).text(R"(Integrator "dsppm" "integer photons" 5000)");
     SCOPED_TRACE(text);
     TestScene test(text);
     const auto scene = test.scene(test.all_frames());
@@ -35,7 +35,7 @@ TEST(Energy, IsKeptInEveryFrame) {
 // A lamp of power P in a closed sphere of albedo a: the first hit absorbs (1 - a) P, the second (1 - a) a P, ... With
 // at most n hits the sum is (1 - a^(n-1)) P, and a^(n-1) P reaches the last hit, where it is cut off.
 TEST(Energy, IsAbsorbedAsTheAlbedoSays) {
-  TestScene test(testing::furnace(R"("dsppm" "integer photons" 100000 "integer maxdepth" 4)", 0.6f));
+  TestScene test(test::furnace(R"("dsppm" "integer photons" 100000 "integer maxdepth" 4)", 0.6f));
   const EnergyBalance e = balance_of(test, 0, 1);
   EXPECT_NEAR(e.absorbed / e.emitted, 1 - 0.6 * 0.6 * 0.6, 0.005);
   EXPECT_NEAR(e.terminated / e.emitted, 0.6 * 0.6 * 0.6, 0.005);

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "tests/support/render.h"
+#include "testing/test_scene.h"
 
 namespace dspm {
 namespace {
 
-using testing::TestScene;
+using test::TestScene;
 
 constexpr int kFrames = 6;
 

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "tests/support/render.h"
+#include "testing/test_scene.h"
 #include "tests/support/state_bytes.h"
 
-namespace dspm::testing {
+namespace dspm::test {
 namespace {
 
 constexpr std::uint64_t kHigh = (std::uint64_t{1} << 32) - 100;
@@ -59,4 +59,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, LongCounters,
                          name_of);
 
 }  // namespace
-}  // namespace dspm::testing
+}  // namespace dspm::test

@@ -2,16 +2,17 @@
 // crop that equals the same pixels of the whole, and memory that does not grow.
 #include <gtest/gtest.h>
 
+#include "app/options.h"
 #include "core/parallel.h"
+#include "testing/scenes.h"
+#include "testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
-#include "tests/support/render.h"
-#include "tests/support/scenes.h"
 
 namespace dspm {
 namespace {
 
-using testing::RandomScene;
-using testing::TestScene;
+using test::RandomScene;
+using test::TestScene;
 
 constexpr const char* kVariants[] = {
     R"("dsppm" "integer photons" 4000 "string estimator" "hj09")",
@@ -22,25 +23,6 @@ constexpr const char* kVariants[] = {
     R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20 "integer finalgather" 4)",
     R"("path" "integer maxdepth" 6)",
 };
-
-std::vector<Image> render(TestScene& test, int iterations, std::vector<std::size_t>* bytes = nullptr) {
-  std::vector<Image> images;
-  std::vector<std::vector<Frame>> groups{test.all_frames()};
-  if (test.job().plugin->frames_together == 1) {
-    groups.clear();
-    for (const Frame f : test.all_frames()) groups.push_back({f});
-  }
-  for (const auto& frames : groups) {
-    const auto scene = test.scene(frames);
-    const auto integrator = test.integrator(*scene);
-    for (int i = 0; i < iterations; ++i) {
-      integrator->iterate(i);
-      if (bytes) bytes->push_back(integrator->statistics().bytes);
-    }
-    for (Frame f = 0; f < scene->frame_count(); ++f) images.push_back(integrator->estimate(f));
-  }
-  return images;
-}
 
 class Promises : public ::testing::TestWithParam<const char*> {
  protected:
@@ -55,7 +37,7 @@ TEST_P(Promises, SameBitsWithAnyNumberOfThreads) {
     for (const int threads : {1, 2, 5}) {
       const ThreadLimit limit(threads);
       TestScene test(text);
-      by_threads.push_back(render(test, 2));
+      by_threads.push_back(test.render_all(2));
     }
     EXPECT_EQ(by_threads[0], by_threads[1]);
     EXPECT_EQ(by_threads[0], by_threads[2]);
@@ -63,13 +45,13 @@ TEST_P(Promises, SameBitsWithAnyNumberOfThreads) {
 }
 
 TEST_P(Promises, FramesOfAStaticSceneAreIdentical) {
-  TestScene test(testing::box("Frames 7\n" + integrator(), R"(
+  TestScene test(test::box("Frames 7\n" + integrator(), R"(
 DynamicBegin "still"
   Translate 0.2 -0.6 0
   Material "dielectric"
   Shape "sphere" "float radius" 0.4
 DynamicEnd)"));
-  const std::vector<Image> images = render(test, 2);
+  const std::vector<Image> images = test.render_all(2);
   ASSERT_EQ(images.size(), 7u);
   for (const Image& image : images) EXPECT_EQ(image, images.front());
 }
@@ -81,7 +63,7 @@ TEST_P(Promises, ACropEqualsTheSamePixelsOfTheWhole) {
   Options options;
   options.pixel_bounds = {5, 21, 3, 16};  // x0, x1, y0, y1
   TestScene crop(text, options);
-  const std::vector<Image> all = render(whole, 2), part = render(crop, 2);
+  const std::vector<Image> all = whole.render_all(2), part = crop.render_all(2);
   ASSERT_EQ(all.size(), part.size());
   for (std::size_t f = 0; f < all.size(); ++f) {
     ASSERT_EQ(part[f].width, 16);
@@ -96,14 +78,19 @@ TEST_P(Promises, ACropEqualsTheSamePixelsOfTheWhole) {
 }
 
 TEST_P(Promises, MemoryIsFlatOverIterations) {
-  TestScene test(testing::box("Frames 3\n" + integrator(), R"(
+  TestScene test(test::box("Frames 3\n" + integrator(), R"(
 DynamicBegin "ball"
   Keyframe 1 Translate -0.4 -0.6 0 Keyframe 3 Translate 0.4 -0.6 0 KeyframeEnd
   Material "dielectric"
   Shape "sphere" "float radius" 0.35
 DynamicEnd)"));
+  const auto scene = test.scene(test.intervals().front());
+  const auto made = test.integrator(*scene);
   std::vector<std::size_t> bytes;
-  render(test, 60, &bytes);
+  for (int i = 0; i < 60; ++i) {
+    made->iterate(i);
+    bytes.push_back(made->statistics().bytes);
+  }
   // Buffers settle within a few iterations; what grew with every iteration would be six times larger.
   EXPECT_LE(static_cast<double>(bytes[59]), 1.5 * static_cast<double>(bytes[9]));
 }
@@ -113,7 +100,7 @@ TEST_P(Promises, NothingIsInvalid) {
     const std::string text = RandomScene(seed, 2).text(integrator());
     SCOPED_TRACE(text);
     TestScene test(text);
-    for (const Image& image : render(test, 2))
+    for (const Image& image : test.render_all(2))
       for (const Rgb& pixel : image.pixels) {
         ASSERT_TRUE(is_finite(pixel));
         ASSERT_GE(std::min(pixel.r, std::min(pixel.g, pixel.b)), 0);

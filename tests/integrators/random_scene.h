@@ -10,7 +10,7 @@
 #include "core/frames.h"
 #include "tests/integrators/scene_files.h"
 
-namespace dspm::testing {
+namespace dspm::test {
 
 class RandomScene {
  public:
@@ -225,4 +225,4 @@ class RandomScene {
   int frames_;
 };
 
-}  // namespace dspm::testing
+}  // namespace dspm::test

@@ -12,7 +12,7 @@
 
 #include "image/compare.h"
 #include "image/shrink.h"
-#include "tests/support/render.h"
+#include "testing/test_scene.h"
 
 namespace dspm {
 namespace {
@@ -55,7 +55,7 @@ std::vector<Block> render_blocks(const Settings& settings) {
   const std::filesystem::path file = kData / settings.scene / "scene-v4.pbrt";
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  testing::TestScene scene(with_settings(text, settings), {}, file.string());
+  test::TestScene scene(with_settings(text, settings), file.string());
   const Image image = scene.render(0, settings.iterations);
   const Image reference = read_image(kData / settings.scene / "TungstenRender.exr");
 

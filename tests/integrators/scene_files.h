@@ -11,7 +11,7 @@
 #include "image/png.h"
 #include "tests/support/temporary_directory.h"
 
-namespace dspm::testing {
+namespace dspm::test {
 
 class SceneFiles {
  public:
@@ -69,4 +69,4 @@ class SceneFiles {
   test::TemporaryDirectory directory_;
 };
 
-}  // namespace dspm::testing
+}  // namespace dspm::test

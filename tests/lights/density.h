@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/sampling.h"
+#include "testing/chi2.h"
 #include "tests/lights/random.h"
-#include "tests/support/chi2.h"
 
 namespace dspm::test {
 

@@ -1,4 +1,4 @@
-// What the tests of materials share: materials as a scene would ask for them, surfaces to put them on, directions.
+// What the tests of materials share: materials as a scene would ask for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/rng.h"
 #include "materials/material.h"
+#include "testing/scattering_cases.h"
 #include "textures/texture_set.h"
 
 namespace dspm::test {
@@ -38,36 +38,6 @@ inline std::unique_ptr<Material> make(std::string_view type, std::vector<Param> 
   std::unique_ptr<Material> material = make(type, std::move(params), diagnostics);
   EXPECT_TRUE(diagnostics.all().empty()) << to_string(diagnostics.all().front());
   return material;
-}
-
-/// A surface whose normals are z, unless shading bends them.
-inline SurfacePoint surface(Vec3 ns = {0, 0, 1}, Vec3 dpdu = {1, 0, 0}) {
-  return {{}, {}, {0, 0, 1}, normalize(ns), dpdu, {0.3f, 0.6f}};
-}
-inline SurfacePoint bent_surface() { return surface({0.35f, -0.2f, 1}, {2, 1, 0}); }
-
-inline Vec3 direction(float cos, float phi) {
-  const float sin = std::sqrt(std::max(0.f, 1 - cos * cos));
-  return {sin * std::cos(phi), sin * std::sin(phi), cos};
-}
-/// From straight on to grazing.
-inline std::vector<Vec3> directions_above() {
-  return {direction(1, 0), direction(0.9f, 1), direction(0.6f, 2.5f), direction(0.3f, 4), direction(0.03f, 5.5f)};
-}
-inline std::vector<Vec3> directions() {
-  std::vector<Vec3> both = directions_above();
-  for (const Vec3& w : directions_above()) both.push_back({w.x, w.y, -w.z});
-  return both;
-}
-
-inline Vec3 three_numbers(const PathRandom& random, int n) {
-  const Vec2 pair = random.pair(n, 0);
-  return {pair.x, pair.y, random.number(n, 2)};
-}
-/// Uniform over the sphere.
-inline Vec3 any_direction(const PathRandom& random, int n) {
-  const Vec2 u = random.pair(n, 4);
-  return direction(2 * u.x - 1, 2 * kPi * u.y);
 }
 
 /// Has no lobe that evaluate knows of.

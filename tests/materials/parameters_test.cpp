@@ -41,8 +41,9 @@ TEST(Parameters, EveryPluginDescribesItself) {
   }
   EXPECT_EQ(plugins,
             (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
-  EXPECT_EQ(names(*material_plugins().find("conductor")), (std::vector<std::string>{"roughness", "uroughness", "vroughness",
-                                                                    "remaproughness", "eta", "k", "reflectance"}));
+  EXPECT_EQ(
+      names(*material_plugins().find("conductor")),
+      (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k", "reflectance"}));
 }
 
 TEST(Parameters, DiffuseDefault) {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "shapes/placed_shape.h"
+#include "testing/chi2.h"
 #include "tests/shapes/making.h"
 #include "tests/shapes/placed.h"
-#include "tests/support/chi2.h"
 
 namespace dspm {
 namespace {

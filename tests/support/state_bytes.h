@@ -8,7 +8,7 @@
 
 #include "core/state_stream.h"
 
-namespace dspm::testing {
+namespace dspm::test {
 
 class SavedState final : public StateStream {
  public:
@@ -41,4 +41,4 @@ std::string state_of(Persistent& object) {
   return state.all;
 }
 
-}  // namespace dspm::testing
+}  // namespace dspm::test

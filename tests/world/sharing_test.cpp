@@ -1,13 +1,14 @@
 // What --explain says of small scenes whose sharing is plain, and what the scenes of frame intervals hold.
 #include <gtest/gtest.h>
 
-#include "tests/support/render.h"
-#include "tests/support/scenes.h"
+#include "testing/scenes.h"
+#include "testing/test_scene.h"
+#include "world/world.h"
 
 namespace dspm {
 namespace {
 
-using testing::TestScene;
+using test::TestScene;
 
 std::string explained(TestScene& test, const std::vector<Frame>& frames) {
   std::string all;
@@ -26,7 +27,7 @@ DynamicBegin "late" "integer frames" [5 6] Shape "sphere" "float radius" 0.1 Dyn
 )";
 
 TEST(Sharing, SaysWhatIsSharedAndWhy) {
-  TestScene test(testing::box("Frames 6\n", kContents));
+  TestScene test(test::box("Frames 6\n", kContents));
   const std::string all = explained(test, test.all_frames());
   EXPECT_NE(all.find("dynamic \"still\": the same in all frames"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"moving\": moves rigidly, 3 states"), std::string::npos) << all;
@@ -36,14 +37,14 @@ TEST(Sharing, SaysWhatIsSharedAndWhy) {
 }
 
 TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
-  TestScene test(testing::box("Frames 6\n", kContents));
+  TestScene test(test::box("Frames 6\n", kContents));
   EXPECT_NE(explained(test, {3, 4}).find("dynamic \"moving\": the same in all frames"), std::string::npos);
   EXPECT_NE(explained(test, {0, 1}).find("dynamic \"late\": not there"), std::string::npos);
   EXPECT_NE(explained(test, {2}).find("dynamic \"growing\": the same in all frames"), std::string::npos);
 }
 
 TEST(World, ScenesOfIntervalsAgreeInWhatSamplingDerives) {
-  TestScene test(testing::box("Frames 6\n", kContents));
+  TestScene test(test::box("Frames 6\n", kContents));
   const auto all = test.scene(test.all_frames()), some = test.scene({1, 4});
   EXPECT_EQ(all->center, some->center);
   EXPECT_EQ(all->radius, some->radius);

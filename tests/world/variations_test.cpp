@@ -4,17 +4,20 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 #include "image/png.h"
-#include "tests/support/render.h"
-#include "tests/support/scenes.h"
+#include "lang/parse.h"
+#include "testing/scenes.h"
+#include "testing/test_scene.h"
 #include "tests/support/temporary_directory.h"
+#include "world/world.h"
 
 namespace dspm {
 namespace {
 
-using testing::TestScene;
+using test::TestScene;
 
 SceneDescription read(const std::string& text, const std::string& name = "scene.dsc") {
   Diagnostics diagnostics;
@@ -88,10 +91,10 @@ TEST(Presence, GoesWithTheMoments) {
 }
 
 TEST(Presence, AHiddenBlockTakesItsLightsAlong) {
-  TestScene test(testing::box("", R"(DynamicBegin "lamp" LightSource "point" "rgb I" [1 1 1] DynamicEnd
+  TestScene test(test::box("", R"(DynamicBegin "lamp" LightSource "point" "rgb I" [1 1 1] DynamicEnd
 DynamicBegin "panel" AreaLightSource "diffuse" Shape "sphere" "float radius" .1 DynamicEnd
 )" + variation("a", R"(Hide "lamp")") +
-                                      variation("b", R"(Hide "panel")")));
+                                   variation("b", R"(Hide "panel")")));
   const auto scene = test.scene({0, 1});
   ASSERT_EQ(scene->lights.size(), 3u);  // the point, the box's, the panel
   ASSERT_EQ(scene->lights[0].states.states.size(), 1u);
@@ -134,7 +137,7 @@ TEST(Looks, ChangeWithTheTexturesThatTheyAreMadeOf) {
                                          variation("b", R"(MakeNamedMaterial "other" "string type" "conductor")")) +
                            axis("y", variation("c", R"(MakeNamedMaterial "ball" "string type" "dielectric")") +
                                          variation("d", R"(MakeNamedMaterial "other" "string type" "diffuse")"));
-  TestScene test(testing::box("", kBall + axes));
+  TestScene test(test::box("", kBall + axes));
   const auto scene = test.scene(test.all_frames());  // a-c, a-d, b-c, b-d
   const auto states = [&](std::size_t material) {
     std::vector<std::uint64_t> bits;
@@ -161,7 +164,7 @@ class Fabrics {
       axes += variation(std::to_string(i),
                         fmt::format(R"(Texture "cloth" "spectrum" "imagemap" "string filename" "{}")", name));
     }
-    text_ = testing::box("", R"(
+    text_ = test::box("", R"(
 Texture "cloth" "spectrum" "imagemap" "string filename" "base.png"
 MakeNamedMaterial "ball" "string type" "diffuse" "texture reflectance" "cloth"
 NamedMaterial "ball"
@@ -169,7 +172,7 @@ Shape "sphere" "float radius" .3
 )" + axis("fabric", axes));
   }
   std::unique_ptr<TestScene> load() const {
-    return std::make_unique<TestScene>(text_, Options{}, (directory_ / "chair.dsc").string());
+    return std::make_unique<TestScene>(text_, (directory_ / "chair.dsc").string());
   }
   const test::TemporaryDirectory& directory() const { return directory_; }
 

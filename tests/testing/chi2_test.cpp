@@ -1,10 +1,9 @@
 // The chi-square test itself: it must pass what is right and catch what is slightly wrong.
-#include "tests/support/chi2.h"
+#include "testing/chi2.h"
 
 #include <gtest/gtest.h>
 
-#include "core/rng.h"
-#include "tests/materials/materials.h"
+#include "testing/scattering_cases.h"
 
 namespace dspm::test {
 namespace {

@@ -1,15 +1,10 @@
-// Small scenes whose answer is known, or which all integrators must agree on.
-#pragma once
+#include "testing/scenes.h"
 
 #include <fmt/format.h>
 
-#include <string>
+namespace dspm::test {
 
-namespace dspm::testing {
-
-/// Inside a sphere that glows with radiance 1 and reflects a share `albedo` diffusely: the radiance L is the same
-/// everywhere, L = 1 + albedo L, so L = 1 / (1 - albedo).
-inline std::string furnace(const std::string& integrator, float albedo) {
+std::string furnace(const std::string& integrator, float albedo, const std::string& shape) {
   return fmt::format(R"(
 Integrator {}
 LookAt 0 0 0  0 0 1  0 1 0
@@ -19,13 +14,27 @@ WorldBegin
 ReverseOrientation
 AreaLightSource "diffuse" "rgb L" [1 1 1]
 Material "diffuse" "rgb reflectance" [{} {} {}]
-Shape "sphere" "float radius" 2
+Shape {}
 )",
-                     integrator, albedo, albedo, albedo);
+                     integrator, albedo, albedo, albedo, shape);
 }
 
-/// A Cornell-like box with a lamp under the ceiling; `contents` stands in it. -1 <= x, y, z <= 1, open towards -z.
-inline std::string box(const std::string& options, const std::string& contents, int size = 32) {
+std::string open_furnace(const std::string& integrator, const std::string& material) {
+  return fmt::format(R"(
+Integrator {}
+LookAt 0 0 1  0 0 0  0 1 0
+Camera "perspective" "float fov" 140
+PixelFilter "box"
+Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+WorldBegin
+LightSource "infinite" "rgb L" [1 1 1]
+Material {}
+Shape "disk" "float radius" 10
+)",
+                     integrator, material);
+}
+
+std::string box(const std::string& options, const std::string& contents, int size) {
   return options +
          fmt::format(R"(
 LookAt 0 0 -3.6  0 0 0  0 1 0
@@ -53,4 +62,4 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [1 -1 -1 1 -1 1 
          contents;
 }
 
-}  // namespace dspm::testing
+}  // namespace dspm::test

@@ -1,0 +1,42 @@
+// Light tracing finds what paths from the camera find, in both frames of a room through which a ball of frosted metal moves.
+// The lamp is out of sight, because light tracing does not show lamps.
+#include "testing/agreement.h"
+#include "testing/checks.h"
+
+namespace {
+
+std::string room(const std::string& integrator) {
+  return "Integrator " + integrator + R"(
+Frames 2
+LookAt 0 1.6 -4.2  0 0.6 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 32 "integer yresolution" 24
+WorldBegin
+AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [30 28 26]
+  Translate 1.2 3.2 -0.6
+  Shape "sphere" "float radius" 0.4
+AttributeEnd
+Material "diffuse" "rgb reflectance" [.65 .6 .55]
+Shape "trianglemesh" "point3 P" [-3 0 -5  3 0 -5  3 0 2  -3 0 2  -3 4 2  3 4 2  -3 4 -5  3 4 -5]
+  "integer indices" [0 2 1  0 3 2  3 5 2  3 4 5  0 6 4  0 4 3  1 2 5  1 5 7]
+DynamicBegin "ball"
+  Keyframe 1 Translate -0.6 0.5 0
+  Keyframe 2 Translate 0.6 0.5 0
+  KeyframeEnd
+  Material "conductor" "float roughness" 0.2
+  Shape "sphere" "float radius" 0.5
+DynamicEnd
+)";
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  using namespace dspm::test;
+  return run_checks(count, arguments, [](Checks& checks) {
+    const Tiles path = rendered(room(R"("path" "integer maxdepth" 4)"), 24);
+    const Tiles light = rendered(room(R"("lighttracer" "integer maxdepth" 4 "integer photons" 100000)"), 2);
+    checks.add("a room as path sees it", agreement(light, path));
+  });
+}

@@ -1,0 +1,18 @@
+// What a check has found: a plain value, for any library of tests or none.
+#pragma once
+
+#include <string>
+
+namespace dspm::test {
+
+struct Verdict {
+  bool passed = true;
+  std::string message;  // figures; of several failures the first
+
+  void fail(const std::string& why) {
+    if (passed) message = why;
+    passed = false;
+  }
+};
+
+}  // namespace dspm::test
