@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/joint_path.h"
+#include "integrators/parted_paths.h"
 #include "integrators/tiles.h"
 
 namespace dspm {
@@ -56,34 +57,16 @@ class HitPointTracer {
     met_dynamic_ = false;
   }
 
-  /// Follows what waits, frame by frame: what is dynamic has its own vertices and tree in each frame, and a tile's
-  /// paths in one frame find them in the cache.
   void finish() {
     finishing_ = true;
-    std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
-      return a.part.frames.lowest() < b.part.frames.lowest();
-    });
-    for (const Waiting& w : waiting_) {
-      const Parted& from = parted_[w.parted];
+    parted_.for_each([&](const PartedPath& from, const FrameHit& part) {
       pixel_ = from.pixel, camera_ = from.camera;
-      follow(from.path, w.part, from.random);
+      follow(from.path, part, from.random);
       run(from.random);
-    }
+    });
   }
 
  private:
-  /// A path at whose end frames part.
-  struct Parted {
-    PathState path;
-    PathRandom random;
-    const Camera* camera;
-    int pixel;
-  };
-  struct Waiting {
-    FrameHit part;
-    std::uint32_t parted;  // number of the path
-  };
-
   void run(const PathRandom& random) {
     while (!stack_.empty()) {
       const PathState path = stack_.pop();
@@ -95,8 +78,7 @@ class HitPointTracer {
         continue;
       }
       met_dynamic_ = true;
-      for (const FrameHit& part : parts) waiting_.push_back({part, static_cast<std::uint32_t>(parted_.size())});
-      parted_.push_back({path, random, camera_, pixel_});
+      parted_.add({path, random, camera_, pixel_}, parts);
     }
   }
 
@@ -264,8 +246,7 @@ class HitPointTracer {
   HitPointTile& out_;
   const Camera* camera_ = nullptr;
   PathStack<> stack_;
-  std::vector<Parted> parted_;
-  std::vector<Waiting> waiting_;
+  PartedPaths parted_;
   bool finishing_ = false;
   const RayHit* met_ = nullptr;  // where the path just now has arrived
   int pixel_ = 0;
