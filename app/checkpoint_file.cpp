@@ -12,8 +12,8 @@
 namespace dspm {
 namespace {
 
-// Little-endian, as the machines that dspm runs on. What follows the magic: the checksum of all the rest.
-constexpr std::string_view kMagic = "dspm checkpoint 1\n";
+// Numbers are little-endian, as the machines that dspm runs on.
+constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
 constexpr std::size_t kBlock = 1 << 20;
 
@@ -56,9 +56,12 @@ class LoadingStream final : public StateStream {
 
  protected:
   void bytes(void* data, std::size_t count) override {
-    if (count > left_ || !file_.read(static_cast<char*>(data), static_cast<std::streamsize>(count)))
-      fail("it ends too early");
+    expect(count);
+    if (!file_.read(static_cast<char*>(data), static_cast<std::streamsize>(count))) fail("it cannot be read");
     left_ -= count;
+  }
+  void expect(std::size_t count) override {
+    if (count > left_) fail("it ends too early");
   }
 
  private:

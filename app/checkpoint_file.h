@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/facts.h"
@@ -25,6 +26,9 @@ struct IntervalState {
 
 class CheckpointFile {
  public:
+  /// What such a file begins with; then its head, the states, and the checksum of both.
+  static constexpr std::string_view kMagic = "dspm checkpoint 1\n";
+
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or none.
   explicit CheckpointFile(const std::filesystem::path& path);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "core/atomic_file.h"
@@ -22,6 +24,21 @@ std::uint64_t bytes_of_all(const std::vector<FrameList>& intervals, std::uint64_
 
 std::string in_words(const Interval& every) {
   return every.seconds > 0 ? readable_time(every.seconds) : fmt::format("{} iterations", every.iterations);
+}
+
+/// Damage that is no accident would end in frames that are not there.
+void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, const std::string& file) {
+  FrameList all;
+  bool valid = true;
+  for (const IntervalState& interval : intervals) {
+    const FrameList& frames = interval.frames;
+    valid = valid && interval.iterations >= 0 && !frames.empty() && frames.size() <= kMaxFrames &&
+            std::is_sorted(frames.begin(), frames.end());
+    all.insert(all.end(), frames.begin(), frames.end());
+  }
+  std::sort(all.begin(), all.end());
+  if (!valid || all != job.frames)
+    throw std::runtime_error(fmt::format("checkpoint {}: its frames are not those to render", file));
 }
 
 void refuse_to_overwrite(const fs::path& path) {
@@ -47,6 +64,7 @@ Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messa
   Diagnostics diagnostics;
   compare(last_->facts(), facts_, diagnostics);
   diagnostics.throw_if_errors();
+  expect_frames(states_, job, options.resume);
 }
 
 std::vector<FrameList> Checkpoints::intervals() const {

@@ -35,6 +35,7 @@ class StateStream {
     std::uint64_t count = values.size();
     bytes(&count, sizeof(count));
     if (count > most) throw std::runtime_error("it holds more values than there can be");
+    expect(static_cast<std::size_t>(count) * sizeof(T));
     values.resize(static_cast<std::size_t>(count));
     bytes(values.data(), values.size() * sizeof(T));
   }
@@ -42,6 +43,8 @@ class StateStream {
  protected:
   /// Counts, saves or replaces them.
   virtual void bytes(void* data, std::size_t count) = 0;
+  /// As many will follow: where they cannot, loading throws before room is made for them.
+  virtual void expect(std::size_t /*count*/) {}
 };
 
 }  // namespace dspm

@@ -28,9 +28,6 @@ Rejections& Rejections::operator+=(const Rejections& other) {
   return *this;
 }
 
-void Rejections::persist(StateStream& state) {
-  state.part(count_);
-  state.list(entries_, kMostEntries);
-}
+void Rejections::persist(StateStream& state) { state.part(count_); }
 
 }  // namespace dspm

@@ -24,6 +24,7 @@ class Rejections {
   }
   Rejections& operator+=(const Rejections& other);
 
+  /// The count: which parts they came from has been told by then.
   void persist(StateStream& state);
 
   /// Of all parts; `entries` tells of the first few only.
