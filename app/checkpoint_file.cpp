@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/atomic_file.h"
+#include "core/file_access.h"
 
 namespace dspm {
 namespace {
@@ -125,8 +126,10 @@ uLong checksum_of(std::istream& file, std::uint64_t count) {
 
 }  // namespace
 
-CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
+CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) {
   try {
+    expect_allowed(path);
+    file_.open(path, std::ios::binary);
     if (!file_) fail("there is no such file, or it cannot be read");
     const std::uint64_t size = std::filesystem::file_size(path);
     std::array<char, kMagic.size()> magic{};

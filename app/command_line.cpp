@@ -17,6 +17,7 @@
 #include "app/options.h"
 #include "app/signals.h"
 #include "core/errors.h"
+#include "core/file_access.h"
 #include "modules/blame.h"
 
 namespace dspm {
@@ -35,9 +36,19 @@ int run(const Options& options) {
   return 0;
 }
 
+void confine(const Options& options) {
+  if (options.sandbox.empty()) return;
+  try {
+    confine_files(options.sandbox);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("--sandbox {}: {}", options.sandbox, error.what()));
+  }
+}
+
 int run_or_inform(const std::vector<std::string>& arguments) {
   try {
     const Options options = parse_options(arguments);
+    confine(options);
     load_modules(options);
     return run(options);
   } catch (const Information& information) {

@@ -4,9 +4,9 @@
 
 #include "app/frame_choice.h"
 #include "app/load_modules.h"
+#include "core/read_file.h"
 #include "lang/formatter.h"
 #include "lang/parse.h"
-#include "lang/read_file.h"
 
 namespace dspm {
 
@@ -74,7 +74,7 @@ std::string formatted(const std::vector<std::string>& scenes) {
     SourceFile file{scene, {}};
     Diagnostics diagnostics;
     try {
-      file.text = read_file(scene);
+      file.text = read_input(scene);
     } catch (const std::runtime_error& error) {
       diagnostics.error({}, fmt::format("cannot read \"{}\": {}", scene, error.what()));
     }

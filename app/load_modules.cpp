@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "core/file_access.h"
 #include "modules/load.h"
 
 namespace dspm {
@@ -49,6 +50,12 @@ fs::path find(const ModuleUse& use, const SceneDescription& description) {
 }  // namespace
 
 void load_modules(const Options& options) {
+  if (files_are_confined() && !options.modules.empty())
+    throw UsageError(
+        fmt::format("--plugin {}: --sandbox loads no plugins; leave out one of the two", options.modules[0]));
+  if (files_are_confined() && !folders().empty())
+    throw UsageError(
+        fmt::format("--sandbox loads no plugins, but {0} is set; run it as: env -u {0} dspm ...", kPathVariable));
   try {
     for (const fs::path& folder : folders())
       for (const fs::path& file : libraries_in(folder)) load_module(file);
@@ -60,6 +67,10 @@ void load_modules(const Options& options) {
 
 void load_modules(const SceneDescription& description, Diagnostics& diagnostics) {
   for (const ModuleUse& use : description.modules) {
+    if (files_are_confined()) {
+      diagnostics.error(use.where, "--sandbox loads no plugins", "leave it out if you trust whoever wrote this scene");
+      continue;
+    }
     const fs::path file = find(use, description);
     if (file.empty()) {
       diagnostics.error(

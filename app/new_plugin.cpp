@@ -10,6 +10,7 @@
 #include "app/templates.h"
 #include "core/atomic_file.h"
 #include "core/errors.h"
+#include "core/file_access.h"
 #include "core/version.h"
 
 namespace dspm {
@@ -85,6 +86,7 @@ void check(std::string_view kind, const std::string& name, const fs::path& folde
 }  // namespace
 
 std::string new_plugin(std::string_view kind, const std::string& name, const fs::path& folder) {
+  expect_allowed(folder);
   check(kind, name, folder);
   fs::create_directories(folder);
   const Words words = words_of(kind, name);

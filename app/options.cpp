@@ -44,6 +44,9 @@ void add_scene(CLI::App& app, Options& o) {
       ->allow_extra_args(false)
       ->check(kNamesAFile)
       ->type_name("FILE");
+  app.add_option("--sandbox", o.sandbox, "for scenes of strangers: touch no file outside of DIR, load no plugins")
+      ->check(kNamesAFile)
+      ->type_name("DIR");
   app.add_flag("--lenient", o.lenient, "what dspm lacks of pbrt is a warning, not an error");
   app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
   app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")

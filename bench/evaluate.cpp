@@ -18,7 +18,7 @@
 #include "bench/sections/section.h"
 #include "core/atomic_file.h"
 #include "core/parallel.h"
-#include "lang/read_file.h"
+#include "core/read_file.h"
 
 namespace dspm {
 namespace {

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/file_access.h"
+
 namespace dspm {
 
 namespace fs = std::filesystem;
@@ -40,6 +42,11 @@ WriteError::WriteError(const fs::path& file, std::string cause)
     : std::runtime_error("cannot write " + file.string() + ": " + cause), cause_(std::move(cause)) {}
 
 AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(file_behind(target)) {
+  try {
+    expect_allowed(target_);
+  } catch (const std::runtime_error& error) {
+    throw WriteError(shown_, error.what());
+  }
   std::error_code ignored;
   const fs::path directory = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(directory, ignored)) throw WriteError(shown_, "there is no directory " + directory.string());

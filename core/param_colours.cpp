@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "core/params.h"
+#include "core/read_file.h"
 
 namespace dspm {
 namespace {
@@ -24,15 +24,15 @@ std::string fault(const std::vector<float>& pairs) {
   return {};
 }
 
-/// The numbers of a text file with # comments; nothing where something else stands in it.
-std::optional<std::vector<float>> read_numbers(const std::filesystem::path& path) {
-  std::ifstream file(path);
+/// The numbers of a text file with # comments. Throws std::runtime_error where something else stands in it.
+std::vector<float> read_numbers(const std::filesystem::path& path) {
+  std::istringstream file(read_file(path));
   std::vector<float> numbers;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     while (!(words >> std::ws).eof()) {
       float number = 0;
-      if (!(words >> number)) return std::nullopt;
+      if (!(words >> number)) throw std::runtime_error("it is not a list of numbers");
       numbers.push_back(number);
     }
   }
@@ -114,10 +114,12 @@ std::optional<Spectrum> ParamReader::spectrum_from_file(const Param& param, cons
                        did_you_mean(name, spectrum_names()));
     return std::nullopt;
   }
-  const auto numbers = read_numbers(path);
-  if (numbers) return spectrum_from_pairs(param, *numbers);
-  diagnostics_.error(param.values_where, fmt::format("\"{}\" is not a list of numbers", path.string()));
-  return std::nullopt;
+  try {
+    return spectrum_from_pairs(param, read_numbers(path));
+  } catch (const std::runtime_error& error) {
+    diagnostics_.error(param.values_where, fmt::format("\"{}\" cannot be read: {}", path.string(), error.what()));
+    return std::nullopt;
+  }
 }
 
 std::optional<Spectrum> ParamReader::spectrum_from_pairs(const Param& param, const std::vector<float>& pairs) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/file_access.h"
+
 namespace dspm {
 namespace {
 
@@ -21,17 +23,12 @@ bool fits(const Param& param) {
                        std::holds_alternative<std::vector<int>>(param.values);
   const bool texts = std::holds_alternative<std::vector<std::string>>(param.values);
   switch (param.type) {
-    case ParamType::boolean:
-      return std::holds_alternative<std::vector<bool>>(param.values);
-    case ParamType::integer:
-      return std::holds_alternative<std::vector<int>>(param.values);
+    case ParamType::boolean: return std::holds_alternative<std::vector<bool>>(param.values);
+    case ParamType::integer: return std::holds_alternative<std::vector<int>>(param.values);
     case ParamType::text:
-    case ParamType::texture:
-      return texts;
-    case ParamType::spectrum:
-      return numbers || texts;
-    default:
-      return numbers;
+    case ParamType::texture: return texts;
+    case ParamType::spectrum: return numbers || texts;
+    default: return numbers;
   }
 }
 
@@ -89,6 +86,7 @@ std::string ParamReader::text(std::string_view name, std::string fallback, std::
 std::string ParamReader::choice(std::string_view name, std::string fallback, const std::vector<std::string>& choices,
                                 std::string_view sentence) {
   const std::string value = text(name, fallback, fmt::format("{} ({})", sentence, joined(choices)));
+  if (described_) described_->back().choices = choices;
   if (described_ || contains(choices, value) || value == fallback) return value;
   const std::string guess = did_you_mean(value, choices);
   diagnostics_.error(find(name)->values_where, fmt::format("{} cannot be \"{}\"", quoted(name), value),
@@ -186,8 +184,7 @@ std::vector<std::filesystem::path> ParamReader::places(const Param& param, const
 std::filesystem::path ParamReader::existing_file(const Param& param, const std::string& name) const {
   for (const std::filesystem::path& place : places(param, name)) {
     std::error_code ignored;
-    if (!name.empty() && std::filesystem::exists(place, ignored) && !std::filesystem::is_directory(place, ignored))
-      return place;
+    if (!name.empty() && seems_to_exist(place) && !std::filesystem::is_directory(place, ignored)) return place;
   }
   return {};
 }

@@ -73,6 +73,7 @@ struct ParamList {
 /// What `--describe` prints of one parameter.
 struct ParamInfo {
   std::string type, name, default_value, unit, sentence;
+  std::vector<std::string> choices = {};  // the only values that a text may have; empty: any
 };
 
 /// A parameter that is a constant, or the name of a texture.

@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <map>
 
+#include "core/file_access.h"
+#include "core/read_file.h"
 #include "lang/directive.h"
 #include "lang/old_pbrt.h"
-#include "lang/read_file.h"
 #include "lang/scene_builder.h"
 #include "lang/variations.h"
 
@@ -19,6 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIncludesDeep = 64;
 constexpr int kMostIncludes = 50'000;  // in all: files that include one another twice would never end
+// Text that is read again: so much, or so many times what was read once. Else a megabyte included often fills the memory.
+constexpr std::size_t kMostRepeated = std::size_t{2} << 20, kMostRepeats = 4;
 
 /// Ends the reading: one message says it all.
 struct OldScene {
@@ -48,7 +51,7 @@ class SceneReader {
   void read_main(const std::string& path) {
     try {
       open_.push_back({path, identity(path)});
-      read(load(path == "-" ? "standard input" : path, path));
+      read(path == "-" ? own("standard input", read_input(path)) : load(path, path));
     } catch (const std::runtime_error& error) {
       diagnostics_.error({}, fmt::format("cannot read \"{}\": {}", path, error.what()));
     }
@@ -91,7 +94,12 @@ class SceneReader {
   /// A file that is included often is read once.
   const SourceFile& load(const std::string& name, const fs::path& path) {
     const SourceFile*& file = loaded_[identity(path)];
-    if (file == nullptr) file = &own(name, read_file(path));
+    if (file != nullptr) {
+      repeated_ += file->text.size();
+    } else {
+      file = &own(name, read_file(path));
+      read_once_ += file->text.size();
+    }
     return *file;
   }
 
@@ -132,6 +140,10 @@ class SceneReader {
       throw SyntaxError(name.where, fmt::format("files include one another more than {} deep", kMostIncludesDeep));
     if (++includes_ > kMostIncludes)
       throw SyntaxError(name.where, fmt::format("more than {} files are included", kMostIncludes));
+    if (repeated_ > kMostRepeated && repeated_ / kMostRepeats > read_once_)
+      throw SyntaxError(name.where,
+                        fmt::format("the same files are included until {} MiB are read again", repeated_ >> 20),
+                        "ObjectBegin defines shapes once, and ObjectInstance places them as often as it is needed");
     try {
       const SourceFile& included = load(path.string(), path);
       open_.push_back({path.string(), id});
@@ -145,8 +157,7 @@ class SceneReader {
   fs::path find(const std::string& name, const SourceFile& file) const {
     const fs::path beside = fs::path(file.name).parent_path() / name;
     const fs::path beside_main = fs::path(main_name_).parent_path() / name;
-    std::error_code ignored;
-    const bool is_beside_main = !fs::exists(beside, ignored) && fs::exists(beside_main, ignored);
+    const bool is_beside_main = !seems_to_exist(beside) && seems_to_exist(beside_main);
     return (is_beside_main ? beside_main : beside).lexically_normal();
   }
 
@@ -168,6 +179,7 @@ class SceneReader {
   std::vector<OpenFile> open_;
   std::map<std::string, const SourceFile*> loaded_;
   int includes_ = 0;
+  std::size_t read_once_ = 0, repeated_ = 0;  // bytes
 };
 
 void pass_on(const Diagnostic& diagnostic, Diagnostics& diagnostics) {

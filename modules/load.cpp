@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/file_access.h"
 #include "modules/elf_section.h"
 
 namespace dspm {
@@ -78,6 +79,7 @@ void register_plugins(const LoadedModule& module, void* handle) {
 }  // namespace
 
 void load_module(const fs::path& file) {
+  if (files_are_confined()) fail(file, "--sandbox loads no plugins");
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
   if (error) fail(file, error.message());

@@ -4,13 +4,13 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 
-#include "shapes/mesh_file.h"
+#include "core/file_access.h"
+#include "core/read_file.h"
 #include "shapes/polygons.h"
 
 namespace dspm {
@@ -70,18 +70,19 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(0, end == std::string_view::npos ? 0 : end + 1));
 }
 
-/// Finds MTL files beside the OBJ file.
 class MtlReader : public tinyobj::MaterialReader {
  public:
-  MtlReader(std::filesystem::path directory, ObjFile& out) : directory_(std::move(directory)), out_(out) {}
+  MtlReader(const std::filesystem::path& directory, const ObjCompanion& companion, ObjFile& out)
+      : directory_(directory), companion_(companion), out_(out) {}
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
                   std::string*) override {
-    std::ifstream file(directory_ / name);
-    if (!file) {
+    const std::optional<std::string> text = companion_(name);
+    if (!text) {
       out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name));
       return true;  // it has been dealt with
     }
+    std::istringstream file(*text);
     std::vector<tinyobj::material_t> materials;
     std::map<std::string, int> numbers;
     std::string warning, error;
@@ -96,15 +97,15 @@ class MtlReader : public tinyobj::MaterialReader {
     if (m.diffuse_texname.empty()) return result;
     std::string name = m.diffuse_texname;
     std::replace(name.begin(), name.end(), '\\', '/');
-    std::error_code ignored;
-    if (std::filesystem::exists(directory_ / name, ignored))
-      result.texture = directory_ / name;
+    if (seems_to_exist(directory_ / name))
+      result.texture = std::filesystem::absolute(directory_ / name);
     else
       out_.complaints.push_back(fmt::format("there is no texture \"{}\" of material \"{}\"", name, result.name));
     return result;
   }
 
-  std::filesystem::path directory_;
+  const std::filesystem::path& directory_;
+  const ObjCompanion& companion_;
   ObjFile& out_;
 };
 
@@ -195,12 +196,22 @@ class Collector {
 }  // namespace
 
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split) {
-  std::istringstream text(read_mesh_file(path));
+  const std::filesystem::path directory = path.parent_path();
+  const auto companion = [&](const std::string& name) -> std::optional<std::string> {
+    if (!seems_to_exist(directory / name)) return std::nullopt;
+    return read_file(directory / name);
+  };
+  return parse_obj(read_file(path), directory, companion, group, split);
+}
+
+ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
+                  const std::string& group, bool split) {
+  std::istringstream lines(text);
   ObjFile out;
-  MtlReader mtl(path.parent_path(), out);
+  MtlReader mtl(directory, companion, out);
   Collector collector(group, split, out);
   std::string warning, error;
-  if (!tinyobj::LoadObjWithCallback(text, Collector::callbacks(), &collector, &mtl, &warning, &error))
+  if (!tinyobj::LoadObjWithCallback(lines, Collector::callbacks(), &collector, &mtl, &warning, &error))
     throw std::runtime_error(error.empty() ? "it is no OBJ file" : error);
   collector.finish();
   return out;

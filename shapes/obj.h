@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace dspm {
 struct ObjMaterial {
   std::string name;
   Rgb diffuse;                    // Kd
-  std::filesystem::path texture;  // map_Kd; empty where there is none
+  std::filesystem::path texture;  // map_Kd, as absolute path; empty where there is none
 };
 
 /// The faces of one material (or of none), in the order of the file.
@@ -30,8 +32,14 @@ struct ObjFile {
   std::vector<std::string> complaints;  // what is odd but no reason to stop: a missing MTL file, ...
 };
 
+/// The text of a file that the OBJ file names, such as its materials; nothing where there is none.
+using ObjCompanion = std::function<std::optional<std::string>(const std::string& name)>;
+
 /// Only faces of the group or object `group`, or all where it is empty. Without `split` all faces are one part. Throws
 /// std::runtime_error with a sentence that does not name the file.
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
+/// The same for a text in memory; textures are looked for in `directory`.
+ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
+                  const std::string& group, bool split);
 
 }  // namespace dspm

@@ -11,10 +11,10 @@
 // In a Dynamic block `%03d` in the name stands for the frame's number. [Turk 1994, The PLY Polygon File Format]
 #include <stdexcept>
 
-#include "shapes/mesh_file.h"
+#include "core/read_file.h"
 #include "shapes/mesh_params.h"
-#include "shapes/shape.h"
 #include "shapes/ply.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 
@@ -27,7 +27,7 @@ std::vector<ShapePart> make_plymesh(ParamReader& reader) {
   std::vector<ShapePart> parts;
   if (path.empty()) return parts;
   try {
-    parts.push_back({std::make_unique<TriangleMesh>(read_ply(read_mesh_file(path))), std::nullopt, repair});
+    parts.push_back({std::make_unique<TriangleMesh>(read_ply(read_file(path))), std::nullopt, repair});
   } catch (const std::exception& e) {
     report_bad_file(reader, path, e);
   }

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "lang/read_file.h"
+#include "core/read_file.h"
 
 namespace dspm {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/sections/section.h"
-#include "lang/read_file.h"
+#include "core/read_file.h"
 
 namespace dspm {
 namespace {

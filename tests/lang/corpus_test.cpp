@@ -5,7 +5,7 @@
 #include <set>
 
 #include "lang/formatter.h"
-#include "lang/read_file.h"
+#include "core/read_file.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

@@ -4,7 +4,7 @@
 
 #include "lang/directives.h"
 #include "lang/formatter.h"
-#include "lang/read_file.h"
+#include "core/read_file.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

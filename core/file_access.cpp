@@ -1,0 +1,50 @@
+#include "core/file_access.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Canonical; empty: everything is allowed.
+fs::path& root() {
+  static fs::path path;
+  return path;
+}
+
+/// Components that do not exist resolve to nothing that could be opened, so the rest may be taken as it is written.
+bool is_allowed(const fs::path& file) {
+  if (!files_are_confined()) return true;
+  if (file.native().find('\0') != std::string::npos) return false;
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(fs::absolute(file, error), error);
+  if (error) return false;
+  return std::mismatch(root().begin(), root().end(), real.begin(), real.end()).first == root().end();
+}
+
+}  // namespace
+
+void confine_files(const fs::path& directory) {
+  std::error_code error;
+  const fs::path real = fs::canonical(directory, error);
+  if (error || !fs::is_directory(real, error))
+    throw std::runtime_error(fmt::format("there is no directory {}", directory.string()));
+  root() = real;
+}
+
+bool files_are_confined() { return !root().empty(); }
+
+void expect_allowed(const fs::path& file) {
+  if (!is_allowed(file)) throw std::runtime_error(fmt::format("it lies outside of the sandbox {}", root().string()));
+}
+
+bool seems_to_exist(const fs::path& file) {
+  std::error_code ignored;
+  return !is_allowed(file) || fs::exists(file, ignored);
+}
+
+}  // namespace dspm

@@ -1,0 +1,23 @@
+// Whole files into memory: every file that dspm reads comes in here. What a file may cost is bounded, so that neither a
+// device nor a few bytes of gzip take the machine's memory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace dspm {
+
+/// As it is. Throws std::runtime_error with a sentence that does not name the file.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Likewise; gzip-compressed ones are expanded, whatever their name.
+std::string read_file(const std::filesystem::path& path);
+
+/// Likewise; "-" is standard input.
+std::string read_input(const std::string& name);
+
+/// The data itself where it is not compressed; throws std::runtime_error where it is damaged, ends early or expands beyond
+/// all measure.
+std::string expand_gzip(std::string data);
+
+}  // namespace dspm
