@@ -59,6 +59,17 @@ auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const
   return plugin->make(reader);
 }
 
+void check_crop(const FilmSettings& film, const SceneDescription& description, Diagnostics& diagnostics) {
+  const PixelRect crop = crop_of(film);
+  if (crop.empty())
+    throw UsageError(fmt::format("nothing is left of the image of {} x {} pixels", film.width, film.height));
+  if (crop.width() > static_cast<int>(kMaxPixels) / crop.height())
+    diagnostics.error(description.film ? description.film->where : SourceLocation(),
+                      fmt::format("{} x {} pixels are more than the {} million of the largest image", crop.width(),
+                                  crop.height(), kMaxPixels / 1'000'000),
+                      "--cropwindow renders a part of it");
+}
+
 FilmSettings make_film(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {
   const int errors = diagnostics.error_count();
   FilmSettings film = *make_one(film_plugins(), "rgb", description.film, diagnostics);
@@ -72,8 +83,7 @@ FilmSettings make_film(const SceneDescription& description, const Options& optio
     film.crop_window.reset();
     film.pixel_bounds = options.pixel_bounds;
   }
-  if (diagnostics.error_count() == errors && crop_of(film).empty())
-    throw UsageError(fmt::format("nothing is left of the image of {} x {} pixels", film.width, film.height));
+  if (diagnostics.error_count() == errors) check_crop(film, description, diagnostics);
   return film;
 }
 

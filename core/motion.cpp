@@ -183,36 +183,39 @@ Matrix4 KeyedTransform::at(Frame frame) const {
 }
 
 void Motion::multiply(const Matrix4& matrix) {
-  if (parts_.empty() || !parts_.back().keyed.empty())
+  if (parts_.empty() || parts_.back().keyed)
     parts_.push_back({matrix, {}, false});
   else
     parts_.back().fixed = parts_.back().fixed * matrix;
 }
 
 void Motion::multiply(KeyedTransform keyed) {
-  if (parts_.empty() || !parts_.back().keyed.empty()) parts_.emplace_back();
-  parts_.back().keyed.push_back(std::move(keyed));
+  if (parts_.empty() || parts_.back().keyed) parts_.emplace_back();
+  parts_.back().keyed = std::make_shared<const KeyedTransform>(std::move(keyed));
 }
 
 Matrix4 Motion::at(Frame frame) const {
   Matrix4 r;
   for (const Part& part : parts_) {
     r = r * part.fixed;
-    if (part.keyed.empty()) continue;
-    const Matrix4 keyed = part.keyed.front().at(frame);
+    if (!part.keyed) continue;
+    const Matrix4 keyed = part.keyed->at(frame);
     r = r * (part.inverted ? keyed.inverse().value_or(kZero) : keyed);
   }
   return r;
 }
 
-bool Motion::is_keyed() const {
-  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return !part.keyed.empty(); });
+bool Motion::is_keyed() const { return keyed_count() > 0; }
+
+int Motion::keyed_count() const {
+  return static_cast<int>(
+      std::count_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.keyed != nullptr; }));
 }
 
 Motion Motion::inverse() const {
   Motion result;
   for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-    if (!part->keyed.empty()) result.parts_.push_back({Matrix4{}, part->keyed, !part->inverted});
+    if (part->keyed) result.parts_.push_back({Matrix4{}, part->keyed, !part->inverted});
     result.multiply(part->fixed.inverse().value_or(kZero));
   }
   return result;

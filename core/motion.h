@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/frames.h"
@@ -54,14 +55,16 @@ class Motion {
   /// All zeros where no inverse exists in that frame.
   Matrix4 at(Frame frame) const;
   bool is_keyed() const;
+  /// How many keyed transforms follow upon one another.
+  int keyed_count() const;
   /// The motion that undoes this one in every frame.
   Motion inverse() const;
 
  private:
   struct Part {
-    Matrix4 fixed;                      // applied to the left of `keyed`
-    std::vector<KeyedTransform> keyed;  // one or none
-    bool inverted = false;              // stands for the inverse of `keyed`
+    Matrix4 fixed;                                // applied to the left of `keyed`
+    std::shared_ptr<const KeyedTransform> keyed;  // perhaps none; all that stands in a block shares it
+    bool inverted = false;                        // stands for the inverse of `keyed`
   };
   std::vector<Part> parts_;
 };

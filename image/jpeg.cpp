@@ -38,9 +38,20 @@ struct JpegReader {
     if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) on_error(jpeg);
   }
 
+  /// Each scan goes over the whole image, and may take a few bytes of the file. libjpeg itself writes ten.
+  static void on_progress(j_common_ptr jpeg) {
+    constexpr int kMostScans = 100;
+    auto& reader = *static_cast<JpegReader*>(jpeg->client_data);
+    if (reader.jpeg.input_scan_number <= kMostScans) return;
+    std::snprintf(reader.message, sizeof reader.message, "it has more than %d scans", kMostScans);
+    std::longjmp(reader.jump, 1);
+  }
+
   bool start(std::string_view bytes) {
     if (setjmp(jump) != 0) return false;
     jpeg_create_decompress(&jpeg);
+    progress.progress_monitor = &on_progress;
+    jpeg.progress = &progress;
     jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg, TRUE);
     jpeg.out_color_space = JCS_RGB;
@@ -64,6 +75,7 @@ struct JpegReader {
 
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
   std::jmp_buf jump{};
   std::vector<JSAMPLE> row;
   char message[JMSG_LENGTH_MAX] = "";

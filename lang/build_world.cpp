@@ -12,6 +12,19 @@ using enum DirectiveKind;
 
 const std::vector<std::string> kTargets{"shape", "light", "material", "medium", "texture"};
 
+constexpr std::size_t kMostDefaults = 4096;  // bytes of values; each block and each use has a copy
+
+std::size_t bytes_of(const ParamList& list) {
+  std::size_t bytes = 0;
+  for (const Param& param : list.params) {
+    bytes +=
+        param.name.size() + std::visit([](const auto& values) { return values.size() * sizeof(float); }, param.values);
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&param.values))
+      for (const std::string& text : *texts) bytes += text.size();
+  }
+  return bytes;
+}
+
 bool gives(const ParamList& params, std::string_view name) { return params.find(name) != nullptr; }
 
 /// Takes `"string <name>" "<text>"` out of the list.
@@ -172,6 +185,10 @@ void SceneBuilder::attribute(Directive& directive) {
     param.is_default = true;
     defaults.params.push_back(std::move(param));
   }
+  if (bytes_of(defaults) <= kMostDefaults) return;
+  diagnostics_.error(directive.where, fmt::format("these defaults for every {} are too many", target.text),
+                     "give long lists to the directive that needs them");
+  defaults.params.clear();
 }
 
 void SceneBuilder::material(Directive& directive) {

@@ -8,6 +8,11 @@
 #include <utility>
 
 namespace dspm {
+namespace {
+
+constexpr int kMostKeyed = 32;  // nested; each shape inside has a motion of so many parts
+
+}  // namespace
 
 TransformOp matrix_op(const Matrix4& matrix) {
   TransformOp op{TransformOp::Kind::matrix, {}};
@@ -55,7 +60,10 @@ Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
   KeyedTransform keyed(std::move(keys_));
   check_regular(keyed, diagnostics);
   Motion motion = any_replaces ? Motion() : before;
-  motion.multiply(std::move(keyed));
+  if (motion.keyed_count() < kMostKeyed)
+    motion.multiply(std::move(keyed));
+  else
+    diagnostics.error(where_, fmt::format("keyed transforms are nested more than {} deep", kMostKeyed));
   return motion;
 }
 

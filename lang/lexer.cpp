@@ -12,6 +12,8 @@
 namespace dspm {
 namespace {
 
+constexpr std::ptrdiff_t kLongestString = 4096;
+
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool ends_word(char c) { return is_blank(c) || c == '[' || c == ']' || c == '"' || c == '#'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -93,6 +95,9 @@ Token Lexer::read_string() {
     fail(view(begin, begin + 1), "this string is not closed on its line");
   }
   at_ = closed;
+  if (closed - begin > kLongestString)
+    fail(view(begin, begin + 1), fmt::format("this string is longer than {} bytes", kLongestString),
+         "names and files' names are shorter");
   return {Token::Kind::string, view(begin, closed)};
 }
 

@@ -1,11 +1,18 @@
 #include "shapes/polygons.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <span>
+#include <stdexcept>
 
 #include "shapes/triangle.h"
 
 namespace dspm {
 namespace {
+
+constexpr std::size_t kLarge = 64;              // corners
+constexpr std::size_t kMostLooks = 100'000'000;  // less than a second, for a file that would take hours
 
 using Corners = std::span<const int>;
 
@@ -43,13 +50,17 @@ class Triangulation {
   }
 
   // Cuts off the first corner that turns the polygon's way and whose triangle holds no other corner. Where there is
-  // none (the polygon meets itself), any corner.
+  // none (the polygon meets itself), any corner. A cut makes or ends ears at its two neighbours only.
   void cut_ears(std::vector<int> ring) {
+    large_ = ring.size() > kLarge;
+    std::vector<bool> ears(ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) ears[i] = is_ear(ring, i);
     while (ring.size() > 3) {
-      std::size_t ear = 0;
-      for (std::size_t i = 0; i < ring.size() && ear == 0; ++i)
-        if (is_ear(ring, i)) ear = i + 1;
-      cut(ring, ear == 0 ? 0 : ear - 1);
+      const auto first = std::find(ears.begin(), ears.end(), true);
+      const std::size_t i = first == ears.end() ? 0 : static_cast<std::size_t>(first - ears.begin());
+      cut(ring, i);
+      ears.erase(ears.begin() + static_cast<std::ptrdiff_t>(i));
+      for (const std::size_t j : {(i + ring.size() - 1) % ring.size(), i % ring.size()}) ears[j] = is_ear(ring, j);
     }
     cut(ring, 1);
   }
@@ -64,19 +75,29 @@ class Triangulation {
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
-  bool is_ear(const std::vector<int>& ring, std::size_t i) const {
+  bool is_ear(const std::vector<int>& ring, std::size_t i) {
     const auto [a, b, c] = triangle_at(ring, i);
     if (!(turn(a, b, c) > 0)) return false;
     for (const int p : ring) {
+      if (large_ && ++looks_ > kMostLooks) fail(ring.size());
       if (at(p) == at(a) || at(p) == at(b) || at(p) == at(c)) continue;
       if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
     }
     return true;
   }
 
+  [[noreturn]] static void fail(std::size_t corners) {
+    throw std::runtime_error(
+        fmt::format("its polygons are too intricate (one has {} corners left and is not convex): "
+                    "make triangles of them beforehand",
+                    corners));
+  }
+
   const std::vector<Vec3>& vertices_;
   DoubleVec3 normal_{0, 0, 0};
   std::vector<Face> faces_;
+  bool large_ = false;     // the polygon at hand
+  std::size_t looks_ = 0;  // at corners of large polygons
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace dspm::test {
 struct Outcome {
   int code;  // exit code; -signal where a signal ended it
   std::string out, err;
-  double peak_bytes;  // by the kernel's account
+  double peak_bytes, cpu_seconds;  // by the kernel's account
 };
 
 /// A run of the program in `directory`; standard input is the file "input" there, or empty.
@@ -61,10 +61,13 @@ class Process {
     wait4(child_, &status, 0, &usage);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     return {code, contents(directory_ / "out.txt"), contents(directory_ / "err.txt"),
-            1024. * static_cast<double>(usage.ru_maxrss)};
+            1024. * static_cast<double>(usage.ru_maxrss), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
   }
 
  private:
+  static double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+  }
   [[noreturn]] void become(const std::vector<std::string>& arguments, const std::function<void()>& prepare) const {
     if (chdir((directory_ / "").c_str()) != 0) _exit(126);
     redirect(std::filesystem::exists("input") ? "input" : "/dev/null", O_RDONLY, 0);
