@@ -1,0 +1,7 @@
+// JPEG files, as decode_image reads them by libjpeg.
+#include "tests/fuzz/image.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  dspm::fuzz::decode(dspm::fuzz::text(data, size));
+  return 0;
+}
