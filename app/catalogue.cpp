@@ -22,51 +22,19 @@ namespace {
 
 constexpr const char* kOwn = "dspm";
 
-struct Entry {
-  std::string kind, name, sentence, origin;
-  std::function<std::vector<ParamInfo>()> params;
-  bool is_own() const { return origin == kOwn; }
-};
-
 template <class AnyPlugin>
 std::string origin_of(const AnyPlugin& plugin) {
   return plugin.origin.empty() ? kOwn : std::string(plugin.origin);
 }
 
 template <class AnyPlugin, class... Context>
-void add(std::vector<Entry>& entries, const PluginTable<AnyPlugin>& plugins, const Context&... context) {
+void add(std::vector<CatalogueEntry>& entries, const PluginTable<AnyPlugin>& plugins, const Context&... context) {
   for (const AnyPlugin& plugin : plugins)
     entries.push_back({std::string(plugins.kind()), std::string(plugin.name), std::string(plugin.sentence),
                        origin_of(plugin), [&plugin, &context...] { return describe(plugin, context...); }});
 }
 
-/// The kinds are called as in messages about scenes.
-std::vector<Entry> all_plugins() {
-  static const TextureSet textures;
-  static ImageCache images;
-  static const TextureContext texture{textures, {}, images};
-  static const MaterialContext material{textures};
-  static const LightContext light{};
-  static const CameraContext camera{};
-  static const Scene scene{};
-  static const RenderSettings settings{};
-  static const std::span<const PlacedShape> no_shapes;
-  static const FrameSet no_frames;
-  std::vector<Entry> entries;
-  add(entries, shape_plugins());
-  add(entries, material_plugins(), material);
-  add(entries, texture_plugins<Rgb>(), texture);  // float textures have the same names
-  add(entries, light_plugins(), light);
-  add(entries, area_light_plugins(), light);
-  add(entries, camera_plugins(), camera);
-  add(entries, film_plugins());
-  add(entries, pixel_filter_plugins());
-  add(entries, accel_plugins(), no_shapes, no_frames);
-  add(entries, integrator_plugins(), scene, settings);
-  return entries;
-}
-
-std::string full_name(const Entry& entry) { return entry.kind + ":" + entry.name; }
+std::string full_name(const CatalogueEntry& entry) { return entry.kind + ":" + entry.name; }
 
 /// A line a parameter under a line of headings, in columns as wide as their contents.
 std::string table_of(std::vector<ParamInfo> params) {
@@ -87,13 +55,38 @@ std::string table_of(std::vector<ParamInfo> params) {
 
 }  // namespace
 
+std::vector<CatalogueEntry> all_plugins() {
+  static const TextureSet textures;
+  static ImageCache images;
+  static const TextureContext texture{textures, {}, images};
+  static const MaterialContext material{textures};
+  static const LightContext light{};
+  static const CameraContext camera{};
+  static const Scene scene{};
+  static const RenderSettings settings{};
+  static const std::span<const PlacedShape> no_shapes;
+  static const FrameSet no_frames;
+  std::vector<CatalogueEntry> entries;
+  add(entries, shape_plugins());
+  add(entries, material_plugins(), material);
+  add(entries, texture_plugins<Rgb>(), texture);  // float textures have the same names
+  add(entries, light_plugins(), light);
+  add(entries, area_light_plugins(), light);
+  add(entries, camera_plugins(), camera);
+  add(entries, film_plugins());
+  add(entries, pixel_filter_plugins());
+  add(entries, accel_plugins(), no_shapes, no_frames);
+  add(entries, integrator_plugins(), scene, settings);
+  return entries;
+}
+
 std::string list_plugins() {
-  const std::vector<Entry> entries = all_plugins();
+  const std::vector<CatalogueEntry> entries = all_plugins();
   std::size_t names = 0, origins = 0;
-  for (const Entry& entry : entries)
+  for (const CatalogueEntry& entry : entries)
     names = std::max(names, entry.name.size()), origins = std::max(origins, entry.origin.size());
   std::string text, kind;
-  for (const Entry& entry : entries) {
+  for (const CatalogueEntry& entry : entries) {
     if (entry.kind != kind) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", entry.kind);
     kind = entry.kind;
     text += fmt::format("  {:<{}}  {:<{}}  {}\n", entry.name, names, entry.origin, origins, entry.sentence);
@@ -103,24 +96,24 @@ std::string list_plugins() {
 
 std::string in_words(std::string_view kind, std::string_view name) {
   const std::string plugin = fmt::format("{} \"{}\"", kind, name);
-  for (const Entry& entry : all_plugins())
-    if (entry.kind == kind && entry.name == name && !entry.is_own())
+  for (const CatalogueEntry& entry : all_plugins())
+    if (entry.kind == kind && entry.name == name && entry.origin != kOwn)
       return fmt::format("{} of {}", plugin, entry.origin);
   return plugin;
 }
 
 std::string in_words(const LoadedModule& module) {
   std::string plugins;
-  for (const Entry& entry : all_plugins())
+  for (const CatalogueEntry& entry : all_plugins())
     if (entry.origin == module.name)
       plugins += fmt::format("{}{} \"{}\"", plugins.empty() ? "" : ", ", entry.kind, entry.name);
   return plugins.empty() ? module.name : fmt::format("{} of {}", plugins, module.name);
 }
 
 std::string describe_plugin(std::string_view kind_and_name) {
-  const std::vector<Entry> entries = all_plugins();
+  const std::vector<CatalogueEntry> entries = all_plugins();
   std::vector<std::string> names;
-  for (const Entry& entry : entries) {
+  for (const CatalogueEntry& entry : entries) {
     names.push_back(full_name(entry));
     if (names.back() != kind_and_name) continue;
     const std::vector<ParamInfo> params = entry.params();

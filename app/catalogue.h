@@ -1,13 +1,23 @@
 // All plugins of dspm and their parameters, for --list and --describe.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/params.h"
 #include "modules/load.h"
 
 namespace dspm {
 
+struct CatalogueEntry {
+  std::string kind, name, sentence, origin;
+  std::function<std::vector<ParamInfo>()> params;
+};
+
+/// The kinds are called as in messages about scenes.
+std::vector<CatalogueEntry> all_plugins();
 /// Every kind with its plugins, a line each.
 std::string list_plugins();
 /// The parameters of `kind:name`; throws UsageError where there is no such plugin.

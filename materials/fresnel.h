@@ -32,7 +32,8 @@ inline float fresnel_conductor(float cos_i, float eta, float k) {
   const float t = 2 * cos_i * std::sqrt(a2), t_s2 = t * s2, square = c2 * ab + s2 * s2;
   const float perpendicular = (ab + c2 - t) / (ab + c2 + t);
   const float parallel = perpendicular * (square - t_s2) / (square + t_s2);
-  return 0.5f * (perpendicular + parallel);
+  const float reflected = 0.5f * (perpendicular + parallel);
+  return reflected < 0 ? 0 : reflected;  // by rounding, where nothing is reflected
 }
 inline Rgb fresnel_conductor(float cos_i, const Rgb& eta, const Rgb& k) {
   return {fresnel_conductor(cos_i, eta.r, k.r), fresnel_conductor(cos_i, eta.g, k.g),

@@ -31,7 +31,7 @@ class SceneFiles {
   }
 
   /// For the text of a scene.
-  std::string operator[](const std::string& name) const { return "\"" + (directory_ / name).string() + "\""; }
+  std::string operator[](const std::string& name) const { return fmt::format("\"{}\"", (directory_ / name).string()); }
 
  private:
   static Image picture(int width, int height, float scale) {

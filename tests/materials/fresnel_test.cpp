@@ -41,6 +41,10 @@ TEST(Fresnel, TotalReflectionBeyondTheCriticalAngle) {
   EXPECT_TRUE(refract(shallow, {0, 0, 1}, 1.5f));
 }
 
+TEST(Fresnel, IsNeverNegative) {
+  for (int i = 1; i < 100'000; ++i) ASSERT_GE(fresnel_conductor(static_cast<float>(i) * 1e-5f, 1, 0), 0) << i;
+}
+
 TEST(Fresnel, AgreesWithComplexArithmetic) {
   for (int i = 0; i <= 100; ++i) {
     const float c = static_cast<float>(i) / 100;

@@ -1,0 +1,131 @@
+// Scenes at random from the plugins' own descriptions render without crash, without a value that is no number and
+// without more light than there is. DSPM_RANDOM_SCENES says how many (default 60), DSPM_FIRST_SCENE which is the first.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "app/job.h"
+#include "lang/parse.h"
+#include "testing/test_scene.h"
+#include "tests/hostile/described_scene.h"
+#include "world/world.h"
+
+namespace dspm::test {
+namespace {
+
+int number_from(const char* variable, int usual) {
+  const char* const text = std::getenv(variable);
+  return text != nullptr ? std::atoi(text) : usual;
+}
+
+/// The lines at which the scene is wrong; -1: at none of its lines.
+std::vector<int> wrong_lines(const std::string& text, std::string& messages) {
+  Diagnostics diagnostics;
+  const SceneDescription description = parse_text("random.dsc", text, {}, diagnostics);
+  if (diagnostics.error_count() == 0) {
+    const Job job = make_job(description, {}, diagnostics);
+    const World world(description, {job.film.width, job.film.height, "", true}, diagnostics);
+  }
+  std::vector<int> lines;
+  for (const Diagnostic& each : diagnostics.all()) {
+    if (each.severity != Severity::error) continue;
+    messages += to_string(each);
+    lines.push_back(each.where.file != nullptr && each.where.line > 0 ? each.where.line : -1);
+  }
+  std::sort(lines.rbegin(), lines.rend());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+/// Without what its plugins refuse.
+std::string mended(DescribedScene& scene) {
+  constexpr int kRounds = 200;
+  std::string messages;
+  for (int round = 0; round < kRounds; ++round) {
+    messages.clear();
+    const std::vector<int> lines = wrong_lines(scene.text(), messages);
+    if (lines.empty()) return scene.text();
+    bool any = false;
+    for (const int line : lines) any = scene.take_out(line) || any;
+    if (!any) break;
+  }
+  ADD_FAILURE() << "what is refused cannot be taken out:\n" << messages << scene.text();
+  return {};
+}
+
+struct Seen {
+  double mean = 0;
+  std::uint64_t rejected = 0;  // contributions that were not finite
+};
+
+/// Two iterations of all frames.
+Seen render(const std::string& text) {
+  TestScene scene(text, "random.dsc");
+  Seen seen;
+  std::size_t pixels = 0;
+  for (const std::vector<Frame>& interval : scene.intervals()) {
+    const auto part = scene.scene(interval);
+    const auto integrator = scene.integrator(*part);
+    for (int iteration = 0; iteration < 2; ++iteration) integrator->iterate(iteration);
+    const Statistics statistics = integrator->statistics();
+    seen.rejected += statistics.rejections.count();
+    for (const EnergyBalance& e : statistics.energy)
+      EXPECT_NEAR(e.absorbed + e.escaped + e.terminated, e.emitted, 1e-3 * e.emitted);
+    for (std::size_t frame = 0; frame < interval.size(); ++frame)
+      for (const Rgb& pixel : integrator->estimate(static_cast<Frame>(frame)).pixels) {
+        EXPECT_TRUE(is_finite(pixel) && pixel.r >= 0 && pixel.g >= 0 && pixel.b >= 0)
+            << fmt::format("{} {} {} in frame {}", pixel.r, pixel.g, pixel.b, interval[frame] + 1);
+        seen.mean += luminance(pixel), ++pixels;
+      }
+  }
+  seen.mean /= static_cast<double>(pixels);
+  return seen;
+}
+
+TEST(RandomScenes, Render) {
+  const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
+  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 60));
+  for (unsigned seed = first; seed < first + count && !HasFailure(); ++seed) {
+    DescribedScene scene(seed);
+    const std::string text = mended(scene);
+    SCOPED_TRACE(fmt::format("DSPM_FIRST_SCENE={}\n{}", seed, text));
+    if (text.empty()) continue;
+    EXPECT_EQ(render(text).rejected, 0u);
+  }
+}
+
+// Where radiance 1 comes from everywhere and nothing else shines, no pixel expects more than 1 (outside of glass). The
+// mean of a scene's pixels over two iterations wanders; that of all scenes must not.
+TEST(RandomScenes, GainNoEnergy) {
+  const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
+  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 60));
+  double sum = 0;
+  for (unsigned seed = first; seed < first + count && !HasFailure(); ++seed) {
+    DescribedScene scene(seed, DescribedScene::Light::furnace);
+    const std::string text = mended(scene);
+    SCOPED_TRACE(fmt::format("DSPM_FIRST_SCENE={}\n{}", seed, text));
+    if (text.empty()) continue;
+    const Seen seen = render(text);
+    EXPECT_EQ(seen.rejected, 0u);
+    EXPECT_LT(seen.mean, 2);
+    sum += seen.mean;
+  }
+  EXPECT_LT(sum / count, 1.02);
+}
+
+// What a scene never holds, it does not test.
+TEST(RandomScenes, HoldEveryPlugin) {
+  std::set<std::string> missing;
+  for (const CatalogueEntry& entry : all_plugins()) missing.insert(entry.kind + ":" + entry.name);
+  for (unsigned seed = 1; seed <= 300 && !missing.empty(); ++seed) {
+    DescribedScene scene(seed);
+    mended(scene);
+    for (const std::string& name : scene.plugins()) missing.erase(name);
+  }
+  EXPECT_EQ(missing, std::set<std::string>());
+}
+
+}  // namespace
+}  // namespace dspm::test
