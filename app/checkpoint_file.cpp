@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <stdexcept>
 
 #include "core/atomic_file.h"
@@ -13,7 +14,7 @@
 namespace dspm {
 namespace {
 
-// Numbers are little-endian, as the machines that dspm runs on.
+static_assert(std::endian::native == std::endian::little);  // as numbers are in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
 constexpr std::size_t kBlock = 1 << 20;

@@ -1,5 +1,5 @@
-// A checkpoint as a file: of which render it is, and the state of each of its frame intervals. It replaces the one before
-// in one step, and a checksum tells of damage.
+// A checkpoint as a file: of which render it is, and the state of each of its frame intervals. It replaces the one
+// before in one step, and a checksum tells of damage.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,8 @@ class CheckpointFile {
   /// What such a file begins with; then its head, the states, and the checksum of both.
   static constexpr std::string_view kMagic = "dspm checkpoint 1\n";
 
-  /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or none.
+  /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or
+  /// none.
   explicit CheckpointFile(const std::filesystem::path& path);
 
   const std::vector<Fact>& facts() const { return facts_; }
@@ -37,8 +38,8 @@ class CheckpointFile {
   /// Into an integrator that was made for that interval.
   void load(std::size_t interval, Integrator& integrator) const;
 
-  /// Writes `path` anew with the state of one interval; those of the others come from `before`, which may be null or the
-  /// file that is replaced. Throws WriteError; the file is then as before.
+  /// Writes `path` anew with the state of one interval; those of the others come from `before`, which may be null or
+  /// the file that is replaced. Throws WriteError; the file is then as before.
   static void write(const std::filesystem::path& path, const std::vector<Fact>& facts,
                     std::vector<IntervalState> intervals, std::size_t interval, Integrator& integrator,
                     const CheckpointFile* before);

@@ -138,7 +138,7 @@ void Run::render_interval(std::size_t index) {
     if (!iterate(*integrator, frames, done)) break;
     progress_->step(static_cast<int>(index), ++done);
     if (checkpoints_.due(done)) save();
-    const bool wanted = InterruptRequests::take_write_request();
+    const bool wanted = ImageRequests::take();
     if ((schedule.due(done) || wanted) && !finished())
       write(frames, *integrator, Results::Images::so_far), results_.tell_faults();
   }
@@ -153,6 +153,7 @@ bool Run::iterate(Integrator& integrator, const FrameList& frames, int iteration
   try {
     // Address space only. It is free again in the catch clause, so that images are written even where memory ends.
     const std::unique_ptr<char[]> reserve(new (std::nothrow) char[results_.bytes_while_writing() + kLibraries]);
+    asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may leave out what nobody uses
     naming_memory_step(watch_, [&] { integrator.iterate(iteration); });
     return true;
   } catch (const Cancelled&) {
@@ -191,6 +192,7 @@ void explain(const World& world, const std::vector<FrameList>& intervals) {
 /// Calls task(run, loaded scene, messages) once all is ready. `step`: what comes before.
 template <class Task>
 int with_run(const Options& options, const char* step, const Task& task) {
+  const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
   Messages messages(options.quiet);
   MemoryBound memory(options.memory);

@@ -31,8 +31,22 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
-  if (const auto& filter = job.description->filter)
-    facts.push_back(digest_fact("the pixel filter", digest_of(filter->type, filter->params), filter->where));
+  static const PluginUse kUsual{"gaussian", {}, {}, {}};
+  const PluginUse& filter = job.description->filter ? *job.description->filter : kUsual;
+  facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));
+}
+
+/// By it lights are chosen and ties decided.
+void add_order(const std::vector<ScenePartDigest>& parts, std::vector<Fact>& facts) {
+  std::string names;
+  for (const ScenePartDigest& part : parts) names += part.name + "\n";
+  facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
+}
+
+/// As the scene names it, so that a folder may go elsewhere.
+fs::path short_name(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_relative(folder);
+  return relative.empty() || *relative.begin() == ".." ? file : relative;
 }
 
 /// But for the scene's text, which counts by what it says.
@@ -40,8 +54,10 @@ void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
   std::set<fs::path> texts;
   std::error_code ignored;
   for (const auto& file : description.files) texts.insert(fs::canonical(file->name, ignored));
+  const fs::path folder = fs::weakly_canonical(description.main_directory(), ignored);
   for (const auto& [path, content] : files_read())
-    if (texts.count(path) == 0) facts.push_back(digest_fact(fmt::format("file {}", path.string()), content));
+    if (texts.count(path) == 0)
+      facts.push_back(digest_fact(fmt::format("file {}", short_name(path, folder).string()), content));
 }
 
 /// Facts of the same name in their order.
@@ -56,8 +72,9 @@ std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>&
 std::vector<Fact> facts_of(const Job& job) {
   std::vector<Fact> facts;
   add_settings(job, facts);
-  for (ScenePartDigest& part : digests_of(*job.description))
-    facts.push_back(digest_fact(std::move(part.name), part.digest, part.where));
+  std::vector<ScenePartDigest> parts = digests_of(*job.description);
+  add_order(parts, facts);
+  for (ScenePartDigest& part : parts) facts.push_back(digest_fact(std::move(part.name), part.digest, part.where));
   add_files(*job.description, facts);
   return facts;
 }

@@ -16,7 +16,7 @@ struct Fact {
 };
 
 /// After the world was made: the files that were read for it are among them. What changes no pixel is not (names of
-/// images, iterations to go, threads, the memory bound, the accelerator).
+/// images, iterations to go, threads, the accelerator), nor is the memory bound, which changes rounding only.
 std::vector<Fact> facts_of(const Job& job);
 
 /// An error for each that is not the same, or is there in one only.

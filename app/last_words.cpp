@@ -17,8 +17,12 @@ namespace {
 void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
 
 void on_terminate() {
-  static std::atomic_flag another = ATOMIC_FLAG_INIT;
-  while (another.test_and_set()) pause();  // that thread ends the process
+  static std::atomic<pid_t> speaker = 0;
+  pid_t nobody = 0;
+  if (!speaker.compare_exchange_strong(nobody, gettid())) {
+    if (nobody == gettid()) _exit(1);  // while it spoke
+    while (true) pause();              // the other thread ends the process
+  }
   const std::exception_ptr exception = std::current_exception();
   if (!exception) std::abort();
   say("dspm: ended: ");

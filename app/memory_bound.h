@@ -1,6 +1,7 @@
 // --memory: how many frames are rendered together, and how much their integrator may hold, so that the whole process
-// keeps within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until it
-// is made there is one thread, of which malloc tells exactly what it holds; what others will take is a fixed reserve.
+// keeps within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until
+// it is made there is one thread, of which malloc tells exactly what it holds; what others will take is a fixed
+// reserve.
 #pragma once
 
 #include <optional>

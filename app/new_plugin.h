@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// Writes CMakeLists.txt, the source, and a scene that uses it, into a new or empty folder: they build, and ctest renders
-/// the scene. `kind` is integrator, material, shape, ...; `name` the plugin's. Returns what to type next. Throws
-/// UsageError, before anything is written.
+/// Writes CMakeLists.txt, the source, and a scene that uses it, into a new or empty folder: they build, and ctest
+/// renders the scene. `kind` is integrator, material, shape, ...; `name` the plugin's. Returns what to type next.
+/// Throws UsageError, before anything is written.
 std::string new_plugin(std::string_view kind, const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace dspm

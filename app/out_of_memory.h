@@ -12,7 +12,8 @@ namespace dspm {
 /// Of a step ("iteration 3"); in a catch clause.
 std::string out_of_memory(const std::string& step);
 
-/// Returns task(). Where it finds no memory, the error is a std::runtime_error that names the step which the watch sees.
+/// Returns task(). Where it finds no memory, the error is a std::runtime_error that names the step which the watch
+/// sees.
 template <class Task>
 auto naming_memory_step(const Watch& watch, const Task& task) {
   try {

@@ -24,8 +24,8 @@ class Output {
   std::filesystem::path name(Frame frame) const;
   /// What writing takes in memory, at most.
   std::size_t bytes_while_writing() const;
-  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one. Throws WriteError, but tries
-  /// its PNG all the same.
+  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one. Throws WriteError, but
+  /// tries its PNG all the same.
   void write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;

@@ -22,34 +22,39 @@ extern "C" void on_images_wanted(int) { images_wanted = 1; }
 
 }  // namespace
 
-InterruptRequests::InterruptRequests() {
-  received = 0;
+SignalHandlers::~SignalHandlers() {
+  for (const auto& [signal, action] : before_) sigaction(signal, &action, nullptr);
+}
+
+void SignalHandlers::handle(int signal, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, &before_[signal]);
+}
+
+ImageRequests::ImageRequests() {
   images_wanted = 0;
-  allow_work();
-  const auto handle = [&](int number, void (*handler)(int)) {
-    struct sigaction action = {};
-    action.sa_handler = handler;
-    action.sa_flags = SA_RESTART;
-    sigaction(number, &action, &before_[number]);
-  };
-  handle(SIGINT, on_end_wanted);
-  handle(SIGTERM, on_end_wanted);
-  handle(SIGALRM, on_time_over);
-  handle(SIGHUP, on_images_wanted);
-  handle(SIGUSR1, on_images_wanted);
+  handlers_.handle(SIGHUP, on_images_wanted);
+  handlers_.handle(SIGUSR1, on_images_wanted);
 }
 
-InterruptRequests::~InterruptRequests() {
-  alarm(0);
-  for (const auto& [number, action] : before_) sigaction(number, &action, nullptr);
-}
-
-int InterruptRequests::signal() { return received; }
-
-bool InterruptRequests::take_write_request() {
+bool ImageRequests::take() {
   const bool wanted = images_wanted != 0;
   images_wanted = 0;
   return wanted;
 }
+
+InterruptRequests::InterruptRequests() {
+  received = 0;
+  allow_work();
+  handlers_.handle(SIGINT, on_end_wanted);
+  handlers_.handle(SIGTERM, on_end_wanted);
+  handlers_.handle(SIGALRM, on_time_over);
+}
+
+InterruptRequests::~InterruptRequests() { alarm(0); }
+
+int InterruptRequests::signal() { return received; }
 
 }  // namespace dspm

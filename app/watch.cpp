@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
@@ -11,6 +12,11 @@
 #include "modules/blame.h"
 
 namespace dspm {
+namespace {
+
+constexpr double kLongest = 1e8;  // seconds: years, as clocks count them
+
+}  // namespace
 namespace {
 
 template <class Body>
@@ -27,7 +33,8 @@ std::thread started(const Body& body) {
 }  // namespace
 
 Watch::Watch(double patience)
-    : patience_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience))),
+    : patience_(
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(patience, kLongest)))),
       begin_(Clock::now()),
       next_(begin_ + patience_),
       thread_(started([this] { run(); })) {}
@@ -57,8 +64,9 @@ void Watch::run() {
 }
 
 std::string Watch::complaint() const {
-  const LoadedModule* const module = module_at_work();
-  const std::string who = module != nullptr ? in_words(*module) : own_;
+  std::string who;
+  for (const LoadedModule* module : modules_at_work()) who += (who.empty() ? "" : "; ") + in_words(*module);
+  if (who.empty()) who = own_;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   return fmt::format("dspm: {} has not ended after {}{}{}\n", step_, readable_time(seconds),
                      who.empty() ? "" : ", at work: ", who);

@@ -11,7 +11,8 @@ namespace dspm {
 
 class Watch {
  public:
-  /// Throws std::runtime_error where it finds no thread for itself. A step may take `patience` seconds; then it is told, and again after twice the time, and so on.
+  /// A step may take `patience` seconds; then it is told, and again after twice the time, and so on. Throws
+  /// std::runtime_error where it finds no thread for itself.
   explicit Watch(double patience);
   ~Watch();
   Watch(const Watch&) = delete;

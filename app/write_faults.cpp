@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,8 @@ bool WriteFaults::attempt(const std::filesystem::path& file, const Write& write,
     return true;
   } catch (const WriteError& error) {
     cause = error.cause();
+  } catch (const std::length_error&) {  // so much that no allocation is even tried
+    cause = "there is not enough memory for it";
   } catch (const std::bad_alloc&) {
     cause = "there is not enough memory for it";
   }

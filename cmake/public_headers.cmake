@@ -1,13 +1,15 @@
-# What modules outside of the tree may include. The first two lists, for modules and for their tests, are stable within a
-# minor version; the third is what dspm's own integrators are made of, and may change with any version.
+# What modules outside of the tree may include. The first two lists, for modules and for their tests, are stable within
+# a minor version; the third is what dspm's own integrators are made of, and may change with any version.
 set(public_headers
   accel/accel.h
   cameras/camera.h
-  core/errors.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h core/registry.h core/rgb.h
+  core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h
+  core/registry.h core/rgb.h
   core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h core/vec.h core/version.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h integrators/tiles.h
+  integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h
+  integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/material.h materials/parameters.h materials/shading_frame.h
   modules/module.h modules/stamp.h

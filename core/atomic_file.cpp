@@ -69,7 +69,10 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::reserve(std::uint64_t bytes) {
   if (bytes == 0) return;
   // Not posix_fallocate, which writes byte after byte where the file system has no such function.
-  if (fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP) fail(errno);
+  int result = 0;
+  do result = fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes));
+  while (result != 0 && errno == EINTR);
+  if (result != 0 && errno != EOPNOTSUPP) fail(errno);
 }
 
 void AtomicFile::write(std::string_view bytes) {

@@ -27,7 +27,8 @@ class WriteError : public std::runtime_error {
 /// Errors are WriteErrors.
 class AtomicFile {
  public:
-  /// The directory must exist. The target may not be a directory, a device or write-protected; a symbolic link stays one.
+  /// The directory must exist. The target may not be a directory, a device or write-protected; a symbolic link stays
+  /// one.
   explicit AtomicFile(const std::filesystem::path& target);
   /// Without commit() nothing is left.
   ~AtomicFile();

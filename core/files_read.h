@@ -1,4 +1,5 @@
-// What has been read since the program began: which files, and what they held. A checkpoint tells by it what has changed.
+// What has been read since the program began: which files, and what they held. A checkpoint tells by it what has
+// changed.
 #pragma once
 
 #include <cstdint>

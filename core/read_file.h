@@ -16,8 +16,8 @@ std::string read_file(const std::filesystem::path& path);
 /// Likewise; "-" is standard input.
 std::string read_input(const std::string& name);
 
-/// The data itself where it is not compressed; throws std::runtime_error where it is damaged, ends early or expands beyond
-/// all measure.
+/// The data itself where it is not compressed; throws std::runtime_error where it is damaged, ends early or expands
+/// beyond all measure.
 std::string expand_gzip(std::string data);
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// The state of a computation on its way into a checkpoint or out of it. A type names its parts once, in one function: the
-// same calls count, save and load them.
+// The state of a computation on its way into a checkpoint or out of it. A type names its parts once, in one function:
+// the same calls count, save and load them.
 #pragma once
 
 #include <cstddef>

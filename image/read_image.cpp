@@ -26,8 +26,8 @@ Image decode_image(std::string_view bytes, ColorEncoding encoding) {
 }
 
 Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_bytes) {
-  // Pictures of something hold far less than 256 pixels a byte, but an image of one colour may reach thousands. Up to 16
-  // million are taken on trust, so that a file below 200 kB never takes more than a gigabyte.
+  // Pictures of something hold far less than 256 pixels a byte, but an image of one colour may reach thousands. Up to
+  // 16 million are taken on trust, so that a file below 200 kB never takes more than a gigabyte.
   constexpr std::size_t kPixelsPerByte = 256, kOnTrust = std::size_t{1} << 24;
   const std::size_t most = std::min(kMaxPixels, std::max(kOnTrust, kPixelsPerByte * file_bytes));
   if (width < 1 || height < 1) throw std::runtime_error("it has no size");

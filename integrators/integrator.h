@@ -46,8 +46,8 @@ class Integrator {
   virtual std::optional<PixelStatistics> pixel_statistics(int /*pixel*/, Frame) const { return std::nullopt; }
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
-  /// Between iterations: counts, saves or loads what they have left behind, so that another integrator of the same scene
-  /// and settings goes on from there to the same bits. False: there are no checkpoints of it.
+  /// Between iterations: counts, saves or loads what they have left behind, so that another integrator of the same
+  /// scene and settings goes on from there to the same bits. False: there are no checkpoints of it.
   virtual bool persist(StateStream&) { return false; }
 };
 

@@ -24,9 +24,9 @@ struct Way {
   }
 };
 
-/// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be one, with the first of them and
-/// the factors of all; for each item alone unless they are to `join`. An item has `frames`, and along(first) gives its
-/// factor if it can go along with `first`, itself included.
+/// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be one, with the first of them
+/// and the factors of all; for each item alone unless they are to `join`. An item has `frames`, and along(first) gives
+/// its factor if it can go along with `first`, itself included.
 template <class Item, class Fn>
 void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   std::uint64_t joined = 0;

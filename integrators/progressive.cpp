@@ -101,7 +101,7 @@ class Progressive final : public Integrator {
       trace_light_paths(iteration, 0);
       build_photon_map(cell_size);
       return cell_size;
-    } catch (const Cancelled&) {
+    } catch (...) {
       statistics_ = before;
       throw;
     }

@@ -18,7 +18,7 @@ void Rejections::add(const Entry& entry) {
     return;
   }
   same->count += entry.count;
-  if (same->pixel == kNoPixel) same->pixel = entry.pixel, same->frame = entry.frame;
+  if (same->pixel == kNoPixel && entry.pixel != kNoPixel) same->pixel = entry.pixel, same->frame = entry.frame;
 }
 
 Rejections& Rejections::operator+=(const Rejections& other) {

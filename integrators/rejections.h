@@ -1,4 +1,5 @@
-// What an integrator left out because it was not finite, by the part of the scene that gave it: nothing of it reaches a pixel.
+// What an integrator left out because it was not finite, by the part of the scene that gave it: nothing of it reaches a
+// pixel.
 #pragma once
 
 #include <cstdint>

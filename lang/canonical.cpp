@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <variant>
 
 #include "core/files_read.h"
@@ -30,8 +31,13 @@ class Canonical {
   }
   Canonical& use(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {}) {
     text(type);
+    std::vector<const Param*> sorted;  // their order does not matter
     for (const Param& param : params.params)
-      if (std::find(without.begin(), without.end(), param.name) == without.end()) this->param(param);
+      if (std::find(without.begin(), without.end(), param.name) == without.end()) sorted.push_back(&param);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Param* a, const Param* b) {
+      return std::tie(a->name, a->key) < std::tie(b->name, b->key);
+    });
+    for (const Param* param : sorted) this->param(*param);
     return *this;
   }
   Canonical& use(const PluginUse& use) { return this->use(use.type, use.params); }
@@ -90,14 +96,15 @@ class Digests {
     Canonical frames;
     frames.number(scene_.moments);
     for (const Combination& combination : scene_.frames.combinations()) frames.text(combination.name);
-    add("the frames of the file", scene_.frames_where, frames);
+    add("the list of frames", scene_.frames_where, frames);
   }
-  void add_texture(const TextureUse& use) {
-    add(named("texture", use.name), use.where,
+  void add_texture(const TextureUse& use, const std::string& where = {}) {
+    add(named("texture", use.name) + where, use.where,
         Canonical().use(use).number(use.is_spectrum).motion(use.world_from_texture, scene_.moments));
   }
-  void add_material(const MaterialUse& use) {
-    add(named("material", use.name.empty() ? use.type : use.name), use.where, Canonical().use(use).text(use.name));
+  void add_material(const MaterialUse& use, const std::string& where = {}) {
+    add(named("material", use.name.empty() ? use.type : use.name) + where, use.where,
+        Canonical().use(use).text(use.name));
   }
   Canonical of_shape(const ShapeUse& use) const {
     return Canonical()
@@ -127,9 +134,10 @@ class Digests {
     own.text(axis.name);
     for (const LightScale& scale : variation.lights) own.use(scale.light, scale.params);
     for (const PartSwitch& part : variation.parts) own.text(part.part).number(part.shown);
-    add(named("variation", variation.name), variation.where, own);
-    for (const TextureUse& use : variation.textures) add_texture(use);
-    for (const MaterialUse& use : variation.materials) add_material(use);
+    const std::string name = named("variation", variation.name);
+    add(name, variation.where, own);
+    for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
+    for (const MaterialUse& use : variation.materials) add_material(use, " of " + name);
   }
 
   const SceneDescription& scene_;

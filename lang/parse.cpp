@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIncludesDeep = 64;
 constexpr int kMostIncludes = 50'000;  // in all: files that include one another twice would never end
-// Text that is read again: so much, or so many times what was read once. Else a megabyte included often fills the memory.
+// Text that is read again: so much, or so many times what was read once. Else a megabyte included often fills the
+// memory.
 constexpr std::size_t kMostRepeated = std::size_t{2} << 20, kMostRepeats = 4;
 
 /// Ends the reading: one message says it all.

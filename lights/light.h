@@ -44,8 +44,8 @@ class Light {
     return this == &other ? std::optional(Rgb(1)) : std::nullopt;
   }
 
-  /// Whether photons of this light may start as `other` draws them, with weights of at most kMostWeight times those that
-  /// this light itself would give.
+  /// Whether photons of this light may start as `other` draws them, with weights of at most kMostWeight times those
+  /// that this light itself would give.
   virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
   /// Then the flux of this light for such a photon over that of `other`.
   virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }

@@ -23,9 +23,9 @@
 #include "core/sampling.h"
 #include "materials/fresnel.h"
 #include "materials/interface.h"
+#include "materials/material.h"
 #include "materials/microfacet.h"
 #include "materials/parameters.h"
-#include "materials/material.h"
 #include "materials/shading_frame.h"
 
 namespace dspm {
@@ -90,8 +90,8 @@ class CoatedDiffuse final : public Bsdf {
   }
 
  private:
-  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about as bright choose
-  /// alike, and stay one path.
+  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about as bright
+  /// choose alike, and stay one path.
   static float weight_in_choice(float reflectance) {
     return reflectance >= 1 / 4.f ? 1 : reflectance >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
   }

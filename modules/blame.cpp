@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -36,8 +37,9 @@ class ThrownObjects {
     entry.object = object;
   }
   const LoadedModule* find(const void* object) const {
-    for (const Entry& entry : entries_)
-      if (entry.object == object) return entry.module;
+    const unsigned next = next_;
+    for (unsigned back = 1; back <= entries_.size(); ++back)  // newest first: addresses come again
+      if (const Entry& entry = entries_[(next - back) % entries_.size()]; entry.object == object) return entry.module;
     return nullptr;
   }
 
@@ -51,12 +53,13 @@ class ThrownObjects {
 };
 ThrownObjects thrown;
 
-std::atomic<const LoadedModule*> busy = nullptr;
+std::atomic<std::uint64_t> busy = 0;  // a bit for each module
+static_assert(kMostModules <= 64);
 std::atomic<int> answers = 0;
 
 void on_question(int) {
   const int kept = errno;
-  if (const LoadedModule* module = module_on_stack()) busy = module;
+  if (const LoadedModule* module = module_on_stack()) busy |= std::uint64_t{1} << (module - loaded_modules().data());
   ++answers;
   errno = kept;
 }
@@ -96,20 +99,24 @@ const LoadedModule* module_that_threw() {
   return object != nullptr ? thrown.find(object) : nullptr;
 }
 
-const LoadedModule* module_at_work() {
-  if (loaded_modules().empty()) return nullptr;
+std::vector<const LoadedModule*> modules_at_work() {
+  std::vector<const LoadedModule*> found;
+  if (loaded_modules().empty()) return found;
   const int signal = SIGRTMIN + 7;
   struct sigaction action = {}, before;
   action.sa_handler = on_question;
   action.sa_flags = SA_RESTART;
   std::array<void*, 1> first_use;  // which loads libgcc: not for a signal handler
   backtrace(first_use.data(), 1);
-  busy = nullptr, answers = 0;
-  if (sigaction(signal, &action, &before) != 0) return nullptr;
+  busy = 0, answers = 0;
+  if (sigaction(signal, &action, &before) != 0) return found;
   const int asked = ask_all_threads(signal);
   for (int wait = 0; wait < 100 && answers < asked; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   if (answers == asked) sigaction(signal, &before, nullptr);  // a late answer must find its handler
-  return busy;
+  const std::uint64_t bits = busy;
+  for (const LoadedModule& module : loaded_modules())
+    if ((bits >> (&module - loaded_modules().data()) & 1) != 0) found.push_back(&module);
+  return found;
 }
 
 }  // namespace dspm

@@ -2,6 +2,8 @@
 // come back.
 #pragma once
 
+#include <vector>
+
 #include "modules/load.h"
 
 namespace dspm {
@@ -15,8 +17,8 @@ const LoadedModule* module_that_threw();
 /// Keeps for module_that_threw() who throws this exception just now.
 void note_throw(const void* object);
 
-/// A module that some thread of the process is busy in right now; null where none is found. Interrupts each thread for a
-/// moment, by a real-time signal.
-const LoadedModule* module_at_work();
+/// The modules that other threads of the process are busy in right now. Interrupts each thread for a moment, by a
+/// real-time signal.
+std::vector<const LoadedModule*> modules_at_work();
 
 }  // namespace dspm

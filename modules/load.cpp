@@ -5,8 +5,11 @@
 #include <link.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 
 #include "core/file_access.h"
+#include "core/read_file.h"
 #include "modules/elf_section.h"
 
 namespace dspm {
@@ -14,10 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::deque<LoadedModule>& modules() {
-  static std::deque<LoadedModule> all;
-  return all;
-}
+// Other threads ask for them while one is loaded: it counts when it is whole.
+std::array<LoadedModule, kMostModules> modules;
+std::atomic<std::size_t> module_count = 0;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
   throw ModuleError(fmt::format("module {}: {}", file.string(), why));
@@ -83,17 +85,20 @@ void load_module(const fs::path& file) {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
   if (error) fail(file, error.message());
-  const auto same_file = [&](const LoadedModule& module) { return module.file == canonical; };
-  if (std::any_of(modules().begin(), modules().end(), same_file)) return;
+  for (const LoadedModule& module : loaded_modules())
+    if (module.file == canonical) return;
+  if (module_count == kMostModules) fail(canonical, fmt::format("there are {} modules already", kMostModules));
   check_stamp(canonical);
+  static_cast<void>(read_bytes(canonical));  // so that checkpoints know of it: see core/files_read.h
   void* const handle = dlopen(canonical.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) fail(canonical, fmt::format("it cannot be loaded: {}", loader_error()));
-  LoadedModule& module = modules().emplace_back();
+  LoadedModule& module = modules[module_count];
   module.name = canonical.filename(), module.file = canonical;
   find_range(handle, module);
   register_plugins(module, handle);
+  ++module_count;
 }
 
-const std::deque<LoadedModule>& loaded_modules() { return modules(); }
+std::span<const LoadedModule> loaded_modules() { return {modules.data(), module_count}; }
 
 }  // namespace dspm

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "modules/module.h"
@@ -16,11 +16,13 @@ struct LoadedModule {
   std::uintptr_t begin = 0, end = 0;  // where its code and data lie
 };
 
-/// Adds the module's plugins to dspm's tables; a file that is loaded already is left alone. Its stamp is looked at before
-/// anything of it runs. Modules stay until the process ends. Throws ModuleError. Not for several threads at once.
+/// Adds the module's plugins to dspm's tables; a file that is loaded already is left alone. Its stamp is looked at
+/// before anything of it runs. Modules stay until the process ends. Throws ModuleError. Not for several threads at
+/// once.
 void load_module(const std::filesystem::path& file);
 
-/// In the order of their loading.
-const std::deque<LoadedModule>& loaded_modules();
+inline constexpr std::size_t kMostModules = 64;
+/// In the order of their loading; addresses stay.
+std::span<const LoadedModule> loaded_modules();
 
 }  // namespace dspm

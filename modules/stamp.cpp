@@ -27,7 +27,7 @@ std::string why_unfit(std::string_view note) {
   if (there.cxx_abi != here.cxx_abi || there.new_strings != here.new_strings)
     return fmt::format("it was built for {} with other conventions of C++ than this {}: {}, with g++ 12 or clang 14",
                        in_words(there.version), in_words(here.version), kBuildAgain);
-  if (there.type_count != here.type_count || note.size() < sizeof(there))
+  if (there.interface != here.interface || there.type_count != here.type_count || note.size() < sizeof(there))
     return fmt::format("it was built for another state of {}: {}", in_words(here.version), kBuildAgain);
   for (std::size_t i = 0; i < std::size(kStampedTypes); ++i)
     if (there.sizes[i] != here.sizes[i])

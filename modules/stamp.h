@@ -28,7 +28,10 @@ struct StampedType {
   std::size_t size;
 };
 
-/// Every type whose layout crosses the border, or holds one that does.
+/// To be raised where a virtual function of an interface comes, goes or changes: no size tells that.
+inline constexpr std::uint32_t kInterface = 1;
+
+/// Types whose layout crosses the border, or that hold one which does.
 inline constexpr StampedType kStampedTypes[] = {
     {"std::string", sizeof(std::string)},
     {"std::vector", sizeof(std::vector<int>)},
@@ -54,6 +57,9 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::PixelFilter", sizeof(PixelFilter)},
     {"dspm::RenderSettings", sizeof(RenderSettings)},
     {"dspm::Statistics", sizeof(Statistics)},
+    {"dspm::Rejections", sizeof(Rejections::Entry)},
+    {"dspm::PixelStatistics", sizeof(PixelStatistics)},
+    {"dspm::Sighting", sizeof(Sighting)},
     {"dspm::IntegratorPlugin", sizeof(IntegratorPlugin)},
 };
 
@@ -62,6 +68,7 @@ struct ModuleStamp {
   std::uint32_t name_bytes = 5, content_bytes = 0, type = 1;
   char name[8] = {'d', 's', 'p', 'm'};
   std::uint32_t version[3] = {version_part(0), version_part(1), version_part(2)};
+  std::uint32_t interface = kInterface;
   std::uint32_t cxx_abi = 0;      // thousands of __GXX_ABI_VERSION: g++ and clang agree in them
   std::uint32_t new_strings = 0;  // _GLIBCXX_USE_CXX11_ABI
   std::uint32_t type_count = std::size(kStampedTypes);

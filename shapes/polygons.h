@@ -17,8 +17,8 @@ struct Polygons {
 };
 
 /// Fans around a polygon's first corner, and ears where the polygon is not convex. A sequence of frames whose polygons
-/// stay convex thus keeps its triangles. Fewer than three corners are no triangle. Corners must be valid indices. Throws
-/// std::runtime_error where large polygons are so intricate that it would take long.
+/// stay convex thus keeps its triangles. Fewer than three corners are no triangle. Corners must be valid indices.
+/// Throws std::runtime_error where large polygons are so intricate that it would take long.
 std::vector<Face> triangulate(const Polygons& polygons, const std::vector<Vec3>& vertices);
 
 }  // namespace dspm

@@ -71,8 +71,8 @@ double student_tails(double t, int degrees_of_freedom) {
 
 Verdict agreement(const Tiles& a, const Tiles& b, const Tolerance& tolerance) {
   Verdict verdict;
-  if (a.means.size() != b.means.size()) {
-    verdict.fail("the pictures do not have the same number of frames");
+  if (a.means.size() != b.means.size() || a.means.empty()) {
+    verdict.fail(a.means.empty() ? "there are no pictures" : "the pictures do not have the same number of frames");
     return verdict;
   }
   // Sidak: all tests together fail with a chance of `level`.

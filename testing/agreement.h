@@ -1,6 +1,6 @@
 // Do two integrators converge to the same picture? Both are rendered with several seeds, which gives the mean of every
-// tile its standard error; Student's t-test says whether what remains is noise. So it takes no reference that is free of
-// noise, and no tolerance that is guessed:
+// tile its standard error; Student's t-test says whether what remains is noise. So it takes no reference that is free
+// of noise, and no tolerance that is guessed:
 //
 //   agreement(rendered("Integrator \"mine\"\n" + scene, 16), rendered("Integrator \"path\"\n" + scene, 64))
 #pragma once

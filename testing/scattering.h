@@ -1,6 +1,6 @@
-// Checks of a material: sample, pdf_w and evaluate of its Bsdf tell the same story, and no light is made up. Each asks on
-// a plain surface and on one with a bent shading normal, from directions straight on to grazing, outside and inside, for
-// every subset of the lobes. Random numbers are fixed: a pass stays a pass.
+// Checks of a material: sample, pdf_w and evaluate of its Bsdf tell the same story, and no light is made up. Each asks
+// on a plain surface and on one with a bent shading normal, from directions straight on to grazing, outside and inside,
+// for every subset of the lobes. Random numbers are fixed: a pass stays a pass.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ Verdict gains_nothing(const Material& material);
 /// All of these.
 Verdict check_scattering(const std::string& words);
 
-/// The share of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error. u.z is
-/// stratified, so that specular choices hardly vary.
+/// The share of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error. u.z
+/// is stratified, so that specular choices hardly vary.
 struct Albedo {
   Rgb mean, error;
 };

@@ -5,8 +5,8 @@
 
 namespace dspm {
 
-/// The mean over pixels and channels of (a - b)^2 / (t + 1% of the truth's mean)^2, where t is the truth's luminance, at
-/// most 1 each: relative, as dark parts are seen too, and bounded, as otherwise single fireflies would be all of it.
+/// The mean over pixels and channels of (a - b)^2 / (t + 1% of the truth's mean)^2, where t is the truth's luminance,
+/// at most 1 each: relative, as dark parts are seen too, and bounded, as otherwise single fireflies would be all of it.
 ///   a an image, b the truth:     its squared error, bias and all
 ///   a and b of different seeds:  twice its variance, whatever the truth
 double relative_square(const Image& a, const Image& b, const Image& truth);

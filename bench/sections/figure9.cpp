@@ -18,7 +18,8 @@ std::vector<std::string> amounts(bool quick) {
   return quick ? std::vector<std::string>{"few", "most"} : std::vector<std::string>{"few", "more", "most"};
 }
 
-/// Sorted by their shares of dynamic photons, then of dynamic hit points; a reduced run takes the corners of the square.
+/// Sorted by their shares of dynamic photons, then of dynamic hit points; a reduced run takes the corners of the
+/// square.
 std::vector<std::filesystem::path> scene_files(bool quick) {
   const std::filesystem::path folder = our_scene("figure9").replace_extension();
   std::vector<std::filesystem::path> files;

@@ -1,5 +1,5 @@
-// An animator's 24 frames: a lamp dims, the camera moves, nothing else. The time over that of frames that are all alike,
-// and over that of one.
+// An animator's 24 frames: a lamp dims, the camera moves, nothing else. The time over that of frames that are all
+// alike, and over that of one.
 #include "bench/measure/rounds.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"

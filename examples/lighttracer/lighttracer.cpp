@@ -1,9 +1,9 @@
 // Integrator "lighttracer" "integer photons" 300000 "integer iterations" 64
 //
-// Photons walk from the lights, and wherever they are scattered, what of them goes straight to the camera is added to the
-// pixel that sees the place. [Dutré et al. 1993] All frames at once: a photon path is one path as long as the frames meet
-// the same; where they part, so do copies of it, with disjoint sets of frames. What is seen in a mirror or through glass is
-// left out, as are the lights themselves.
+// Photons walk from the lights, and wherever they are scattered, what of them goes straight to the camera is added to
+// the pixel that sees the place. [Dutré et al. 1993] All frames at once: a photon path is one path as long as the
+// frames meet the same; where they part, so do copies of it, with disjoint sets of frames. What is seen in a mirror or
+// through glass is left out, as are the lights themselves.
 #include "core/parallel.h"
 #include "integrators/path_step.h"
 #include "integrators/tiles.h"

@@ -1,5 +1,5 @@
-// Light tracing finds what paths from the camera find, in both frames of a room through which a ball of frosted metal moves.
-// The lamp is out of sight, because light tracing does not show lamps.
+// Light tracing finds what paths from the camera find, in both frames of a room through which a ball of frosted metal
+// moves. The lamp is out of sight, because light tracing does not show lamps.
 #include "testing/agreement.h"
 #include "testing/checks.h"
 

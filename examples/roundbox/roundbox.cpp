@@ -1,7 +1,7 @@
 // Shape "roundbox" "vector3 size" [2 1 1] "float radius" 0.2
 //
-// A box with round edges and corners, met by sphere tracing its distance function: no triangles, no formula for the hit.
-// A box with half sides b, grown by r, is where the distance to the box is r. [Hart 1996, Sphere tracing]
+// A box with round edges and corners, met by sphere tracing its distance function: no triangles, no formula for the
+// hit. A box with half sides b, grown by r, is where the distance to the box is r. [Hart 1996, Sphere tracing]
 //
 //   size    vector3  2 2 2   sides, round parts included
 //   radius  float    0.1     of the edges; at most half the shortest side
@@ -97,8 +97,8 @@ class RoundBox final : public Shape {
     return n * (1 / length(n));
   }
 
-  /// The first change of sign in [begin, end], where `side` times the distance is not negative at `begin`. Decides grazing
-  /// rays, too, along which sphere tracing creeps.
+  /// The first change of sign in [begin, end], where `side` times the distance is not negative at `begin`. Decides
+  /// grazing rays, too, along which sphere tracing creeps.
   template <class At>
   static std::optional<double> find_crossing(const At& at, double side, double begin, double end) {
     double beyond = side > 0 ? place_of_least(at, begin, end) : end;

@@ -1,5 +1,5 @@
-// Closed boxes are furnaces, so no ray leaks out; in glass no light is lost; and a box that is all roundness is a sphere, as
-// a thing and as a lamp.
+// Closed boxes are furnaces, so no ray leaks out; in glass no light is lost; and a box that is all roundness is a
+// sphere, as a thing and as a lamp.
 #include "testing/agreement.h"
 #include "testing/checks.h"
 #include "testing/scenes.h"

@@ -1,6 +1,6 @@
 // The product of lamp.dsc, a table lamp that stands on the origin: lamp_base.ply, of china; lamp_metal.ply, foot, stem
-// and socket; harp.ply and spokes.ply, the wires that carry a shade; and the shades: drum.ply and drum_lining.ply, dome.ply and
-// dome_lining.ply, globe.ply, a shell of reeded glass. The unit is 10 cm.
+// and socket; harp.ply and spokes.ply, the wires that carry a shade; and the shades: drum.ply and drum_lining.ply,
+// dome.ply and dome_lining.ply, globe.ply, a shell of reeded glass. The unit is 10 cm.
 #include <cmath>
 #include <functional>
 #include <utility>

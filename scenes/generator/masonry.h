@@ -15,8 +15,8 @@ float arch_height(float t, float pointedness);
 /// Where to sample it: `count` + 1 places from 1 down to 0, at equal steps along the arc.
 std::vector<float> arch_places(float pointedness, int count);
 
-/// A hole: a closed clockwise outline that meets every vertical line at most twice. `inner` is the outline at the depth,
-/// with as many points: the reveal between them may be splayed.
+/// A hole: a closed clockwise outline that meets every vertical line at most twice. `inner` is the outline at the
+/// depth, with as many points: the reveal between them may be splayed.
 struct Opening {
   std::vector<Vec2> outline, inner;  // (s, y)
   float depth = 0;

@@ -1,5 +1,5 @@
-// grain.png: how dark wood is, from 0 to 1 (in linear values), for textures that mix two browns. The picture repeats and
-// stands for 20 cm across the grain (left to right) and 80 cm along it.
+// grain.png: how dark wood is, from 0 to 1 (in linear values), for textures that mix two browns. The picture repeats
+// and stands for 20 cm across the grain (left to right) and 80 cm along it.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Files that cannot be written, by real faults of the system: found before the first iteration, or else they cost what is
-// written meanwhile and nothing more.
+// Files that cannot be written, by real faults of the system: found before the first iteration, or else they cost what
+// is written meanwhile and nothing more.
 #include <gtest/gtest.h>
 
 #include "image/exr.h"

@@ -1,10 +1,11 @@
-// A render that is killed at random moments, while it computes, writes images or its checkpoint: what is there is whole,
-// and in the end it has the bits of an undisturbed one.
+// A render that is killed at random moments, while it computes, writes images or its checkpoint: what is there is
+// whole, and in the end it has the bits of an undisturbed one.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "app/checkpoint_file.h"
+#include "image/exr.h"
 #include "image/image.h"
 #include "tests/app/process.h"
 
@@ -29,6 +30,16 @@ void expect_whole_images(const TinyDirectory& directory) {
     }
 }
 
+/// The checkpoint is written before the images of the same iteration, so no image can be of a later one.
+void expect_no_image_ahead(const TinyDirectory& directory) {
+  const CheckpointFile checkpoint(directory / "a");
+  for (const IntervalState& interval : checkpoint.intervals())
+    for (const Frame frame : interval.frames)
+      if (directory.has(kImages[frame])) {
+        EXPECT_LE(read_exr_header(directory / kImages[frame]).integers.at("iterations"), interval.iterations);
+      }
+}
+
 class Kill : public testing::TestWithParam<const char*> {};
 
 TEST_P(Kill, AtAnyMomentLosesAnIterationAtMost) {
@@ -51,6 +62,7 @@ TEST_P(Kill, AtAnyMomentLosesAnIterationAtMost) {
     if (!directory.has("a")) continue;
     const int now = iterations_in(directory);
     EXPECT_GE(now, done);
+    expect_no_image_ahead(directory);
     done = now;
   }
   EXPECT_GT(done, 0);

@@ -1,5 +1,6 @@
 // PNG files. Each chunk ends in a check sum, which no mutation would hit, so it is made right before libpng sees it: a
-// chunk is a length, a type, so many bytes, the sum of type and bytes, all numbers with the most significant byte first.
+// chunk is a length, a type, so many bytes, the sum of type and bytes, all numbers with the most significant byte
+// first.
 #include <zlib.h>
 
 #include <string>

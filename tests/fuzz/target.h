@@ -1,6 +1,6 @@
 // What every fuzz target is: one function that takes any bytes. It may refuse them, but must neither crash nor read
-// beyond what it has, nor take long; what it throws on purpose it catches itself. libFuzzer calls it with inputs that it
-// makes up (./dev fuzz), replay.cpp with those of tests/fuzz/corpus.
+// beyond what it has, nor take long; what it throws on purpose it catches itself. libFuzzer calls it with inputs that
+// it makes up (./dev fuzz), replay.cpp with those of tests/fuzz/corpus.
 #pragma once
 
 #include <cstddef>

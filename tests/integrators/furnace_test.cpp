@@ -1,5 +1,5 @@
-// A closed, evenly glowing, evenly reflecting sphere has radiance 1 / (1 - albedo) everywhere: see furnace() for why. And a
-// sheet under an even sky shows its albedo.
+// A closed, evenly glowing, evenly reflecting sphere has radiance 1 / (1 - albedo) everywhere: see furnace() for why.
+// And a sheet under an even sky shows its albedo.
 #include "testing/furnace.h"
 
 #include <gtest/gtest.h>

@@ -26,8 +26,8 @@ struct Settings {
   float brightest = kInfinity;  // blocks are left out where the reference has a brighter pixel, as a lamp's
 };
 
-/// The scene with other settings: of what stands before WorldBegin, the camera and its transform are kept. Each directive
-/// there begins a line, and its parameters are on indented ones.
+/// The scene with other settings: of what stands before WorldBegin, the camera and its transform are kept. Each
+/// directive there begins a line, and its parameters are on indented ones.
 std::string with_settings(const std::string& text, const Settings& settings) {
   const std::size_t world = text.find("WorldBegin");
   std::istringstream head(text.substr(0, world));

@@ -64,6 +64,7 @@ TEST_P(NotFinite, IsKeptOutAndTold) {
         fault.kind + " \"hollow\" of libhollow.so gave numbers that are not finite, first " + place;
     EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("contributions were not finite and were left out"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("written black"), std::string::npos) << "it has come as far as the driver";
     const Image image = read_image(directory / "out.exr");
     EXPECT_TRUE(std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& c) { return is_finite(c); }));
     EXPECT_GT(luminance(image.at(1, 6)), 0.01f);

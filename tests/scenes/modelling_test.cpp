@@ -29,7 +29,8 @@ TEST(Append, KeepsTheOutsideOfMirroredParts) {
   EXPECT_TRUE(check_mesh(TriangleMesh(both)).sound());
 }
 
-/// Of every triangle that is not degenerate, as at a pole: the side that its normals tell is that of its corners' order.
+/// Of every triangle that is not degenerate, as at a pole: the side that its normals tell is that of its corners'
+/// order.
 void expect_faces_on_the_side_of_normals(const MeshData& mesh) {
   ASSERT_EQ(fault_of(mesh), std::nullopt);
   for (const Face& face : mesh.faces) {

@@ -1,5 +1,5 @@
-// A small disk of its own, which can be full or read-only even for root: a tmpfs that only this process and its children
-// see. Where the system lets nobody mount, tests have to skip.
+// A small disk of its own, which can be full or read-only even for root: a tmpfs that only this process and its
+// children see. Where the system lets nobody mount, tests have to skip.
 #pragma once
 
 #include <sched.h>

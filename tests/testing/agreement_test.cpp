@@ -9,8 +9,8 @@
 namespace dspm::test {
 namespace {
 
-// Both tails that statistics tables print: 5% at 12.706 with 1 degree of freedom, 4.303 with 2, 3.182 with 3, 2.571 with
-// 5, 2.228 with 10; 1% at 3.169 with 10, 0.1% at 6.869 with 5.
+// Both tails that statistics tables print: 5% at 12.706 with 1 degree of freedom, 4.303 with 2, 3.182 with 3, 2.571
+// with 5, 2.228 with 10; 1% at 3.169 with 10, 0.1% at 6.869 with 5.
 TEST(Agreement, StudentsTable) {
   EXPECT_NEAR(student_tails(12.7062, 1), 0.05, 1e-5);
   EXPECT_NEAR(student_tails(4.3027, 2), 0.05, 1e-5);
