@@ -94,6 +94,12 @@ std::string list_plugins() {
   return text;
 }
 
+bool is_plugin(std::string_view kind, std::string_view name) {
+  const std::vector<CatalogueEntry> entries = all_plugins();
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const CatalogueEntry& entry) { return entry.kind == kind && entry.name == name; });
+}
+
 std::string in_words(std::string_view kind, std::string_view name) {
   const std::string plugin = fmt::format("{} \"{}\"", kind, name);
   for (const CatalogueEntry& entry : all_plugins())

@@ -22,6 +22,7 @@ std::vector<CatalogueEntry> all_plugins();
 std::string list_plugins();
 /// The parameters of `kind:name`; throws UsageError where there is no such plugin.
 std::string describe_plugin(std::string_view kind_and_name);
+bool is_plugin(std::string_view kind, std::string_view name);
 /// A plugin as messages name it: `material "velvet" of libvelvet.so`; dspm's own without an origin.
 std::string in_words(std::string_view kind, std::string_view name);
 /// A module with what it brought along: `material "velvet" of libvelvet.so`.

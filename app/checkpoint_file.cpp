@@ -1,11 +1,13 @@
 #include "app/checkpoint_file.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/atomic_file.h"
@@ -17,6 +19,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);  // as numbers are in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
+constexpr int kMostIterations = 1'000'000'000;
 constexpr std::size_t kBlock = 1 << 20;
 
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
@@ -30,24 +33,6 @@ class CountingStream final : public StateStream {
 
  private:
   std::uint64_t count_ = 0;
-};
-
-class SavingStream final : public StateStream {
- public:
-  explicit SavingStream(AtomicFile& file) : file_(file) {}
-  uLong checksum() const { return checksum_; }
-  void append(std::string_view block) {
-    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
-    checksum_ = crc32_z(checksum_, reinterpret_cast<const Bytef*>(block.data()), block.size());
-    file_.write(block);
-  }
-
- protected:
-  void bytes(void* data, std::size_t count) override { append({static_cast<const char*>(data), count}); }
-
- private:
-  AtomicFile& file_;
-  uLong checksum_ = crc32_z(0, nullptr, 0);
 };
 
 class LoadingStream final : public StateStream {
@@ -85,7 +70,9 @@ void persist(std::vector<Fact>& facts, StateStream& state) {
     if (i == facts.size()) facts.emplace_back();
     persist(facts[i].name, state);
     persist(facts[i].text, state);
-    state.part(facts[i].is_digest);
+    std::uint8_t digest = facts[i].is_digest;
+    state.part(digest);
+    facts[i].is_digest = digest != 0;
   }
 }
 
@@ -127,11 +114,42 @@ uLong checksum_of(std::istream& file, std::uint64_t count) {
 
 }  // namespace
 
+class CheckpointFile::SavingStream final : public StateStream {
+ public:
+  explicit SavingStream(AtomicFile& file) : file_(file) {}
+  uLong checksum() const { return checksum_; }
+  void append(std::string_view block) {
+    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
+    checksum_ = crc32_z(checksum_, reinterpret_cast<const Bytef*>(block.data()), block.size());
+    file_.write(block);
+  }
+
+ protected:
+  void bytes(void* data, std::size_t count) override { append({static_cast<const char*>(data), count}); }
+
+ private:
+  AtomicFile& file_;
+  uLong checksum_ = crc32_z(0, nullptr, 0);
+};
+
+void CheckpointFile::open(const std::filesystem::path& path) {
+  struct stat status;
+  if (stat(path.c_str(), &status) != 0) fail("there is no such file");
+  if (!S_ISREG(status.st_mode)) fail("it is not a regular file");
+  device_ = status.st_dev, inode_ = status.st_ino;
+  file_.open(path, std::ios::binary);
+  if (!file_) fail("it cannot be read");
+}
+
+bool CheckpointFile::is_at(const std::filesystem::path& path) const {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && status.st_dev == device_ && status.st_ino == inode_;
+}
+
 CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) {
   try {
     expect_allowed(path);
-    file_.open(path, std::ios::binary);
-    if (!file_) fail("there is no such file, or it cannot be read");
+    open(path);
     const std::uint64_t size = std::filesystem::file_size(path);
     std::array<char, kMagic.size()> magic{};
     file_.read(magic.data(), magic.size());
@@ -146,7 +164,9 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     persist(facts_, head);
     persist(intervals_, head);
     for (const IntervalState& interval : intervals_)
-      if (interval.offset > size || interval.size > size - interval.offset) fail("it is damaged");
+      if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
+          interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))
+        fail("it is damaged");
   } catch (const std::exception& error) {
     fail(fmt::format("checkpoint {}: {}", path.string(), error.what()));
   }
@@ -164,41 +184,47 @@ void CheckpointFile::load(std::size_t interval, Integrator& integrator) const {
   }
 }
 
-void CheckpointFile::write(const std::filesystem::path& path, const std::vector<Fact>& facts,
-                           std::vector<IntervalState> intervals, std::size_t interval, Integrator& integrator,
-                           const CheckpointFile* before) {
-  std::vector<Fact> told = facts;
-  std::uint64_t offset = kHeadAt + head_bytes(told, intervals);
+bool CheckpointFile::copy(std::size_t interval, SavingStream& to) const {
+  std::vector<char> block(kBlock);
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(intervals_[interval].offset));
+  for (std::uint64_t left = intervals_[interval].size; left > 0;) {
+    const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, left));
+    if (!file_.read(block.data(), static_cast<std::streamsize>(now))) return false;
+    to.append({block.data(), now});
+    left -= now;
+  }
+  return true;
+}
+
+std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path,
+                                                            const std::vector<Fact>& facts,
+                                                            std::vector<IntervalState> intervals, const NewState* state,
+                                                            const CheckpointFile* before) {
+  std::unique_ptr<CheckpointFile> written(new CheckpointFile);
+  written->path_ = path, written->facts_ = facts;
+  std::uint64_t offset = kHeadAt + head_bytes(written->facts_, intervals);
   for (std::size_t i = 0; i < intervals.size(); ++i) {
-    if (i == interval) intervals[i].size = *state_bytes(integrator);
+    if (state != nullptr && i == state->interval) intervals[i].size = *state_bytes(state->integrator);
     intervals[i].offset = offset;
     offset += intervals[i].size;
   }
+  written->intervals_ = std::move(intervals);
   AtomicFile file(path);
   file.write(kMagic);
   SavingStream saving(file);
-  persist(told, saving);
-  persist(intervals, saving);
-  std::vector<char> block(kBlock);
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    if (i == interval) {
-      integrator.persist(saving);
-      continue;
-    }
-    if (intervals[i].size == 0) continue;
-    before->file_.clear();
-    before->file_.seekg(static_cast<std::streamoff>(before->intervals_[i].offset));
-    for (std::uint64_t left = intervals[i].size; left > 0;) {
-      const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, left));
-      if (!before->file_.read(block.data(), static_cast<std::streamsize>(now)))
-        throw WriteError(path, "the checkpoint before it cannot be read");
-      saving.append({block.data(), now});
-      left -= now;
-    }
-  }
+  persist(written->facts_, saving);
+  persist(written->intervals_, saving);
+  for (std::size_t i = 0; i < written->intervals_.size(); ++i)
+    if (state != nullptr && i == state->interval)
+      state->integrator.persist(saving);
+    else if (written->intervals_[i].size > 0 && !before->copy(i, saving))
+      throw WriteError(path, "the checkpoint before it cannot be read");
   const auto checksum = static_cast<std::uint32_t>(saving.checksum());
   file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});
+  written->open(file.temporary());  // so that it is this very file, whatever has its name later
   file.commit();
+  return written;
 }
 
 std::optional<std::uint64_t> state_bytes(Integrator& integrator) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,14 +39,29 @@ class CheckpointFile {
   /// Into an integrator that was made for that interval.
   void load(std::size_t interval, Integrator& integrator) const;
 
-  /// Writes `path` anew with the state of one interval; those of the others come from `before`, which may be null or
-  /// the file that is replaced. Throws WriteError; the file is then as before.
-  static void write(const std::filesystem::path& path, const std::vector<Fact>& facts,
-                    std::vector<IntervalState> intervals, std::size_t interval, Integrator& integrator,
-                    const CheckpointFile* before);
+  /// Whether it is this file that has the name now.
+  bool is_at(const std::filesystem::path& path) const;
+
+  /// An interval's state that is to be saved.
+  struct NewState {
+    std::size_t interval;
+    Integrator& integrator;
+  };
+  /// Writes `path` anew, with the state of one interval or of none; those of the others come from `before`, which may be
+  /// null or the file that is replaced. Throws WriteError; the file is then as before.
+  static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const std::vector<Fact>& facts,
+                                                     std::vector<IntervalState> intervals, const NewState* state,
+                                                     const CheckpointFile* before);
 
  private:
+  CheckpointFile() = default;
+  class SavingStream;
+  void open(const std::filesystem::path& path);
+  /// Whether it could be read.
+  bool copy(std::size_t interval, SavingStream& to) const;
+
   std::filesystem::path path_;
+  std::uint64_t device_ = 0, inode_ = 0;
   mutable std::ifstream file_;  // stays readable when another one takes its name
   std::vector<Fact> facts_;
   std::vector<IntervalState> intervals_;

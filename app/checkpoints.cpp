@@ -32,8 +32,7 @@ void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, 
   bool valid = true;
   for (const IntervalState& interval : intervals) {
     const FrameList& frames = interval.frames;
-    valid = valid && interval.iterations >= 0 && !frames.empty() && frames.size() <= kMaxFrames &&
-            std::is_sorted(frames.begin(), frames.end());
+    valid = valid && !frames.empty() && frames.size() <= kMaxFrames && std::is_sorted(frames.begin(), frames.end());
     all.insert(all.end(), frames.begin(), frames.end());
   }
   std::sort(all.begin(), all.end());
@@ -56,7 +55,9 @@ Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messa
       every_(options.checkpoint_every.value_or(kEvery)),
       schedule_(every_) {
   if (!writes()) return;
-  if (path_ != options.resume) refuse_to_overwrite(path_);
+  std::error_code ignored;
+  const bool goes_on = path_ == options.resume || fs::equivalent(path_, options.resume, ignored);
+  if (!goes_on) refuse_to_overwrite(path_);
   facts_ = facts_of(job);
   if (options.resume.empty()) return;
   last_ = std::make_unique<CheckpointFile>(options.resume);
@@ -84,10 +85,14 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   const std::optional<std::uint64_t> bytes = state_bytes(first);
   if (!bytes) throw UsageError("--checkpoint: this integrator keeps no checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
-  AtomicFile(path_).reserve(all);
-  messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
   if (states_.empty())
     for (const FrameList& interval : intervals) states_.push_back({interval});
+  // Takes the name at once, and keeps what was resumed also where nothing is left to do.
+  if (last_ == nullptr || !last_->is_at(path_))
+    last_ = CheckpointFile::write(path_, facts_, states_, nullptr, last_.get());
+  states_ = last_->intervals();
+  AtomicFile(path_).reserve(all + fs::file_size(path_));
+  messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
 }
 
 IntervalState Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
@@ -103,12 +108,11 @@ void Checkpoints::save(std::size_t interval, int iterations, double seconds, Int
   if (!writes()) return;
   std::vector<IntervalState> states = states_;
   states[interval].iterations = iterations, states[interval].seconds = seconds;
-  CheckpointFile::write(path_, facts_, std::move(states), interval, integrator, last_.get());
-  try {
-    last_ = std::make_unique<CheckpointFile>(path_);
-  } catch (const std::runtime_error& error) {
-    throw WriteError(path_, error.what());  // somebody else has taken it away already
-  }
+  std::error_code ignored;
+  if (fs::exists(path_, ignored) && !last_->is_at(path_))
+    throw WriteError(path_, "another program has put a file of its own there");
+  const CheckpointFile::NewState state{interval, integrator};
+  last_ = CheckpointFile::write(path_, facts_, std::move(states), &state, last_.get());
   states_ = last_->intervals();
 }
 

@@ -147,7 +147,11 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
   ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
   RenderSettings bounded = settings;
   bounded.memory = memory;
-  return plugin->make(reader, scene, bounded);
+  std::unique_ptr<Integrator> made = plugin->make(reader, scene, bounded);
+  if (made == nullptr && diagnostics.error_count() == 0)
+    diagnostics.error(where,
+                      fmt::format("integrator \"{}\" has made nothing: its factory returned null", plugin->name));
+  return made;
 }
 
 Job make_job(const SceneDescription& description, const Options& options, Diagnostics& diagnostics) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "app/catalogue.h"
 #include "app/options.h"
 #include "app/templates.h"
 #include "core/atomic_file.h"
@@ -75,9 +76,10 @@ void check(std::string_view kind, const std::string& name, const fs::path& folde
     throw UsageError(
         fmt::format("--new-plugin {}: there is no such kind; there are: {}", kind, fmt::join(kinds, ", ")));
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || (name[0] >= '0' && name[0] <= '9'))
-    throw UsageError(
-        fmt::format("--new-plugin {} {}: a name is made of a-z, 0-9 and _, and begins with a letter", kind, name));
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || name[0] < 'a' || name == "test")
+    throw UsageError(fmt::format(
+        "--new-plugin {} {}: a name is made of a-z, 0-9 and _, begins with a letter, and is not \"test\"", kind, name));
+  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: there is a {} \"{}\" already", kind, name));
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
     throw UsageError(fmt::format("--new-plugin: {} is there already, and not empty", folder.string()));

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 
+#include "app/catalogue.h"
 #include "app/not_finite.h"
 #include "app/progress.h"
 #include "app/signals.h"
@@ -17,6 +19,14 @@ void write_report(const Job& job, const RunReport& report, const Options& option
   if (options.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
   if (options.stats == "-") print_data(json_of(job, report));
   if (options.stats_in_file()) write_file(options.stats, json_of(job, report));
+}
+
+void expect_size(const Image& image, const Job& job) {
+  const PixelRect& crop = job.settings.crop;
+  if (image.width != crop.width() || image.height != crop.height())
+    throw std::runtime_error(fmt::format("{} gave an image of {} x {} pixels, and {} x {} were asked for",
+                                         in_words("integrator", job.integrator), image.width, image.height,
+                                         crop.width(), crop.height()));
 }
 
 }  // namespace
@@ -39,6 +49,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
     const auto image = std::make_shared<Image>();
     const auto estimate = [&] {
       *image = integrator.estimate(static_cast<Frame>(j));
+      expect_size(*image, job_);
       black_out_invalid(*image, frame, job_, messages_);
       if (images == Images::last) output_.add_to_video(*image);
     };

@@ -58,7 +58,7 @@ void Watch::run() {
   std::unique_lock lock(mutex_);
   while (!ended_) {
     if (changed_.wait_until(lock, next_) != std::cv_status::timeout || Clock::now() < next_) continue;
-    print_message(complaint());
+    if (!step_.empty()) print_message(complaint());
     next_ = begin_ + 2 * (next_ - begin_);
   }
 }

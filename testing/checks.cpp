@@ -11,6 +11,7 @@ void Checks::add(const std::string& what, const Verdict& verdict) {
   ++count_;
   if (!verdict.passed) ++failures_;
   std::printf("%s %s: %s\n", verdict.passed ? "passed" : "FAILED", what.c_str(), verdict.message.c_str());
+  std::fflush(stdout);  // kept where a later check ends the program
 }
 
 int run_checks(int count, char** arguments, const std::function<void(Checks&)>& checks) {

@@ -67,7 +67,7 @@ Chi2Result chi2_of(const Material& material, const DensityCase& c, Chi2Settings 
   int n = 0;
   const auto sample = [&]() -> std::optional<Vec3> {
     const auto drawn = bsdf.sample(c.wo, three_numbers(random, n++), Transport::radiance, c.lobes);
-    if (!drawn || drawn->specular) return std::nullopt;
+    if (!drawn || drawn->specular || !is_finite(drawn->wi)) return std::nullopt;  // weights_agree tells of the last
     return drawn->wi;
   };
   return SphereChi2(settings).run(sample,
@@ -215,7 +215,7 @@ Albedo albedo(const Bsdf& bsdf, const Vec3& wo, Transport transport, const PathR
   std::array<double, 3> sum{}, sum2{};
   for (int n = 0; n < samples; ++n) {
     Vec3 u = three_numbers(random, n);
-    u.z = (static_cast<float>(n) + 0.5f) / static_cast<float>(samples);
+    u.z = (static_cast<float>(n) + u.z) / static_cast<float>(samples);  // strata: lobes get their share
     const auto drawn = bsdf.sample(wo, u, transport, bsdf.all_lobes());
     for (int c = 0; drawn && c < 3; ++c) {
       const auto weight = static_cast<double>(drawn->weight[c]);
