@@ -211,7 +211,7 @@ TEST_P(DuringTheRender, AFaultIsToldOnceAndLaterImagesAreWhole) {
 }
 
 TEST_P(DuringTheRender, AFaultThatStaysIsExitCode1) {
-  const Process process(directory_, words({"--iterations", "0", "--write-every", "1", "--time-limit", "1s"}));
+  const Process process(directory_, words({"--iterations", "0", "--write-every", "1", "--time-limit", "4s"}));
   ASSERT_TRUE(appears(directory_.image(3)));
   begin(process);
   const Outcome outcome = process.wait();
