@@ -37,7 +37,8 @@ class Orthographic final : public Camera {
   std::optional<Sighting> sight(const Vec3& p, Vec2 lens) const override {
     const Vec3 local = to_world_.inverse_point(p), offset = lens_.offset(lens);
     if (!(local.z > 0)) return std::nullopt;
-    const Vec3 middle = local - offset * (1 - local.z / lens_.focal_distance);  // of this pixel's lens, and of its focus
+    const Vec3 middle =
+        local - offset * (1 - local.z / lens_.focal_distance);  // of this pixel's lens, and of its focus
     const Vec2 size = screen_.pixel_size();
     return carried(to_world_, screen_.film_at({middle.x, middle.y}), local, Vec3{middle.x, middle.y, 0} + offset,
                    1 / std::abs(size.x * size.y));

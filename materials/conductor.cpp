@@ -13,9 +13,9 @@
 // lost (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1, k = 2 sqrt(r / (1 - r)).
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014]
 #include "materials/fresnel.h"
+#include "materials/material.h"
 #include "materials/microfacet.h"
 #include "materials/parameters.h"
-#include "materials/material.h"
 #include "materials/shading_frame.h"
 
 namespace dspm {

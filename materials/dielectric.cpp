@@ -13,9 +13,9 @@
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces]
 #include "materials/fresnel.h"
 #include "materials/interface.h"
+#include "materials/material.h"
 #include "materials/microfacet.h"
 #include "materials/parameters.h"
-#include "materials/material.h"
 #include "materials/shading_frame.h"
 
 namespace dspm {

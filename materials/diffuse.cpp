@@ -6,8 +6,8 @@
 //
 // [Lambert 1760, Photometria]
 #include "core/sampling.h"
-#include "materials/parameters.h"
 #include "materials/material.h"
+#include "materials/parameters.h"
 
 namespace dspm {
 namespace {

@@ -8,8 +8,8 @@
 // R' = R + T^2 R + T^2 R^3 + ... = R + T^2 R / (1 - R^2). A spectrum for eta is averaged over the colours.
 #include "materials/fresnel.h"
 #include "materials/interface.h"
-#include "materials/parameters.h"
 #include "materials/material.h"
+#include "materials/parameters.h"
 #include "materials/shading_frame.h"
 
 namespace dspm {

@@ -11,9 +11,9 @@
 //
 // u runs around z from the x axis on, v from the rim inwards. [Pharr, Jakob, Humphreys, Physically Based
 // Rendering, 6.4]
-#include "shapes/shape.h"
 #include "shapes/quadric.h"
 #include "shapes/rounding.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 namespace {

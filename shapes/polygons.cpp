@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::size_t kLarge = 64;              // corners
+constexpr std::size_t kLarge = 64;               // corners
 constexpr std::size_t kMostLooks = 100'000'000;  // less than a second, for a file that would take hours
 
 using Corners = std::span<const int>;

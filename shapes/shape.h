@@ -58,7 +58,7 @@ class Shape {
 
 /// A material that a geometry file brings along (MTL): plain data which world turns into objects.
 struct FileMaterial {
-  std::string name;  // unique within the file
+  std::string name;   // unique within the file
   ParamList diffuse;  // parameters of a "diffuse" material; "reflectance" may be the texture named `name`
   std::filesystem::path texture_file;  // an imagemap for that texture; may be empty
 };

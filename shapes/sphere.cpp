@@ -11,9 +11,9 @@
 // | phimax    | 360     | how far it reaches around z (degrees) |
 //
 // u runs around z from the x axis on, v from zmin to zmax. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.2]
-#include "shapes/shape.h"
 #include "shapes/quadric.h"
 #include "shapes/rounding.h"
+#include "shapes/shape.h"
 
 namespace dspm {
 namespace {

@@ -153,8 +153,8 @@ TEST(Sight, FindsTheRayAgainAndTheFilmThatAnAreaTakes) {
   const Matrix4 to_world = Matrix4::translate(1, 2, 3) * Matrix4::rotate(30, 1, 2, 3) * Matrix4::scale(3, 2, 1.5);
   for (const std::string name : {"perspective", "orthographic"}) {
     for (const float lens_radius : {0.f, 0.2f}) {
-      const auto seen = camera(name, {number("lensradius", lens_radius), number("focaldistance", 5)},
-                               film(640, 480, to_world));
+      const auto seen =
+          camera(name, {number("lensradius", lens_radius), number("focaldistance", 5)}, film(640, 480, to_world));
       for (std::uint64_t i = 0; i < 200; ++i) {
         const PathRandom random(4, Stream::setup, i, 0);
         const Vec2 u = random.pair(0, 0), lens = random.pair(0, 1), place{u.x * 640, u.y * 480};
