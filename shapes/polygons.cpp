@@ -80,8 +80,9 @@ class Triangulation {
     if (!(turn(a, b, c) > 0)) return false;
     for (const int p : ring) {
       if (large_ && ++looks_ > kMostLooks) fail(ring.size());
-      if (at(p) == at(a) || at(p) == at(b) || at(p) == at(c)) continue;
-      if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+      // Most corners lie beyond ca, the cut.
+      const bool inside = turn(c, a, p) >= 0 && turn(a, b, p) >= 0 && turn(b, c, p) >= 0;
+      if (inside && !(at(p) == at(a) || at(p) == at(b) || at(p) == at(c))) return false;
     }
     return true;
   }
