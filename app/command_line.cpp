@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "app/load_modules.h"
 #include "app/new_plugin.h"
 #include "app/options.h"
+#include "app/out_of_memory.h"
 #include "app/signals.h"
 #include "core/errors.h"
 #include "core/file_access.h"
@@ -72,12 +72,8 @@ int run_command_line(const std::vector<std::string>& arguments) {
     return 2;
   } catch (const SceneError& error) {
     print_message(error.what());
-  } catch (const std::bad_alloc&) {
-    say("out of memory");
-  } catch (const std::length_error&) {  // so much that no allocation is even tried
-    say("out of memory");
   } catch (const std::exception& error) {
-    say(error.what());
+    say(is_out_of_memory(error) ? "out of memory" : error.what());
   } catch (...) {
     say("what is no exception of C++");
   }

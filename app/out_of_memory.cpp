@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <new>
+
 #include "app/catalogue.h"
 #include "app/run_report.h"
 #include "modules/blame.h"
 
 namespace dspm {
+
+bool is_out_of_memory(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+         dynamic_cast<const std::length_error*>(&error) != nullptr;
+}
 
 std::string out_of_memory(const std::string& step) {
   rlimit limit{};

@@ -1,13 +1,16 @@
 // What is said where memory ends: who needed it, how much was taken, and what helps.
 #pragma once
 
-#include <new>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
 #include "app/watch.h"
 
 namespace dspm {
+
+/// No allocation succeeded, or so much was asked for that none was tried.
+bool is_out_of_memory(const std::exception& error);
 
 /// Of a step ("iteration 3"); in a catch clause.
 std::string out_of_memory(const std::string& step);
@@ -18,9 +21,8 @@ template <class Task>
 auto naming_memory_step(const Watch& watch, const Task& task) {
   try {
     return task();
-  } catch (const std::bad_alloc&) {
-    throw std::runtime_error(out_of_memory(watch.step()));
-  } catch (const std::length_error&) {  // so much that no allocation is even tried
+  } catch (const std::exception& error) {
+    if (!is_out_of_memory(error)) throw;
     throw std::runtime_error(out_of_memory(watch.step()));
   }
 }

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <new>
-#include <stdexcept>
+#include <exception>
 #include <utility>
 #include <vector>
 
+#include "app/out_of_memory.h"
 #include "core/atomic_file.h"
 
 namespace dspm {
@@ -29,9 +29,8 @@ bool WriteFaults::attempt(const std::filesystem::path& file, const Write& write,
     return true;
   } catch (const WriteError& error) {
     cause = error.cause();
-  } catch (const std::length_error&) {  // so much that no allocation is even tried
-    cause = "there is not enough memory for it";
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception& error) {
+    if (!is_out_of_memory(error)) throw;
     cause = "there is not enough memory for it";
   }
   failed_[file] = {cause, failed == Failed::kept ? write : Write()};
