@@ -62,65 +62,81 @@ void persist(std::string& text, StateStream& state) {
   text.assign(bytes.begin(), bytes.end());
 }
 
-void persist(std::vector<Fact>& facts, StateStream& state) {
-  std::uint64_t count = facts.size();
+void persist(Fact& fact, StateStream& state) {
+  persist(fact.name, state);
+  persist(fact.text, state);
+  std::uint8_t digest = fact.is_digest;
+  state.part(digest);
+  fact.is_digest = digest != 0;
+}
+
+void persist(IntervalState& interval, StateStream& state) {
+  state.list(interval.frames, kMostFrames);
+  state.part(interval.iterations);
+  state.part(interval.seconds);
+  state.part(interval.offset);
+  state.part(interval.size);
+}
+
+/// One by one: a count without contents must cost nothing.
+template <class T>
+void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
+  std::uint64_t count = all.size();
   state.part(count);
-  if (count > kMostFacts) fail("it tells of too many things");
-  for (std::uint64_t i = 0; i < count; ++i) {  // one by one: a count without contents must cost nothing
-    if (i == facts.size()) facts.emplace_back();
-    persist(facts[i].name, state);
-    persist(facts[i].text, state);
-    std::uint8_t digest = facts[i].is_digest;
-    state.part(digest);
-    facts[i].is_digest = digest != 0;
+  if (count > most) fail("it tells of too many things");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i == all.size()) all.emplace_back();
+    persist(all[i], state);
   }
 }
 
-void persist(std::vector<IntervalState>& intervals, StateStream& state) {
-  std::uint64_t count = intervals.size();
-  state.part(count);
-  if (count > kMostIntervals) fail("it tells of too many intervals");
-  for (std::uint64_t i = 0; i < count; ++i) {
-    if (i == intervals.size()) intervals.emplace_back();
-    IntervalState& interval = intervals[i];
-    state.list(interval.frames, kMostFrames);
-    state.part(interval.iterations);
-    state.part(interval.seconds);
-    state.part(interval.offset);
-    state.part(interval.size);
-  }
+void persist_head(std::vector<Fact>& facts, std::vector<IntervalState>& intervals, StateStream& state) {
+  persist(facts, kMostFacts, state);
+  persist(intervals, kMostIntervals, state);
 }
 
 std::uint64_t head_bytes(std::vector<Fact>& facts, std::vector<IntervalState>& intervals) {
   CountingStream counting;
-  persist(facts, counting);
-  persist(intervals, counting);
+  persist_head(facts, intervals, counting);
   return counting.count();
 }
 
 constexpr std::uint64_t kHeadAt = kMagic.size();
 
-uLong checksum_of(std::istream& file, std::uint64_t count) {
-  uLong checksum = crc32_z(0, nullptr, 0);
+/// Calls fn(block) for the next `count` bytes, a block at a time. Whether they could be read.
+template <class Fn>
+bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
   std::vector<char> block(kBlock);
-  for (std::uint64_t done = 0; done < count;) {
-    const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count - done));
-    if (!file.read(block.data(), static_cast<std::streamsize>(now))) fail("it cannot be read");
-    checksum = crc32_z(checksum, reinterpret_cast<const Bytef*>(block.data()), now);
-    done += now;
+  for (std::uint64_t left = count; left > 0;) {
+    const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, left));
+    if (!file.read(block.data(), static_cast<std::streamsize>(now))) return false;
+    fn(std::string_view(block.data(), now));
+    left -= now;
   }
-  return checksum;
+  return true;
 }
+
+/// A checksum that grows block by block.
+class Checksum {
+ public:
+  void add(std::string_view block) {
+    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
+    value_ = crc32_z(value_, reinterpret_cast<const Bytef*>(block.data()), block.size());
+  }
+  std::uint32_t value() const { return static_cast<std::uint32_t>(value_); }
+
+ private:
+  uLong value_ = crc32_z(0, nullptr, 0);
+};
 
 }  // namespace
 
 class CheckpointFile::SavingStream final : public StateStream {
  public:
   explicit SavingStream(AtomicFile& file) : file_(file) {}
-  uLong checksum() const { return checksum_; }
+  std::uint32_t checksum() const { return checksum_.value(); }
   void append(std::string_view block) {
-    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
-    checksum_ = crc32_z(checksum_, reinterpret_cast<const Bytef*>(block.data()), block.size());
+    checksum_.add(block);
     file_.write(block);
   }
 
@@ -129,7 +145,7 @@ class CheckpointFile::SavingStream final : public StateStream {
 
  private:
   AtomicFile& file_;
-  uLong checksum_ = crc32_z(0, nullptr, 0);
+  Checksum checksum_;
 };
 
 void CheckpointFile::open(const std::filesystem::path& path) {
@@ -156,13 +172,14 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     if (std::string_view(magic.data(), magic.size()) != kMagic) fail("it is no checkpoint of this version of dspm");
     std::uint32_t checksum = 0;
     if (size < kHeadAt + sizeof(checksum)) fail("it ends too early");
-    const uLong actual = checksum_of(file_, size - kHeadAt - sizeof(checksum));
+    Checksum actual;
+    const auto add = [&](std::string_view block) { actual.add(block); };
+    if (!for_each_block(file_, size - kHeadAt - sizeof(checksum), add)) fail("it cannot be read");
     file_.read(reinterpret_cast<char*>(&checksum), sizeof(checksum));
-    if (actual != checksum) fail("it is damaged: its checksum is wrong");
+    if (actual.value() != checksum) fail("it is damaged: its checksum is wrong");
     file_.seekg(static_cast<std::streamoff>(kHeadAt));
     LoadingStream head(file_, size - kHeadAt - sizeof(checksum));
-    persist(facts_, head);
-    persist(intervals_, head);
+    persist_head(facts_, intervals_, head);
     for (const IntervalState& interval : intervals_)
       if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
           interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))
@@ -185,16 +202,9 @@ void CheckpointFile::load(std::size_t interval, Integrator& integrator) const {
 }
 
 bool CheckpointFile::copy(std::size_t interval, SavingStream& to) const {
-  std::vector<char> block(kBlock);
   file_.clear();
   file_.seekg(static_cast<std::streamoff>(intervals_[interval].offset));
-  for (std::uint64_t left = intervals_[interval].size; left > 0;) {
-    const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, left));
-    if (!file_.read(block.data(), static_cast<std::streamsize>(now))) return false;
-    to.append({block.data(), now});
-    left -= now;
-  }
-  return true;
+  return for_each_block(file_, intervals_[interval].size, [&](std::string_view block) { to.append(block); });
 }
 
 std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path,
@@ -213,14 +223,13 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
   AtomicFile file(path);
   file.write(kMagic);
   SavingStream saving(file);
-  persist(written->facts_, saving);
-  persist(written->intervals_, saving);
+  persist_head(written->facts_, written->intervals_, saving);
   for (std::size_t i = 0; i < written->intervals_.size(); ++i)
     if (state != nullptr && i == state->interval)
       state->integrator.persist(saving);
     else if (written->intervals_[i].size > 0 && !before->copy(i, saving))
       throw WriteError(path, "the checkpoint before it cannot be read");
-  const auto checksum = static_cast<std::uint32_t>(saving.checksum());
+  const std::uint32_t checksum = saving.checksum();
   file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});
   written->open(file.temporary());  // so that it is this very file, whatever has its name later
   file.commit();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/distinct_files.h"
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "core/atomic_file.h"
@@ -55,28 +56,29 @@ Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messa
       every_(options.checkpoint_every.value_or(kEvery)),
       schedule_(every_) {
   if (!writes()) return;
-  std::error_code ignored;
-  const bool goes_on = path_ == options.resume || fs::equivalent(path_, options.resume, ignored);
-  if (!goes_on) refuse_to_overwrite(path_);
+  if (options.resume.empty() || !is_same_file(path_, options.resume)) refuse_to_overwrite(path_);
   facts_ = facts_of(job);
   if (options.resume.empty()) return;
   last_ = std::make_unique<CheckpointFile>(options.resume);
-  states_ = last_->intervals();
   Diagnostics diagnostics;
   compare(last_->facts(), facts_, diagnostics);
   diagnostics.throw_if_errors();
-  expect_frames(states_, job, options.resume);
+  expect_frames(last_->intervals(), job, options.resume);
+}
+
+std::vector<IntervalState> Checkpoints::states() const {
+  return last_ == nullptr ? std::vector<IntervalState>() : last_->intervals();
 }
 
 std::vector<FrameList> Checkpoints::intervals() const {
   std::vector<FrameList> intervals;
-  for (const IntervalState& state : states_) intervals.push_back(state.frames);
+  for (const IntervalState& state : states()) intervals.push_back(state.frames);
   return intervals;
 }
 
 double Checkpoints::seconds() const {
   double sum = 0;
-  for (const IntervalState& state : states_) sum += state.seconds;
+  for (const IntervalState& state : states()) sum += state.seconds;
   return sum;
 }
 
@@ -85,35 +87,36 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   const std::optional<std::uint64_t> bytes = state_bytes(first);
   if (!bytes) throw UsageError("--checkpoint: this integrator keeps no checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
-  if (states_.empty())
-    for (const FrameList& interval : intervals) states_.push_back({interval});
+  std::vector<IntervalState> states = this->states();
+  if (states.empty())
+    for (const FrameList& interval : intervals) states.push_back({interval});
   // Takes the name at once, and keeps what was resumed also where nothing is left to do.
   if (last_ == nullptr || !last_->is_at(path_))
-    last_ = CheckpointFile::write(path_, facts_, states_, nullptr, last_.get());
-  states_ = last_->intervals();
+    last_ = CheckpointFile::write(path_, facts_, std::move(states), nullptr, last_.get());
   AtomicFile(path_).reserve(all + fs::file_size(path_));
   messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
 }
 
 IntervalState Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
-  if (last_ == nullptr || states_[interval].iterations == 0) return {};
+  if (!writes()) return {};
+  const std::vector<IntervalState>& states = last_->intervals();
+  const IntervalState& state = states[interval];
+  if (state.iterations == 0) return {};
   last_->load(interval, integrator);
-  const IntervalState& state = states_[interval];
   messages_.say("resumed behind iteration {}{}", state.iterations,
-                states_.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states_.size()) : "");
+                states.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states.size()) : "");
   return state;
 }
 
 void Checkpoints::save(std::size_t interval, int iterations, double seconds, Integrator& integrator) {
   if (!writes()) return;
-  std::vector<IntervalState> states = states_;
+  std::vector<IntervalState> states = last_->intervals();
   states[interval].iterations = iterations, states[interval].seconds = seconds;
   std::error_code ignored;
   if (fs::exists(path_, ignored) && !last_->is_at(path_))
     throw WriteError(path_, "another program has put a file of its own there");
   const CheckpointFile::NewState state{interval, integrator};
   last_ = CheckpointFile::write(path_, facts_, std::move(states), &state, last_.get());
-  states_ = last_->intervals();
 }
 
 }  // namespace dspm

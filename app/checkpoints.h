@@ -34,14 +34,15 @@ class Checkpoints {
 
  private:
   bool writes() const { return !path_.empty(); }
+  /// In the last one.
+  std::vector<IntervalState> states() const;
 
   Messages& messages_;
   std::filesystem::path path_;  // empty: none is written
   Interval every_;
   WriteSchedule schedule_;
   std::vector<Fact> facts_;
-  std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
-  std::vector<IntervalState> states_;           // as in the last one
+  std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null before begin(): none yet
 };
 
 }  // namespace dspm

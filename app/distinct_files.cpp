@@ -8,12 +8,20 @@
 #include "core/atomic_file.h"
 
 namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path place_of(const fs::path& file) { return fs::weakly_canonical(fs::absolute(file_behind(file))); }
+
+}  // namespace
+
+bool is_same_file(const fs::path& a, const fs::path& b) { return place_of(a) == place_of(b); }
 
 void expect_distinct(const std::vector<NamedFile>& files) {
-  std::map<std::filesystem::path, std::string> seen;
+  std::map<fs::path, std::string> seen;
   for (const NamedFile& file : files) {
-    const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file_behind(file.path)));
-    const auto [other, is_new] = seen.emplace(place, file.what);
+    const auto [other, is_new] = seen.emplace(place_of(file.path), file.what);
     if (!is_new)
       throw UsageError(fmt::format("{} would be both {} and {}", file.path.string(), other->second, file.what));
   }

@@ -12,7 +12,10 @@ struct NamedFile {
   std::string what;  // "the video"
 };
 
-/// Throws UsageError where two are the same file, whatever the spelling, and names both.
+/// Whatever the spelling, and whether it exists.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Throws UsageError where two are the same file, and names both.
 void expect_distinct(const std::vector<NamedFile>& files);
 
 }  // namespace dspm

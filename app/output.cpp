@@ -25,9 +25,7 @@ void expect_all_distinct(const std::vector<NamedFile>& written, const Options& o
     if (scene != "-") files.push_back({scene, "the scene"});
   files.insert(files.end(), written.begin(), written.end());
   if (!options.video.empty()) files.push_back({options.video, "the video"});
-  std::error_code ignored;
-  if (!options.resume.empty() && options.resume != options.checkpoint &&
-      !std::filesystem::equivalent(options.resume, options.checkpoint, ignored))
+  if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
     files.push_back({options.resume, "the checkpoint to resume"});
   expect_distinct(files);
 }
