@@ -48,6 +48,7 @@ class Run {
         memory_(memory),
         messages_(messages),
         watch_(watch),
+        integrator_(in_words("integrator", job.integrator)),
         results_(job, world, options, messages),
         checkpoints_(job, options, messages),
         intervals_(memory.plan(job, world, results_.bytes_while_writing(), checkpoints_.intervals(), messages)),
@@ -63,6 +64,8 @@ class Run {
 
  private:
   void render_interval(std::size_t index);
+  /// From where the interval stands up to the last iteration, or until time is up or a signal came.
+  void iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations);
   /// Where it throws, the images so far are written; they may hold a part of that iteration. False: it was given up.
   bool iterate(Integrator& integrator, const FrameList& frames, int iteration);
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
@@ -81,6 +84,7 @@ class Run {
   const MemoryBound& memory_;
   Messages& messages_;
   Watch& watch_;
+  const std::string integrator_;  // as messages name it
   Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
@@ -102,9 +106,8 @@ RunReport Run::render() {
 }
 
 void Run::render_interval(std::size_t index) {
-  const FrameList& frames = intervals_[index];
   watch_.begin("making the scene", "");
-  const std::unique_ptr<Scene> scene = world_.scene(frames);
+  const std::unique_ptr<Scene> scene = world_.scene(intervals_[index]);
   const std::unique_ptr<Integrator> integrator =
       make_integrator(job_, *scene, messages_, memory_.for_integrator(index));
   const int iterations = job_.iterations(*integrator, options_);
@@ -117,16 +120,22 @@ void Run::render_interval(std::size_t index) {
     checkpoints_.begin(intervals_, *integrator);
   }
   report_.tree_bytes = std::max(report_.tree_bytes, scene->accel->memory());
+  iterate_to_the_end(index, *integrator, iterations);
+  if (index + 1 < intervals_.size()) results_.tell_faults();
+  report_.add(integrator->statistics(), intervals_[index]);
+}
 
+void Run::iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations) {
+  const FrameList& frames = intervals_[index];
   const double seconds = options_.time_limit > 0 ? time_share(index) : 0;
-  const IntervalState before = checkpoints_.resume(index, *integrator);
+  const IntervalState before = checkpoints_.resume(index, integrator);
   interval_begin_ = Clock::now(), interval_seconds_ = before.seconds;
   progress_->begin(static_cast<int>(index), before.iterations);
   WriteSchedule schedule(options_.write_every);
   int done = before.iterations, saved = before.iterations;
   const auto save = [&] {
     saved = done;
-    results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), *integrator); });
+    results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), integrator); });
     results_.tell_faults();
   };
   const auto finished = [&] {
@@ -134,18 +143,16 @@ void Run::render_interval(std::size_t index) {
            (options_.time_limit > 0 && done > 0 && seconds_since(interval_begin_) >= seconds);
   };
   while (!finished()) {
-    watch_.begin(fmt::format("iteration {}", done + 1), in_words("integrator", job_.integrator));
-    if (!iterate(*integrator, frames, done)) break;
+    watch_.begin(fmt::format("iteration {}", done + 1), integrator_);
+    if (!iterate(integrator, frames, done)) break;
     progress_->step(static_cast<int>(index), ++done);
     if (checkpoints_.due(done)) save();
     const bool wanted = ImageRequests::take();
     if ((schedule.due(done) || wanted) && !finished())
-      write(frames, *integrator, Results::Images::so_far), results_.tell_faults();
+      write(frames, integrator, Results::Images::so_far), results_.tell_faults();
   }
   if (done > saved) save();
-  if (done > 0) write(frames, *integrator, Results::Images::last);
-  if (index + 1 < intervals_.size()) results_.tell_faults();
-  report_.add(integrator->statistics(), frames);
+  if (done > 0) write(frames, integrator, Results::Images::last);
 }
 
 bool Run::iterate(Integrator& integrator, const FrameList& frames, int iteration) {

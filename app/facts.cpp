@@ -31,7 +31,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
-  static const PluginUse kUsual{"gaussian", {}, {}, {}};
+  static const PluginUse kUsual{kUsualPixelFilter, {}, {}, {}};
   const PluginUse& filter = job.description->filter ? *job.description->filter : kUsual;
   facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));
 }

@@ -176,7 +176,7 @@ Job make_job(const SceneDescription& description, const Options& options, Diagno
   RenderSettings& settings = job.settings;
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
-  settings.filter = make_one(pixel_filter_plugins(), "gaussian", description.filter, diagnostics);
+  settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));

@@ -14,6 +14,9 @@
 
 namespace dspm {
 
+/// Where the scene names none.
+inline constexpr const char* kUsualPixelFilter = "gaussian";
+
 struct Job {
   std::string scene_file;
   const SceneDescription* description = nullptr;  // outlives the job

@@ -49,11 +49,9 @@ void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& mess
   const auto at = static_cast<int>(first - image.pixels.begin());
   const auto count = std::count_if(first, image.pixels.end(), invalid);
   std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
-  Diagnostics diagnostics;
-  diagnostics.warning(
-      {}, fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written black",
-                      in_words("integrator", job.integrator), count, frame + 1, pixel_in_words(at, job.settings.crop)));
-  messages.show(diagnostics);
+  messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written black",
+                            in_words("integrator", job.integrator), count, frame + 1,
+                            pixel_in_words(at, job.settings.crop)));
 }
 
 }  // namespace dspm

@@ -16,9 +16,6 @@ namespace {
 
 constexpr double kLongest = 1e8;  // seconds: years, as clocks count them
 
-}  // namespace
-namespace {
-
 template <class Body>
 std::thread started(const Body& body) {
   try {

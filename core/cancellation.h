@@ -10,7 +10,7 @@ struct Cancelled {};
 void cancel_work();
 void allow_work();
 
-/// While it lives, loops (core/parallel.h) of this thread may be given up: what they have done so far is thrown away.
+/// While it lives, loops (core/parallel.h) may be given up: what they have done so far is thrown away. One at a time.
 class Cancellable {
  public:
   Cancellable();
