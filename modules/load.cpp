@@ -85,6 +85,7 @@ void load_module(const fs::path& file) {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
   if (error) fail(file, error.message());
+  if (!fs::is_regular_file(canonical)) fail(file, "it is not a regular file");
   for (const LoadedModule& module : loaded_modules())
     if (module.file == canonical) return;
   if (module_count == kMostModules) fail(canonical, fmt::format("there are {} modules already", kMostModules));

@@ -126,7 +126,8 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   for (WorldLight& light : lights) {
     light.probability = mean_power(light);
     if (!std::isfinite(light.probability))
-      diagnostics.error({}, fmt::format("the power of {} is not finite", light.name));
+      diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
+                        "make it darker, or the scene smaller");
     total += static_cast<double>(light.probability);
   }
   for (WorldLight& light : lights) light.alike = group_alike(light.states.states);

@@ -152,6 +152,7 @@ TEST(SenselessScene, IsRefused) {
     put_scene(directory, scene.text);
     const Outcome outcome = run(directory, {"d.dsc", "--check"});
     EXPECT_EQ(outcome.code, 1) << scene.name;
+    EXPECT_EQ(outcome.err.find("d.dsc:"), 0u) << scene.name << outcome.err;
     EXPECT_NE(outcome.err.find("error: "), std::string::npos) << scene.name << outcome.err;
   }
 }

@@ -1,6 +1,7 @@
 // What an author of a module meets: where modules are found, what is said of those that cannot be used, and how dspm
 // gets along with those that misbehave.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "image/image.h"
 #include "tests/app/process.h"
@@ -131,6 +132,8 @@ TEST(Modules, WhatIsNoModuleIsTold) {
   put_file(directory / "text.so", "no library");
   expect_contains(run(directory, {"--plugin", "text.so", "--list"}).err, "text.so: it is no shared library");
   expect_contains(run(directory, {"--plugin", "missing.so", "--list"}).err, "missing.so: No such file or directory");
+  ASSERT_EQ(mkfifo((directory / "pipe.so").c_str(), 0600), 0);
+  expect_contains(run(directory, {"--plugin", "pipe.so", "--list"}).err, "pipe.so: it is not a regular file");
   put_file(directory / "tiny.dsc", plugin_directive("missing.so") + kTinyScene);
   const Outcome outcome = run(directory, {"tiny.dsc"});
   EXPECT_EQ(outcome.code, 1);
