@@ -106,9 +106,9 @@ constexpr std::uint64_t kHeadAt = kMagic.size();
 /// Calls fn(block) for the next `count` bytes, a block at a time. Whether they could be read.
 template <class Fn>
 bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
-  std::vector<char> block(kBlock);
+  std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count)));
   for (std::uint64_t left = count; left > 0;) {
-    const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, left));
+    const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), left));
     if (!file.read(block.data(), static_cast<std::streamsize>(now))) return false;
     fn(std::string_view(block.data(), now));
     left -= now;

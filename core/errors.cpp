@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -81,6 +83,20 @@ int edit_distance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
+std::uint64_t letters_of(std::string_view word) {
+  std::uint64_t letters = 0;
+  for (const char c : word) letters |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64);
+  return letters;
+}
+
+/// Below the distance, at a fraction of its cost: each letter that only one of them has takes an edit of its own.
+int least_distance(std::string_view a, std::string_view b) {
+  const std::uint64_t of_a = letters_of(a), of_b = letters_of(b);
+  return std::max({static_cast<int>(a.size()) - static_cast<int>(b.size()),
+                   static_cast<int>(b.size()) - static_cast<int>(a.size()), std::popcount(of_a & ~of_b),
+                   std::popcount(of_b & ~of_a)});
+}
+
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
@@ -99,8 +115,8 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   const int limit = std::clamp(static_cast<int>(word.size()) / 3, 1, 3);
   std::vector<std::pair<int, std::string>> near;
   for (const std::string& candidate : candidates) {
-    const auto longer = std::max(word.size(), candidate.size()), shorter = std::min(word.size(), candidate.size());
-    if (longer - shorter > static_cast<std::size_t>(limit)) continue;
+    if (least_distance(word, candidate) > limit) continue;
+    const auto longer = std::max(word.size(), candidate.size());
     const int distance = edit_distance(word, candidate);
     if (distance <= limit && distance < static_cast<int>(longer)) near.emplace_back(distance, candidate);
   }

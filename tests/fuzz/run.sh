@@ -10,6 +10,9 @@ shift 3
 targets=("$@")
 [[ ${#targets[@]} -gt 0 ]] || mapfile -t targets < <(cd "$programs" && ls fuzz_* | sed 's/^fuzz_//')
 
+# Twice as fast, and what is found is told in full when it is replayed.
+export ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=16${ASAN_OPTIONS:+:$ASAN_OPTIONS}
+
 failed=0
 for target in "${targets[@]}"; do
   mkdir -p "$found/$target"
@@ -18,7 +21,7 @@ for target in "${targets[@]}"; do
     corpora+=("$source_dir/scenes")
     [[ -d ${DSPM_TEST_DATA:-}/data/parse-only ]] && corpora+=("$DSPM_TEST_DATA/data/parse-only")
   fi
-  options=(-max_total_time=$((minutes * 60 / ${#targets[@]})) -max_len=2048 -timeout=5 -rss_limit_mb=1500
+  options=(-max_total_time=$((minutes * 60 / ${#targets[@]})) -max_len=2048 -entropic=0 -timeout=5 -rss_limit_mb=1500
     -artifact_prefix="$found/$target-" -print_final_stats=1 -verbosity=0)
   dictionary=$source_dir/tests/fuzz/dictionaries/$target.txt
   [[ -f $dictionary ]] && options+=(-dict="$dictionary")
