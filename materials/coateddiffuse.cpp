@@ -132,7 +132,7 @@ class CoatedDiffuse final : public Bsdf {
 class CoatedDiffuseMaterial final : public Material {
  public:
   CoatedDiffuseMaterial(ParamReader& reader, const MaterialContext& context)
-      : eta_(read_eta(reader)), reflected_inside_(mean_fresnel_inside(eta_)), roughness_(reader, context) {
+      : eta_(read_eta(reader)), let_in_(1 - mean_fresnel_outside(eta_)), roughness_(reader, context) {
     const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "of the base");
     reflectance_ = texture_of(reflectance, context.textures, reader.diagnostics());
   }
@@ -140,12 +140,16 @@ class CoatedDiffuseMaterial final : public Material {
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
     Rgb base;
-    for (int c = 0; c < 3; ++c) base[c] = a[c] / (eta_ * eta_ * kPi * (1 - a[c] * reflected_inside_));
+    for (int c = 0; c < 3; ++c) {
+      // eta^2 (1 - a F_in), which is 0 where no light gets in. By reciprocity 1 - F_in is let_in / eta^2.
+      const float remaining = eta_ * eta_ * (1 - a[c]) + a[c] * let_in_;
+      base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
+    }
     return slot.emplace<CoatedDiffuse>(ShadingFrame(point), roughness_.alpha(point), eta_, base);
   }
 
  private:
-  float eta_, reflected_inside_;
+  float eta_, let_in_;  // let_in: the share of diffuse light that enters the coat
   Roughness roughness_;
   TexturePtr<Rgb> reflectance_;
 };

@@ -59,8 +59,5 @@ inline float mean_fresnel_outside(float eta) {
   }
   return static_cast<float>(2 * sum / kSteps);
 }
-/// The same for diffuse light from inside, total reflection included. What passes is the same flux over eta^2 in either
-/// direction, because reciprocity holds.
-inline float mean_fresnel_inside(float eta) { return 1 - (1 - mean_fresnel_outside(eta)) / (eta * eta); }
 
 }  // namespace dspm

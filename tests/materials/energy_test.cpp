@@ -161,9 +161,17 @@ TEST(Energy, RoughCoatOverWhite) {
 // 0.04 + 0.96 (1 - F_in) a / (1 - a F_in), with F_in = 0.5963: 0.2806 for a = 0.5.
 TEST(Energy, CoatDarkensTheBase) {
   const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(0.5f))});
-  const double inside = static_cast<double>(mean_fresnel_inside(1.5f));
+  const double inside = 1 - (1 - static_cast<double>(mean_fresnel_outside(1.5f))) / 2.25;
   EXPECT_NEAR(inside, 0.5963, 1e-3);
   EXPECT_NEAR(albedo(*material, {0, 0, 1}), 0.04 + 0.96 * (1 - inside) * 0.5 / (1 - 0.5 * inside), 2e-3);
+}
+
+// However little a coat lets in, over white it comes out again.
+TEST(Energy, CoatOfAnyIndexLosesNothing) {
+  for (const float eta : {1e-4f, 0.5f, 30.f, 1e4f, 1e8f, 1e30f}) {
+    const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(1)), number("eta", eta)});
+    for (const float cos : {1.f, 0.5f, 0.05f}) EXPECT_NEAR(albedo(*material, direction(cos, 1)), 1, 1e-2) << eta;
+  }
 }
 
 }  // namespace
