@@ -2,6 +2,7 @@
 // whole, and in the end it has the bits of an undisturbed one.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
 
 #include "app/checkpoint_file.h"
@@ -45,25 +46,31 @@ struct Rhythm {
   int checkpoint_every;  // iterations
 };
 
-class Kill : public testing::TestWithParam<Rhythm> {};
+class Kill : public testing::TestWithParam<Rhythm> {
+ protected:
+  static std::vector<std::string> with(std::vector<std::string> arguments, int iterations = 2000) {
+    for (const char* own : {"tiny.dsc", "--float", "--quiet", "--integrator", GetParam().integrator, "--iterations"})
+      arguments.emplace_back(own);
+    arguments.push_back(std::to_string(iterations));
+    return arguments;
+  }
+};
 
 TEST_P(Kill, AtAnyMomentLosesWhatIsNewerThanTheCheckpointAtMost) {
-  const auto with = [](std::vector<std::string> arguments) {
-    for (const char* own :
-         {"tiny.dsc", "--float", "--iterations", "2000", "--quiet", "--integrator", GetParam().integrator})
-      arguments.emplace_back(own);
-    return arguments;
-  };
   const int every = GetParam().checkpoint_every;
+  const auto writing = [&](const char* option, int iterations = 2000) {
+    return with({"--write-every", "1", "--checkpoint-every", std::to_string(every), option, "a"}, iterations);
+  };
   const TinyDirectory directory, calm;
+  const auto begin = std::chrono::steady_clock::now();
+  run(calm, writing("--checkpoint", 2 * every));
+  const std::chrono::duration<double> two_checkpoints = std::chrono::steady_clock::now() - begin;
   std::mt19937 random(20261121);
-  std::uniform_int_distribution<int> milliseconds(1, 80 * every);
+  std::uniform_real_distribution<double> seconds(0, two_checkpoints.count());
   int done = 0;
   for (int kill = 0; kill < kKills; ++kill) {
-    const char* const option = directory.has("a") ? "--resume" : "--checkpoint";
-    const Process process(directory,
-                          with({"--write-every", "1", "--checkpoint-every", std::to_string(every), option, "a"}));
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds(random)));
+    const Process process(directory, writing(directory.has("a") ? "--resume" : "--checkpoint"));
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds(random)));
     process.send(SIGKILL);
     ASSERT_EQ(process.wait().code, -SIGKILL) << "it has ended before it could be killed";
     expect_whole_images(directory);

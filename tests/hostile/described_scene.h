@@ -104,16 +104,20 @@ class DescribedScene {
     for (const ParamInfo& info : plugin.params()) {
       if (drawn.head.find(" " + info.name + "\"") != std::string::npos) continue;
       const bool needed = info.default_value == "required" || info.default_value.empty();
-      const bool costly = info.type == "integer" && std::atoi(info.default_value.c_str()) > kMost;
-      if (needed || costly || chance(0.4)) add_param(info, drawn);
+      if (needed || is_costly(info) || chance(0.4)) add_param(info, drawn);
     }
+  }
+
+  /// Nothing costly is drawn so that it is refused: it would be taken out, and what is usual rendered.
+  static bool is_costly(const ParamInfo& info) {
+    return info.type == "integer" && std::atoi(info.default_value.c_str()) > kMost;
   }
 
   void add_param(const ParamInfo& info, DrawnDirective& drawn) {
     const std::string type = one_of(types_of(info));
     const std::optional<std::string> value = value_of(info, type);
     if (!value) return;
-    const bool keyed = frames_ > 1 && type != "string" && type != "bool" && chance(0.2);
+    const bool keyed = frames_ > 1 && type != "string" && type != "bool" && !is_costly(info) && chance(0.2);
     std::string line = fmt::format("  \"{} {}{}\" {}", type, info.name, keyed ? "@1" : "", *value);
     if (keyed) line += fmt::format(" \"{} {}@{}\" {}", type, info.name, frames_, *value_of(info, type));
     drawn.params.push_back(line);
@@ -133,7 +137,8 @@ class DescribedScene {
   std::optional<std::string> value_of(const ParamInfo& info, const std::string& type) {
     const bool list = info.default_value.empty();
     if (type == "bool") return chance(0.5) ? "true" : "false";
-    if (type == "integer") return list ? "[0 1 2]" : fmt::format("{}", integer_near(info.default_value));
+    if (type == "integer")
+      return list ? "[0 1 2]" : fmt::format("{}", is_costly(info) ? whole(1, kMost) : integer_near(info.default_value));
     if (type == "float") return list ? list_of(1, 4) : fmt::format("{:.6g}", number_near(info.default_value));
     if (type == "point2" || type == "vector2") return list_of(2, 3);
     if (type == "point3" || type == "vector3" || type == "normal") return list_of(3, list ? 3 : 1);

@@ -1,9 +1,11 @@
 // Scenes at random from the plugins' own descriptions render without crash, without a value that is no number and
-// without more light than there is. DSPM_RANDOM_SCENES says how many (default 60), DSPM_FIRST_SCENE which is the first.
+// without more light than there is. DSPM_RANDOM_SCENES says how many (default 200), DSPM_FIRST_SCENE which is the first.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "app/job.h"
@@ -86,7 +88,7 @@ Seen render(const std::string& text) {
 
 TEST(RandomScenes, Render) {
   const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
-  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 60));
+  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 200));
   for (unsigned seed = first; seed < first + count && !HasFailure(); ++seed) {
     DescribedScene scene(seed);
     const std::string text = mended(scene);
@@ -96,12 +98,17 @@ TEST(RandomScenes, Render) {
   }
 }
 
-// Where radiance 1 comes from everywhere and nothing else shines, no pixel expects more than 1 (outside of glass). The
-// mean of a scene's pixels over two iterations wanders; that of all scenes must not.
+std::string with_many_photons(const std::string& text) {
+  return std::regex_replace(text, std::regex("photons\" \\d+"), "photons\" 100000");
+}
+
+// Where radiance 1 comes from everywhere and nothing else shines, no pixel expects more than 1, but in glass: through a
+// shape that is not closed light gets out that never got in, with eta^2 times the radiance. A scene's mean over two
+// iterations of few photons wanders, that of many must not, nor that of all scenes.
 TEST(RandomScenes, GainNoEnergy) {
   const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
-  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 60));
-  double sum = 0;
+  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 200));
+  double sum = 0, squares = 0;
   for (unsigned seed = first; seed < first + count && !HasFailure(); ++seed) {
     DescribedScene scene(seed, DescribedScene::Light::furnace);
     const std::string text = mended(scene);
@@ -109,10 +116,13 @@ TEST(RandomScenes, GainNoEnergy) {
     if (text.empty()) continue;
     const Seen seen = render(text);
     EXPECT_EQ(seen.rejected, 0u);
-    EXPECT_LT(seen.mean, 2);
-    sum += seen.mean;
+    if (seen.mean > 2 && text.find("\"dielectric\"") == text.npos) {
+      EXPECT_LT(render(with_many_photons(text)).mean, 2);
+    }
+    sum += seen.mean, squares += seen.mean * seen.mean;
   }
-  EXPECT_LT(sum / count, 1.02);
+  const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+  EXPECT_LT(mean, 1.02 + 4 * error);
 }
 
 // What a scene never holds, it does not test.

@@ -1,7 +1,7 @@
 // The state of an integrator as bytes, for tests.
 #pragma once
 
-#include <cstring>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,7 +25,7 @@ class LoadedState final : public StateStream {
  protected:
   void bytes(void* data, std::size_t count) override {
     if (count > left_.size()) throw std::runtime_error("there are not as many bytes");
-    std::memcpy(data, left_.data(), count);
+    std::copy_n(left_.data(), count, static_cast<char*>(data));
     left_.erase(0, count);
   }
 
