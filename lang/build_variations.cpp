@@ -97,7 +97,7 @@ void SceneBuilder::axis_begin(const Directive& directive) {
   const Argument& name = directive.words[0];
   expect_top_level(directive);
   if (name.text.empty()) diagnostics_.error(name.where, "an axis needs a name");
-  if (scene_.axes.size() == kMostAxes)
+  if (scene_.axes.size() >= kMostAxes)
     throw SyntaxError(directive.where, fmt::format("there are more than {} axes", kMostAxes));
   define(axes_, directive);
   open_block(Kind::axis, directive, name.text);

@@ -143,5 +143,13 @@ TEST(Hostile, NestingIsLimited) {
   EXPECT_EQ(parsed.diagnostics.all()[0].where.line, 1002);
 }
 
+// Also by variations that belong to none, as those behind an axis too many do.
+TEST(Hostile, AxesAreLimited) {
+  const std::string axes = numbered("AxisBegin \"{}\" VariationBegin \"a\" Hide \"b\" VariationEnd AxisEnd\n", 1000);
+  const Parsed parsed = parse("WorldBegin DynamicBegin \"b\" DynamicEnd\n" + axes);
+  EXPECT_NE(parsed.messages().find("scene.dsc:66:1: error: there are more than 64 axes"), std::string::npos);
+  EXPECT_LE(parsed.scene.axes.size(), 65u);
+}
+
 }  // namespace
 }  // namespace dspm::test
