@@ -21,7 +21,9 @@ for target in "${targets[@]}"; do
     corpora+=("$source_dir/scenes")
     [[ -d ${DSPM_TEST_DATA:-}/data/parse-only ]] && corpora+=("$DSPM_TEST_DATA/data/parse-only")
   fi
-  options=(-max_total_time=$((minutes * 60 / ${#targets[@]})) -max_len=2048 -entropic=0 -timeout=5 -rss_limit_mb=1500
+  longest=2048  # bytes
+  [[ $target == scene || $target == command_line ]] && longest=512  # each word costs more there
+  options=(-max_total_time=$((minutes * 60 / ${#targets[@]})) -max_len=$longest -entropic=0 -timeout=5 -rss_limit_mb=1500
     -artifact_prefix="$found/$target-" -print_final_stats=1 -verbosity=0)
   dictionary=$source_dir/tests/fuzz/dictionaries/$target.txt
   [[ -f $dictionary ]] && options+=(-dict="$dictionary")
