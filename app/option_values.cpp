@@ -90,15 +90,17 @@ std::string plain_name(std::string_view argument) {
 }  // namespace
 
 std::vector<Frame> parse_frames(std::string_view text) {
-  std::vector<Frame> frames;
+  std::vector<bool> wanted;  // however often: a list would grow with each range that is named
   for (const std::string_view part : split(text, ',')) {
     const auto range = frame_range(part);
     if (!range) throw UsageError(fmt::format("--frames {}: expected frames from 1 on, such as 1-8,12 or 1-32:4", text));
+    wanted.resize(std::max(wanted.size(), static_cast<std::size_t>(range->last)));
     for (std::int64_t frame = range->first; frame <= range->last; frame += range->step)
-      frames.push_back(static_cast<Frame>(frame - 1));
+      wanted[static_cast<std::size_t>(frame - 1)] = true;
   }
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  std::vector<Frame> frames;
+  for (std::size_t frame = 0; frame < wanted.size(); ++frame)
+    if (wanted[frame]) frames.push_back(static_cast<Frame>(frame));
   return frames;
 }
 
