@@ -3,7 +3,7 @@
 set(public_headers
   accel/accel.h
   cameras/camera.h
-  core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h
+  core/cancellation.h core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h
   core/registry.h core/rgb.h
   core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h core/vec.h core/version.h
   film/pixel_filter.h film/pixel_rect.h
@@ -17,8 +17,8 @@ set(public_headers
   textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h
   world/scene.h)
 set(testing_headers
-  testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/scattering.h testing/scattering_cases.h
-  testing/scenes.h testing/test_scene.h testing/verdict.h)
+  testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
+  testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/meet.h
   cameras/projection.h

@@ -2,6 +2,7 @@
 // moves. The lamp is out of sight, because light tracing does not show lamps.
 #include "testing/agreement.h"
 #include "testing/checks.h"
+#include "testing/promises.h"
 
 namespace {
 
@@ -38,5 +39,8 @@ int main(int count, char** arguments) {
     const Tiles path = rendered(room(R"("path" "integer maxdepth" 4)"), 24);
     const Tiles light = rendered(room(R"("lighttracer" "integer maxdepth" 4 "integer photons" 100000)"), 2);
     checks.add("a room as path sees it", agreement(light, path));
+    const std::string short_run = room(R"("lighttracer" "integer photons" 20000)");
+    checks.add("bits with any number of threads", check_threads(short_run));
+    checks.add("bits of a resumed render", check_resume(short_run));
   });
 }

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "testing/state_bytes.h"
 #include "testing/test_scene.h"
-#include "tests/support/state_bytes.h"
 
 namespace dspm::test {
 namespace {

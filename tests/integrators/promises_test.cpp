@@ -1,9 +1,10 @@
-// What is promised of every integrator: the same bits with any number of threads, equal frames where nothing differs, a
-// crop that equals the same pixels of the whole, and memory that does not grow.
+// What is promised of every integrator: the same bits with any number of threads and when it is resumed, equal frames
+// where nothing differs, a crop that equals the same pixels of the whole, and memory that does not grow.
+#include "testing/promises.h"
+
 #include <gtest/gtest.h>
 
 #include "app/options.h"
-#include "core/parallel.h"
 #include "testing/scenes.h"
 #include "testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
@@ -33,15 +34,16 @@ TEST_P(Promises, SameBitsWithAnyNumberOfThreads) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const std::string text = RandomScene(seed, 5).text(integrator());
     SCOPED_TRACE(text);
-    std::vector<std::vector<Image>> by_threads;
-    for (const int threads : {1, 2, 5}) {
-      const ThreadLimit limit(threads);
-      TestScene test(text);
-      by_threads.push_back(test.render_all(2));
-    }
-    EXPECT_EQ(by_threads[0], by_threads[1]);
-    EXPECT_EQ(by_threads[0], by_threads[2]);
+    const test::Verdict verdict = test::check_threads(text, 2);
+    EXPECT_TRUE(verdict.passed) << verdict.message;
   }
+}
+
+TEST_P(Promises, AnotherOneTakesOverToTheSameBits) {
+  const std::string text = RandomScene(7, 5).text(integrator());
+  SCOPED_TRACE(text);
+  const test::Verdict verdict = test::check_resume(text, 4);
+  EXPECT_TRUE(verdict.passed) << verdict.message;
 }
 
 TEST_P(Promises, FramesOfAStaticSceneAreIdentical) {

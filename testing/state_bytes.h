@@ -1,4 +1,4 @@
-// The state of an integrator as bytes, for tests.
+// The state of an integrator as bytes in memory.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,7 @@ class SavedState final : public StateStream {
 class LoadedState final : public StateStream {
  public:
   explicit LoadedState(std::string bytes) : left_(std::move(bytes)) {}
+  bool all_read() const { return left_.empty(); }
 
  protected:
   void bytes(void* data, std::size_t count) override {
