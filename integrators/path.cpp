@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/memory_needs.h"
@@ -146,9 +147,9 @@ class Path final : public Integrator {
         max_depth_(max_depth),
         scene_(scene),
         render_(render),
-        sums_(render.crop.count(), scene.frame_count()) {
-    statistics_.steps = {{"paths"}};
-    statistics_.bytes = sums_.bytes();
+        done_{SeenLightSums(render.crop.count(), scene.frame_count()), {}} {
+    done_.statistics.steps = {{"paths"}};
+    done_.statistics.bytes = done_.bytes();
   }
 
   int iterations() const override { return iterations_; }
@@ -157,40 +158,41 @@ class Path final : public Integrator {
   }
 
   void iterate(int iteration) override {
-    const StepTimer timer(statistics_.steps[0]);
-    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
-    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene_, render_, max_depth_, sums_);
-      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { tracer.trace(x, y, static_cast<std::uint64_t>(iteration)); });
-      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
-      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
-    });
-    for (const Statistics& c : counts) statistics_.camera += c.camera, statistics_.rejections += c.rejections;
-    ++statistics_.iterations;
+    const Cancellable nothing_is_lost;
+    SummedIterations next = done_;
+    trace_paths(static_cast<std::uint64_t>(iteration), next);
+    ++next.statistics.iterations;
+    done_ = std::move(next);
   }
 
-  Image estimate(Frame frame) const override {
-    Image image(render_.crop.width(), render_.crop.height());
-    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = sums_.mean(pixel, frame, statistics_.iterations);
-    return image;
-  }
+  Image estimate(Frame frame) const override { return done_.mean(render_.crop, frame); }
 
-  Statistics statistics() const override { return statistics_; }
+  Statistics statistics() const override { return done_.statistics; }
 
   bool persist(StateStream& state) override {
-    statistics_.persist(state);
-    sums_.persist(state);
+    done_.persist(state);
     return true;
   }
 
  private:
+  void trace_paths(std::uint64_t iteration, SummedIterations& next) const {
+    Statistics& statistics = next.statistics;
+    const StepTimer timer(statistics.steps[0]);
+    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
+    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
+      PixelTracer tracer(scene_, render_, max_depth_, next.sums);
+      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
+                             [&](int x, int y) { tracer.trace(x, y, iteration); });
+      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
+      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
+    });
+    for (const Statistics& c : counts) statistics.camera += c.camera, statistics.rejections += c.rejections;
+  }
+
   int iterations_, max_depth_;
   const Scene& scene_;
   RenderSettings render_;
-  SeenLightSums sums_;
-  Statistics statistics_;
+  SummedIterations done_;
 };
 
 }  // namespace
@@ -207,7 +209,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (max_depth < 0) params.error("maxdepth", "maxdepth must not be negative");
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
-  expect_enough(render.memory, {.pixels = SeenLightSums::bytes(render.crop.count(), scene.frame_count())});
+  expect_enough(render.memory, {.pixels = 2 * SeenLightSums::bytes(render.crop.count(), scene.frame_count())});
   return std::make_unique<Path>(iterations, max_depth, scene, render);
 }
 

@@ -50,17 +50,21 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
 MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
   const double photons = bytes_a_photon_path(scene, global_settings(s, render)) * s.photons +
                          bytes_a_photon_path(scene, caustic_settings(s, render)) * s.caustic_photons;
-  return {SeenLightSums::bytes(render.crop.count(), scene.frame_count()),
+  return {2 * SeenLightSums::bytes(render.crop.count(), scene.frame_count()),
           hit_point_bytes(scene, render, hit_point_settings(s)), static_cast<std::size_t>(photons)};
 }
 
 class PhotonMapper final : public Integrator {
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings), scene_(scene), render_(render), sums_(render.crop.count(), scene.frame_count()) {
-    statistics_.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
-    statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
-    statistics_.bytes = sums_.bytes();
+      : settings_(settings),
+        scene_(scene),
+        render_(render),
+        done_{SeenLightSums(render.crop.count(), scene.frame_count()), {}} {
+    Statistics& statistics = done_.statistics;
+    statistics.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
+    statistics.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    statistics.bytes = done_.bytes();
     const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
     global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
     caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene),
@@ -74,30 +78,26 @@ class PhotonMapper final : public Integrator {
   }
 
   void iterate(int iteration) override {
-    if (!has_maps_) make_maps();
+    const Cancellable nothing_is_lost;
+    SummedIterations next = done_;
+    if (!has_maps_) make_maps(next.statistics);
     {
-      const StepTimer timer(statistics_.steps[kHitPoints]);
+      const StepTimer timer(next.statistics.steps[kHitPoints]);
       tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), static_cast<std::uint64_t>(iteration),
                                 std::move(tiles_));
-      account(tiles_, statistics_);
+      account(tiles_, next.statistics);
     }
-    const StepTimer timer(statistics_.steps[kGather]);
-    gather_tiles(static_cast<std::uint64_t>(iteration));
-    ++statistics_.iterations;
+    gather_tiles(static_cast<std::uint64_t>(iteration), next);
+    ++next.statistics.iterations;
+    done_ = std::move(next), has_maps_ = true;
   }
 
-  Image estimate(Frame frame) const override {
-    Image image(render_.crop.width(), render_.crop.height());
-    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = sums_.mean(pixel, frame, statistics_.iterations);
-    return image;
-  }
+  Image estimate(Frame frame) const override { return done_.mean(render_.crop, frame); }
 
-  Statistics statistics() const override { return statistics_; }
+  Statistics statistics() const override { return done_.statistics; }
 
   bool persist(StateStream& state) override {
-    statistics_.persist(state);
-    sums_.persist(state);
+    done_.persist(state);
     return true;
   }
 
@@ -107,27 +107,27 @@ class PhotonMapper final : public Integrator {
     PathCounts paths;
   };
 
-  void make_maps() {
-    const Cancellable nothing_is_lost;
-    const StepTimer timer(statistics_.steps[kPhotonMaps]);
-    make_map(global_, global_settings(settings_, render_), settings_.photons, global_how_.radius);
-    make_map(caustic_, caustic_settings(settings_, render_), settings_.caustic_photons, caustic_how_.radius);
-    has_maps_ = true;
+  void make_maps(Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kPhotonMaps]);
+    make_map(global_, global_settings(settings_, render_), settings_.photons, global_how_.radius, statistics);
+    make_map(caustic_, caustic_settings(settings_, render_), settings_.caustic_photons, caustic_how_.radius,
+             statistics);
   }
 
-  void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius) {
+  void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius, Statistics& statistics) {
     const auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
     map.build(traces, scene_.frame_count(), radius / 4);
-    if (statistics_.iterations == 0) account(traces, statistics_);  // else they are the maps of before, made again
+    if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
   }
 
-  void gather_tiles(std::uint64_t iteration) {
+  void gather_tiles(std::uint64_t iteration, SummedIterations& next) {
+    const StepTimer timer(next.statistics.steps[kGather]);
     std::vector<TileCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
-      for (const SeenLight& light : tiles_[tile].seen) sums_.add(light);
+      for (const SeenLight& light : tiles_[tile].seen) next.sums.add(light);
       for (const HitPoint& hit : tiles_[tile].hit_points) {
-        const auto add = [&](FrameSet frames, const Rgb& radiance) { sums_.add({hit.pixel, frames, radiance}); };
+        const auto add = [&](FrameSet frames, const Rgb& radiance) { next.sums.add({hit.pixel, frames, radiance}); };
         const Scattering* scattering = tiles_[tile].scattering_of(hit);
         estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
         if (settings_.final_gather == 0)
@@ -137,10 +137,10 @@ class PhotonMapper final : public Integrator {
       }
     });
     std::vector<GatherCounts> gathers;
-    for (const TileCounts& c : counts) statistics_.camera.segments += c.paths.segments, gathers.push_back(c.gather);
-    account(gathers, statistics_);
-    statistics_.bytes =
-        std::max(statistics_.bytes, global_.bytes() + caustic_.bytes() + sums_.bytes() + bytes_of(tiles_));
+    for (const TileCounts& c : counts) next.statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
+    account(gathers, next.statistics);
+    next.statistics.bytes =
+        std::max(next.statistics.bytes, global_.bytes() + caustic_.bytes() + next.bytes() + bytes_of(tiles_));
   }
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
@@ -223,12 +223,11 @@ class PhotonMapper final : public Integrator {
   PhotonMapSettings settings_;
   const Scene& scene_;
   RenderSettings render_;
-  SeenLightSums sums_;
   PhotonMap global_, caustic_;
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;
-  Statistics statistics_;
+  SummedIterations done_;
 };
 
 }  // namespace
