@@ -18,6 +18,7 @@
 // pbrt estimates the same layers by a random walk, whose values are random; this is exact for a smooth coat without a
 // medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth.
 // [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces]
+#include <algorithm>
 #include <typeinfo>
 
 #include "core/sampling.h"
@@ -108,9 +109,17 @@ class CoatedDiffuse final : public Bsdf {
     if (lobes & kBase) sum += base_ * ((1 - fresnel_dielectric(o.z, eta_)) * (1 - fresnel_dielectric(i.z, eta_)));
     if ((lobes & kCoat) && !smooth_) {
       const Vec3 m = normalize(o + i);
-      sum += Rgb(fresnel_dielectric(dot(o, m), eta_) * facets_.reflection(o, i, m));
+      sum += Rgb(mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
     }
     return sum;
+  }
+
+  // The base gets what a smooth coat lets through. For indices of 1 to 4 facets mirror no more than that leaves. Others,
+  // by total reflection or near grazing, would: there a facet mirrors no more than the smooth coat does on either way.
+  float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
+    const float mirrored = fresnel_dielectric(cos, eta_);
+    if (eta_ >= 1 && eta_ <= 4) return mirrored;
+    return std::min({mirrored, fresnel_dielectric(cos_o, eta_), fresnel_dielectric(cos_i, eta_)});
   }
 
   float density(const Vec3& o, const Vec3& i, LobeSet lobes) const {

@@ -174,5 +174,17 @@ TEST(Energy, CoatOfAnyIndexLosesNothing) {
   }
 }
 
+// The coat mirrors off facets and lets in as if it were smooth: together no more than there is, also where facets reflect
+// totally.
+TEST(Energy, RoughCoatsOfAnyIndexGainNothing) {
+  for (const float eta : {1e-4f, 0.2f, 0.376f, 0.7f, 0.95f, 1.05f, 1.2f, 1.5f, 2.f, 4.f, 100.f})
+    for (const Vec2 rough : {Vec2{0.1f, 0.1f}, Vec2{0.4f, 0.4f}, Vec2{1, 1}, Vec2{0.4f, 0}, Vec2{0.02f, 1}}) {
+      const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(1)), number("eta", eta),
+                                                   number("uroughness", rough.x), number("vroughness", rough.y)});
+      const Verdict verdict = gains_nothing(*material);
+      EXPECT_TRUE(verdict.passed) << eta << " " << rough.x << " " << rough.y << ": " << verdict.message;
+    }
+}
+
 }  // namespace
 }  // namespace dspm::test
