@@ -6,6 +6,7 @@
 #include <bit>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -92,8 +93,7 @@ std::uint64_t letters_of(std::string_view word) {
 /// Below the distance, at a fraction of its cost: each letter that only one of them has takes an edit of its own.
 int least_distance(std::string_view a, std::string_view b) {
   const std::uint64_t of_a = letters_of(a), of_b = letters_of(b);
-  return std::max({static_cast<int>(a.size()) - static_cast<int>(b.size()),
-                   static_cast<int>(b.size()) - static_cast<int>(a.size()), std::popcount(of_a & ~of_b),
+  return std::max({std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size())), std::popcount(of_a & ~of_b),
                    std::popcount(of_b & ~of_a)});
 }
 

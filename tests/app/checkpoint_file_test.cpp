@@ -6,22 +6,18 @@
 
 #include <random>
 
+#include "tests/support/idle_integrator.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
 namespace {
 
 /// Its state is a list of numbers.
-class Numbers final : public Integrator {
+class Numbers final : public IdleIntegrator {
  public:
   explicit Numbers(std::vector<double> numbers = {}) : numbers_(std::move(numbers)) {}
   const std::vector<double>& numbers() const { return numbers_; }
 
-  int iterations() const override { return 1; }
-  std::string settings() const override { return {}; }
-  void iterate(int) override {}
-  Image estimate(Frame) const override { return {}; }
-  Statistics statistics() const override { return {}; }
   bool persist(StateStream& state) override {
     state.list(numbers_, 1'000'000);
     return true;

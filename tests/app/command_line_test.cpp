@@ -21,7 +21,7 @@ TEST(CommandLine, RendersEveryFrameToItsFile) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_NE(outcome.err.find("3 frames of 12 x 8 pixels, dsppm, 2 iterations"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("200 photons"), std::string::npos) << outcome.err;
-  for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"}) {
+  for (const char* name : kTinyImages) {
     const Image image = read_image(directory / name);
     EXPECT_EQ(image.width, 12);
     EXPECT_EQ(image.height, 8);

@@ -55,7 +55,7 @@ TEST(Interruption, ATimeLimitIsSharedByTheFrameIntervals) {
   const Outcome outcome =
       run(directory, {"tiny.dsc", "--integrator", "sppm", "--iterations", "0", "--time-limit", "0.9s"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"}) {
+  for (const char* name : kTinyImages) {
     const double seconds = read_exr_header(directory / name).numbers.at("seconds");
     EXPECT_GT(seconds, 0.1) << name;
     EXPECT_LT(seconds, 0.9) << name;

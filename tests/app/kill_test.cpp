@@ -14,7 +14,7 @@ namespace dspm::test {
 namespace {
 
 constexpr int kKills = 50;
-constexpr const char* kImages[] = {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"};
+constexpr int kIterations = 2000;  // more than are done between two kills
 
 /// Over all intervals.
 int iterations_in(const TinyDirectory& directory) {
@@ -25,7 +25,7 @@ int iterations_in(const TinyDirectory& directory) {
 }
 
 void expect_whole_images(const TinyDirectory& directory) {
-  for (const char* image : kImages)
+  for (const char* image : kTinyImages)
     if (directory.has(image)) {
       EXPECT_EQ(read_image(directory / image).width, 12) << image;
     }
@@ -36,8 +36,8 @@ void expect_no_image_ahead(const TinyDirectory& directory) {
   const CheckpointFile checkpoint(directory / "a");
   for (const IntervalState& interval : checkpoint.intervals())
     for (const Frame frame : interval.frames)
-      if (directory.has(kImages[frame])) {
-        EXPECT_LE(read_exr_header(directory / kImages[frame]).integers.at("iterations"), interval.iterations);
+      if (directory.has(kTinyImages[frame])) {
+        EXPECT_LE(read_exr_header(directory / kTinyImages[frame]).integers.at("iterations"), interval.iterations);
       }
 }
 
@@ -48,7 +48,7 @@ struct Rhythm {
 
 class Kill : public testing::TestWithParam<Rhythm> {
  protected:
-  static std::vector<std::string> with(std::vector<std::string> arguments, int iterations = 2000) {
+  static std::vector<std::string> with(std::vector<std::string> arguments, int iterations = kIterations) {
     for (const char* own : {"tiny.dsc", "--float", "--quiet", "--integrator", GetParam().integrator, "--iterations"})
       arguments.emplace_back(own);
     arguments.push_back(std::to_string(iterations));
@@ -58,7 +58,7 @@ class Kill : public testing::TestWithParam<Rhythm> {
 
 TEST_P(Kill, AtAnyMomentLosesWhatIsNewerThanTheCheckpointAtMost) {
   const int every = GetParam().checkpoint_every;
-  const auto writing = [&](const char* option, int iterations = 2000) {
+  const auto writing = [&](const char* option, int iterations = kIterations) {
     return with({"--write-every", "1", "--checkpoint-every", std::to_string(every), option, "a"}, iterations);
   };
   const TinyDirectory directory, calm;
@@ -83,7 +83,7 @@ TEST_P(Kill, AtAnyMomentLosesWhatIsNewerThanTheCheckpointAtMost) {
   EXPECT_GT(done, 0);
   EXPECT_EQ(run(directory, with({"--resume", "a"})).code, 0);
   EXPECT_EQ(run(calm, with({})).code, 0);
-  for (const char* image : kImages) EXPECT_EQ(read_image(directory / image), read_image(calm / image));
+  for (const char* image : kTinyImages) EXPECT_EQ(read_image(directory / image), read_image(calm / image));
 }
 
 // sppm renders three intervals, one after the other.

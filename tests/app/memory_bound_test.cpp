@@ -53,8 +53,7 @@ std::string megabytes(double bytes) { return fmt::format("{:.1f}M", bytes / kMeg
 class Images {
  public:
   explicit Images(const Directory& directory) {
-    for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"})
-      all_.push_back(read_image(directory / name));
+    for (const char* name : kTinyImages) all_.push_back(read_image(directory / name));
   }
   friend bool operator==(const Images&, const Images&) = default;
 

@@ -34,7 +34,7 @@ class Directory : public TinyDirectory {
   }
   std::vector<Image> images() const {
     std::vector<Image> images;
-    for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"})
+    for (const char* name : kTinyImages)
       if (has(name)) images.push_back(read_image(*this / name));
     return images;
   }

@@ -138,6 +138,8 @@ WorldBegin
   DynamicEnd
 )";
 
+inline constexpr const char* kTinyImages[] = {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"};
+
 /// The tiny scene with other text in place of `from`.
 inline std::string tiny_scene(const std::string& from, const std::string& to) {
   std::string scene = kTinyScene;

@@ -13,8 +13,7 @@ TEST(StandardStreams, MessagesThatCannotBeShownEndNothing) {
     const TinyDirectory directory;
     const Outcome outcome = Process(directory, {"tiny.dsc", "--stats", "--explain"}, "out.txt", err).wait();
     EXPECT_EQ(outcome.code, 0) << "'" << err << "'";
-    for (const char* name : {"tiny.0001.exr", "tiny.0002.exr", "tiny.0003.exr"})
-      EXPECT_EQ(read_image(directory / name).width, 12) << name;
+    for (const char* name : kTinyImages) EXPECT_EQ(read_image(directory / name).width, 12) << name;
     EXPECT_EQ(Process(directory, {"none.dsc"}, "out.txt", err).wait().code, 1);
     EXPECT_EQ(Process(directory, {"--nonsense"}, "out.txt", err).wait().code, 2);
   }

@@ -1,23 +1,18 @@
-// Checkpoints, to the state of an integrator. The checksum is put right, so
-// that what lies behind it is reached.
+// Checkpoints, to the state of an integrator. The checksum is put right, so that what lies behind it is reached.
 #include <sys/mman.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include "app/checkpoint_file.h"
 #include "tests/fuzz/target.h"
+#include "tests/support/idle_integrator.h"
 
 namespace dspm::fuzz {
 namespace {
 
 /// Has sums of a few pixels.
-class FewSums final : public Integrator {
+class FewSums final : public test::IdleIntegrator {
  public:
-  int iterations() const override { return 1; }
-  std::string settings() const override { return {}; }
-  void iterate(int) override {}
-  Image estimate(Frame) const override { return {}; }
-  Statistics statistics() const override { return statistics_; }
   bool persist(StateStream& state) override {
     statistics_.persist(state);
     state.part(sums_);

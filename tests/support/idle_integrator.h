@@ -1,0 +1,17 @@
+// An integrator that renders nothing, for tests of what holds its state.
+#pragma once
+
+#include "integrators/integrator.h"
+
+namespace dspm::test {
+
+class IdleIntegrator : public Integrator {
+ public:
+  int iterations() const override { return 1; }
+  std::string settings() const override { return {}; }
+  void iterate(int) override {}
+  Image estimate(Frame) const override { return {}; }
+  Statistics statistics() const override { return {}; }
+};
+
+}  // namespace dspm::test
