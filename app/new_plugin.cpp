@@ -85,12 +85,21 @@ void check(std::string_view kind, const std::string& name, const fs::path& folde
     throw UsageError(fmt::format("--new-plugin: {} is there already, and not empty", folder.string()));
 }
 
+/// As it is where it may be, else quoted.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 /// What CMake must be told to find the package of this very program; nothing where it looks anyway.
 std::string package_place() {
   std::error_code ignored;
   const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path(), prefix = folder.parent_path();
   if (folder.filename() != "bin" || prefix == "/usr" || prefix == "/usr/local") return {};
-  return fmt::format(" -DCMAKE_PREFIX_PATH=\"{}\"", prefix.string());
+  return " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
 }
 
 }  // namespace
@@ -104,8 +113,8 @@ std::string new_plugin(std::string_view kind, const std::string& name, const fs:
   write_file(folder / (name + ".cpp"), filled(template_text(std::string(kind) + ".cpp"), words));
   write_file(folder / (name + "_test.cpp"), filled(template_text(std::string(kind) + "_test.cpp"), words));
   write_file(folder / (name + ".dsc"), filled(template_text("scene.dsc"), words));
-  return fmt::format("cd \"{}\"\ncmake -B build{} && cmake --build build && ctest --test-dir build\n", folder.string(),
-                     package_place());
+  return fmt::format("cd {}\ncmake -B build{} && cmake --build build && ctest --test-dir build\n",
+                     shell_word(folder.string()), package_place());
 }
 
 }  // namespace dspm

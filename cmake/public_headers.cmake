@@ -3,9 +3,9 @@
 set(public_headers
   accel/accel.h
   cameras/camera.h
-  core/cancellation.h core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h core/ray.h
-  core/registry.h core/rgb.h
-  core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h core/vec.h core/version.h
+  core/cancellation.h core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h
+  core/ray.h core/registry.h core/rgb.h core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h
+  core/vec.h core/version.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
   integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h
@@ -28,6 +28,7 @@ set(toolkit_headers
   integrators/photon.h integrators/photon_grid.h integrators/photon_map.h
   integrators/point_grid.h integrators/points_within.h integrators/progressive.h integrators/progressive_settings.h
   integrators/radiance_estimate.h integrators/refit.h integrators/seen_light.h integrators/strand.h
+  integrators/summed_iterations.h
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h materials/microfacet.h
   shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h

@@ -90,7 +90,7 @@ std::uint64_t letters_of(std::string_view word) {
   return letters;
 }
 
-/// Below the distance, at a fraction of its cost: each letter that only one of them has takes an edit of its own.
+/// Never above the distance, at a fraction of its cost: each letter that only one of them has takes an edit of its own.
 int least_distance(std::string_view a, std::string_view b) {
   const std::uint64_t of_a = letters_of(a), of_b = letters_of(b);
   return std::max({std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size())), std::popcount(of_a & ~of_b),

@@ -9,11 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/memory_needs.h"
-#include "integrators/seen_light.h"
+#include "integrators/summed_iterations.h"
 #include "integrators/tiles.h"
 
 namespace dspm {
@@ -147,10 +146,7 @@ class Path final : public Integrator {
         max_depth_(max_depth),
         scene_(scene),
         render_(render),
-        done_{SeenLightSums(render.crop.count(), scene.frame_count()), {}} {
-    done_.statistics.steps = {{"paths"}};
-    done_.statistics.bytes = done_.bytes();
-  }
+        done_(render.crop, scene.frame_count(), statistics_at_start()) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
@@ -158,16 +154,14 @@ class Path final : public Integrator {
   }
 
   void iterate(int iteration) override {
-    const Cancellable nothing_is_lost;
-    SummedIterations next = done_;
-    trace_paths(static_cast<std::uint64_t>(iteration), next);
-    ++next.statistics.iterations;
-    done_ = std::move(next);
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      trace_paths(static_cast<std::uint64_t>(iteration), sums, statistics);
+    });
   }
 
-  Image estimate(Frame frame) const override { return done_.mean(render_.crop, frame); }
+  Image estimate(Frame frame) const override { return done_.mean(frame); }
 
-  Statistics statistics() const override { return done_.statistics; }
+  Statistics statistics() const override { return done_.statistics(); }
 
   bool persist(StateStream& state) override {
     done_.persist(state);
@@ -175,12 +169,17 @@ class Path final : public Integrator {
   }
 
  private:
-  void trace_paths(std::uint64_t iteration, SummedIterations& next) const {
-    Statistics& statistics = next.statistics;
+  static Statistics statistics_at_start() {
+    Statistics statistics;
+    statistics.steps = {{"paths"}};
+    return statistics;
+  }
+
+  void trace_paths(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
     const StepTimer timer(statistics.steps[0]);
     std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
     parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene_, render_, max_depth_, next.sums);
+      PixelTracer tracer(scene_, render_, max_depth_, sums);
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
                              [&](int x, int y) { tracer.trace(x, y, iteration); });
       counts[static_cast<std::size_t>(t)].camera = tracer.counts();
@@ -209,7 +208,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (max_depth < 0) params.error("maxdepth", "maxdepth must not be negative");
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
-  expect_enough(render.memory, {.pixels = 2 * SeenLightSums::bytes(render.crop.count(), scene.frame_count())});
+  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});
   return std::make_unique<Path>(iterations, max_depth, scene, render);
 }
 

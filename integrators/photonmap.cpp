@@ -9,12 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "core/cancellation.h"
 #include "core/parallel.h"
 #include "integrators/memory_needs.h"
 #include "integrators/path_step.h"
 #include "integrators/radiance_estimate.h"
-#include "integrators/seen_light.h"
+#include "integrators/summed_iterations.h"
 #include "integrators/tiles.h"
 
 namespace dspm {
@@ -50,7 +49,7 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
 MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
   const double photons = bytes_a_photon_path(scene, global_settings(s, render)) * s.photons +
                          bytes_a_photon_path(scene, caustic_settings(s, render)) * s.caustic_photons;
-  return {2 * SeenLightSums::bytes(render.crop.count(), scene.frame_count()),
+  return {SummedIterations::bytes(render.crop.count(), scene.frame_count()),
           hit_point_bytes(scene, render, hit_point_settings(s)), static_cast<std::size_t>(photons)};
 }
 
@@ -60,11 +59,7 @@ class PhotonMapper final : public Integrator {
       : settings_(settings),
         scene_(scene),
         render_(render),
-        done_{SeenLightSums(render.crop.count(), scene.frame_count()), {}} {
-    Statistics& statistics = done_.statistics;
-    statistics.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
-    statistics.energy.resize(static_cast<std::size_t>(scene.frame_count()));
-    statistics.bytes = done_.bytes();
+        done_(render.crop, scene.frame_count(), statistics_at_start(scene.frame_count())) {
     const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
     global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
     caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene),
@@ -78,23 +73,17 @@ class PhotonMapper final : public Integrator {
   }
 
   void iterate(int iteration) override {
-    const Cancellable nothing_is_lost;
-    SummedIterations next = done_;
-    if (!has_maps_) make_maps(next.statistics);
-    {
-      const StepTimer timer(next.statistics.steps[kHitPoints]);
-      tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), static_cast<std::uint64_t>(iteration),
-                                std::move(tiles_));
-      account(tiles_, next.statistics);
-    }
-    gather_tiles(static_cast<std::uint64_t>(iteration), next);
-    ++next.statistics.iterations;
-    done_ = std::move(next), has_maps_ = true;
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      if (!has_maps_) make_maps(statistics);
+      trace_camera_paths(static_cast<std::uint64_t>(iteration), statistics);
+      gather_tiles(static_cast<std::uint64_t>(iteration), sums, statistics);
+    });
+    has_maps_ = true;
   }
 
-  Image estimate(Frame frame) const override { return done_.mean(render_.crop, frame); }
+  Image estimate(Frame frame) const override { return done_.mean(frame); }
 
-  Statistics statistics() const override { return done_.statistics; }
+  Statistics statistics() const override { return done_.statistics(); }
 
   bool persist(StateStream& state) override {
     done_.persist(state);
@@ -102,6 +91,13 @@ class PhotonMapper final : public Integrator {
   }
 
  private:
+  static Statistics statistics_at_start(int frames) {
+    Statistics statistics;
+    statistics.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
+    statistics.energy.resize(static_cast<std::size_t>(frames));
+    return statistics;
+  }
+
   struct TileCounts {
     GatherCounts gather;
     PathCounts paths;
@@ -120,14 +116,20 @@ class PhotonMapper final : public Integrator {
     if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
   }
 
-  void gather_tiles(std::uint64_t iteration, SummedIterations& next) {
-    const StepTimer timer(next.statistics.steps[kGather]);
+  void trace_camera_paths(std::uint64_t iteration, Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kHitPoints]);
+    tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), iteration, std::move(tiles_));
+    account(tiles_, statistics);
+  }
+
+  void gather_tiles(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kGather]);
     std::vector<TileCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
-      for (const SeenLight& light : tiles_[tile].seen) next.sums.add(light);
+      for (const SeenLight& light : tiles_[tile].seen) sums.add(light);
       for (const HitPoint& hit : tiles_[tile].hit_points) {
-        const auto add = [&](FrameSet frames, const Rgb& radiance) { next.sums.add({hit.pixel, frames, radiance}); };
+        const auto add = [&](FrameSet frames, const Rgb& radiance) { sums.add({hit.pixel, frames, radiance}); };
         const Scattering* scattering = tiles_[tile].scattering_of(hit);
         estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
         if (settings_.final_gather == 0)
@@ -137,10 +139,10 @@ class PhotonMapper final : public Integrator {
       }
     });
     std::vector<GatherCounts> gathers;
-    for (const TileCounts& c : counts) next.statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
-    account(gathers, next.statistics);
-    next.statistics.bytes =
-        std::max(next.statistics.bytes, global_.bytes() + caustic_.bytes() + next.bytes() + bytes_of(tiles_));
+    for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
+    account(gathers, statistics);
+    statistics.bytes =
+        std::max(statistics.bytes, global_.bytes() + caustic_.bytes() + done_.bytes() + bytes_of(tiles_));
   }
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.

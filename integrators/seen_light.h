@@ -4,10 +4,7 @@
 #include <vector>
 
 #include "core/state_stream.h"
-#include "film/pixel_rect.h"
-#include "image/image.h"
 #include "integrators/hit_point.h"
-#include "integrators/statistics.h"
 
 namespace dspm {
 
@@ -35,26 +32,6 @@ class SeenLightSums {
 
   int frames_;
   std::vector<Rgb> sums_;
-};
-
-/// Where an integrator stands that keeps nothing but sums. An iteration works on a copy of it, so that one that is given
-/// up leaves no trace.
-struct SummedIterations {
-  SeenLightSums sums;
-  Statistics statistics;
-
-  /// With the copy.
-  std::size_t bytes() const { return 2 * sums.bytes(); }
-  Image mean(const PixelRect& crop, Frame frame) const {
-    Image image(crop.width(), crop.height());
-    for (int pixel = 0; pixel < crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = sums.mean(pixel, frame, statistics.iterations);
-    return image;
-  }
-  void persist(StateStream& state) {
-    statistics.persist(state);
-    sums.persist(state);
-  }
 };
 
 }  // namespace dspm

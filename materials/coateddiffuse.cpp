@@ -16,7 +16,8 @@
 //   f = F-mirror or GGX + (1 - F(wo)) (1 - F(wi)) / eta^2 * a / (pi (1 - a F_in)),
 // F_in being the mean Fresnel reflectance for diffuse light from inside. A smooth coat over a white base loses nothing.
 // pbrt estimates the same layers by a random walk, whose values are random; this is exact for a smooth coat without a
-// medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth.
+// medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth, and
+// outside of indices of 1 to 4 the facets' Fresnel term is bounded by the smooth coat's.
 // [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces]
 #include <algorithm>
 #include <typeinfo>
@@ -114,8 +115,9 @@ class CoatedDiffuse final : public Bsdf {
     return sum;
   }
 
-  // The base gets what a smooth coat lets through. For indices of 1 to 4 facets mirror no more than that leaves. Others,
-  // by total reflection or near grazing, would: there a facet mirrors no more than the smooth coat does on either way.
+  // The base gets what a smooth coat lets through. For indices of 1 to 4 facets mirror hardly more than that leaves, 0.3%
+  // at most. Beyond, total reflection or Brewster's angle near grazing make it up to 26%: there a facet mirrors no more
+  // than the smooth coat does for either direction.
   float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
     const float mirrored = fresnel_dielectric(cos, eta_);
     if (eta_ >= 1 && eta_ <= 4) return mirrored;

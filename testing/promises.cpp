@@ -17,29 +17,26 @@ std::vector<Image> images_of(const Integrator& integrator, const Scene& scene) {
   return images;
 }
 
-struct BrokenState : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-void load(Integrator& integrator, const std::string& bytes) try {
-  LoadedState state(bytes);
-  integrator.persist(state);
-  if (!state.all_read()) throw BrokenState("persist() loads less than it saves");
-} catch (const std::runtime_error& error) {
-  throw BrokenState(fmt::format("its state cannot be loaded: {}", error.what()));
-}
-
 void iterate(Integrator& integrator, int first, int end) {
   for (int i = first; i < end; ++i) integrator.iterate(i);
 }
 
-/// After so many iterations of one integrator, the others by another one.
-std::vector<Image> resumed(TestScene& test, const Scene& scene, int before, int iterations) {
+/// After so many iterations of one integrator, the others by another one that takes over its state.
+Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterations,
+                     const std::vector<Image>& expected) {
   const auto first = test.integrator(scene), second = test.integrator(scene);
   iterate(*first, 0, before);
-  load(*second, state_of(*first));
+  LoadedState state(state_of(*first));
+  try {
+    second->persist(state);
+  } catch (const std::runtime_error& error) {
+    return {false, fmt::format("its state after iteration {} cannot be loaded: {}", before, error.what())};
+  }
+  if (!state.all_read()) return {false, "persist() loads less than it saves"};
   iterate(*second, before, iterations);
-  return images_of(*second, scene);
+  if (images_of(*second, scene) != expected)
+    return {false, fmt::format("resumed after iteration {} it gives other bits", before)};
+  return {};
 }
 
 }  // namespace
@@ -56,22 +53,20 @@ Verdict check_threads(const std::string& scene, int iterations) {
   return verdict;
 }
 
-Verdict check_resume(const std::string& scene, int iterations) try {
-  Verdict verdict;
+Verdict check_resume(const std::string& scene, int iterations) {
   TestScene test(scene);
+  Verdict verdict;
   for (const std::vector<Frame>& frames : test.intervals()) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
     iterate(*calm, 0, iterations);
-    if (state_of(*calm).empty()) verdict.fail("there is no state of it: persist() is missing");
+    SavedState state;
+    if (!calm->persist(state)) return {false, "persist() says that there are no checkpoints of it"};
     const std::vector<Image> expected = images_of(*calm, *interval);
     for (int before = 1; before < iterations && verdict.passed; ++before)
-      if (resumed(test, *interval, before, iterations) != expected)
-        verdict.fail(fmt::format("resumed after iteration {} it gives other bits", before));
+      verdict = check_resume(test, *interval, before, iterations, expected);
   }
   return verdict;
-} catch (const BrokenState& error) {
-  return {false, error.what()};
 }
 
 }  // namespace dspm::test

@@ -37,12 +37,13 @@ class Saved {
   }
 
   void save(std::size_t interval, std::vector<double> numbers, bool from_disk) {
-    model_[interval] = numbers;
+    model_[interval].numbers = numbers;
     Numbers integrator(std::move(numbers));
     const CheckpointFile::NewState state{interval, integrator};
     if (from_disk) file_ = std::make_unique<CheckpointFile>(path_);
     std::vector<IntervalState> states = file_->intervals();
-    ++states[interval].iterations;
+    states[interval].iterations = ++model_[interval].iterations;
+    states[interval].seconds = model_[interval].seconds += 0.25;
     file_ = CheckpointFile::write(path_, file_->facts(), states, &state, file_.get());
   }
 
@@ -55,18 +56,26 @@ class Saved {
       EXPECT_TRUE(file->facts()[1].is_digest);
       for (std::size_t i = 0; i < model_.size(); ++i) {
         EXPECT_EQ(file->intervals()[i].frames, (FrameList{static_cast<Frame>(i), static_cast<Frame>(i + 100)}));
-        if (file->intervals()[i].iterations == 0) continue;
+        EXPECT_EQ(file->intervals()[i].iterations, model_[i].iterations);
+        EXPECT_EQ(file->intervals()[i].seconds, model_[i].seconds);
+        if (model_[i].iterations == 0) continue;
         Numbers loaded;
         file->load(i, loaded);
-        EXPECT_EQ(loaded.numbers(), model_[i]) << "interval " << i;
+        EXPECT_EQ(loaded.numbers(), model_[i].numbers) << "interval " << i;
       }
     }
   }
 
  private:
+  struct Interval {
+    int iterations = 0;
+    double seconds = 0;
+    std::vector<double> numbers;
+  };
+
   TemporaryDirectory directory_;
   std::filesystem::path path_ = directory_ / "a";
-  std::vector<std::vector<double>> model_;
+  std::vector<Interval> model_;
   std::unique_ptr<const CheckpointFile> file_;
 };
 
@@ -85,7 +94,7 @@ TEST(CheckpointFile, HoldsTheLastStateOfEachInterval) {
   }
 }
 
-TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrMissing) {
+TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   const TemporaryDirectory directory;
   Numbers integrator({1, 2, 3});
   const CheckpointFile::NewState state{0, integrator};

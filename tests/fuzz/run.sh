@@ -22,7 +22,7 @@ for target in "${targets[@]}"; do
     [[ -d ${DSPM_TEST_DATA:-}/data/parse-only ]] && corpora+=("$DSPM_TEST_DATA/data/parse-only")
   fi
   longest=2048  # bytes
-  [[ $target == scene || $target == command_line ]] && longest=512  # each word costs more there
+  [[ $target == command_line ]] && longest=512  # each word costs more there
   options=(-max_total_time=$((minutes * 60 / ${#targets[@]})) -max_len=$longest -entropic=0 -timeout=5 -rss_limit_mb=1500
     -artifact_prefix="$found/$target-" -print_final_stats=1 -verbosity=0)
   dictionary=$source_dir/tests/fuzz/dictionaries/$target.txt

