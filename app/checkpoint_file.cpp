@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 #include "core/atomic_file.h"
 #include "core/file_access.h"
@@ -154,7 +156,7 @@ void CheckpointFile::open(const std::filesystem::path& path) {
   if (!S_ISREG(status.st_mode)) fail("it is not a regular file");
   device_ = status.st_dev, inode_ = status.st_ino;
   file_.open(path, std::ios::binary);
-  if (!file_) fail("it cannot be read");
+  if (!file_) fail(fmt::format("it cannot be read: {}", std::error_code(errno, std::generic_category()).message()));
 }
 
 bool CheckpointFile::is_at(const std::filesystem::path& path) const {
@@ -231,7 +233,11 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
       throw WriteError(path, "the checkpoint before it cannot be read");
   const std::uint32_t checksum = saving.checksum();
   file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});
-  written->open(file.temporary());  // so that it is this very file, whatever has its name later
+  try {
+    written->open(file.temporary());  // so that it is this very file, whatever has its name later
+  } catch (const std::runtime_error& error) {
+    throw WriteError(path, error.what());
+  }
   file.commit();
   return written;
 }

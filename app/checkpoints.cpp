@@ -48,6 +48,12 @@ void refuse_to_overwrite(const fs::path& path) {
                                path.string(), path.string()));
 }
 
+/// Where the file is not this run's.
+void leave_to_others(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) throw WriteError(path, "another program has put a file of its own there");
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(const Job& job, const Options& options, Messages& messages)
@@ -91,8 +97,10 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   if (states.empty())
     for (const FrameList& interval : intervals) states.push_back({interval});
   // Takes the name at once, and keeps what was resumed also where nothing is left to do.
-  if (last_ == nullptr || !last_->is_at(path_))
+  if (last_ == nullptr || !last_->is_at(path_)) {
+    leave_to_others(path_);
     last_ = CheckpointFile::write(path_, facts_, std::move(states), nullptr, last_.get());
+  }
   AtomicFile(path_).reserve(all + fs::file_size(path_));
   messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
 }
@@ -112,9 +120,7 @@ void Checkpoints::save(std::size_t interval, int iterations, double seconds, Int
   if (!writes()) return;
   std::vector<IntervalState> states = last_->intervals();
   states[interval].iterations = iterations, states[interval].seconds = seconds;
-  std::error_code ignored;
-  if (fs::exists(path_, ignored) && !last_->is_at(path_))
-    throw WriteError(path_, "another program has put a file of its own there");
+  if (!last_->is_at(path_)) leave_to_others(path_);
   const CheckpointFile::NewState state{interval, integrator};
   last_ = CheckpointFile::write(path_, facts_, std::move(states), &state, last_.get());
 }

@@ -72,6 +72,8 @@ int run_command_line(const std::vector<std::string>& arguments) {
     return 2;
   } catch (const SceneError& error) {
     print_message(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    say(fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::exception& error) {
     say(is_out_of_memory(error) ? "out of memory" : error.what());
   } catch (...) {

@@ -117,7 +117,8 @@ double parse_duration(const char* option, std::string_view text) {
     seconds += unit * *value;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  if (!(seconds > 0)) throw UsageError(fmt::format("{} {}: expected a time such as 30s, 10m or 1h30m", option, text));
+  if (!(seconds > 0 && std::isfinite(seconds)))
+    throw UsageError(fmt::format("{} {}: expected a time such as 30s, 10m or 1h30m", option, text));
   return seconds;
 }
 

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 #include "app/signals.h"
 #include "app/trial_writes.h"
 #include "core/atomic_file.h"
+#include "core/files_read.h"
 #include "core/version.h"
 #include "film/image_name.h"
 #include "film/write_image.h"
@@ -18,11 +20,15 @@ namespace {
 
 constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
-/// No file may take another one's place, the scenes' neither.
+/// No file may take another one's place, nor that of one which is read.
 void expect_all_distinct(const std::vector<NamedFile>& written, const Options& options) {
   std::vector<NamedFile> files;
   for (const std::string& scene : options.scenes)
     if (scene != "-") files.push_back({scene, "the scene"});
+  for (const auto& [path, digest] : files_read())
+    if (std::none_of(files.begin(), files.end(),
+                     [&](const NamedFile& scene) { return is_same_file(scene.path, path); }))
+      files.push_back({path, "a file that the scene reads"});
   files.insert(files.end(), written.begin(), written.end());
   if (!options.video.empty()) files.push_back({options.video, "the video"});
   if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))

@@ -16,10 +16,24 @@ fs::path& root() {
   return path;
 }
 
-/// Components that do not exist resolve to nothing that could be opened, so the rest may be taken as it is written.
+/// A name that the system would cut off, and so take for that of another file.
+bool holds_zero(const fs::path& file) { return file.native().find('\0') != std::string::npos; }
+
+/// Out of a folder that is not there (yet): what such a name means, only its making will tell.
+bool leaves_nothing(const fs::path& file) {
+  fs::path so_far;
+  bool missing = false;
+  for (const fs::path& part : file) {
+    if (missing && part == "..") return true;
+    std::error_code ignored;
+    missing = !fs::exists(so_far /= part, ignored);
+  }
+  return false;
+}
+
 bool is_allowed(const fs::path& file) {
   if (!files_are_confined()) return true;
-  if (file.native().find('\0') != std::string::npos) return false;
+  if (holds_zero(file) || leaves_nothing(file)) return false;
   std::error_code error;
   const fs::path real = fs::weakly_canonical(fs::absolute(file, error), error);
   if (error) return false;
@@ -39,6 +53,7 @@ void confine_files(const fs::path& directory) {
 bool files_are_confined() { return !root().empty(); }
 
 void expect_allowed(const fs::path& file) {
+  if (holds_zero(file)) throw std::runtime_error("its name holds a byte of value 0");
   if (!is_allowed(file)) throw std::runtime_error(fmt::format("it lies outside of the sandbox {}", root().string()));
 }
 

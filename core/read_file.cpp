@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 #include "core/file_access.h"
@@ -106,9 +107,13 @@ std::string read_bytes(const std::filesystem::path& path) {
   if (!file) throw std::runtime_error("there is no such file, or it cannot be read");
   const std::uintmax_t size = is_regular_file(status) ? std::filesystem::file_size(path, ignored) : 0;
   if (size > kMostBytes) throw std::runtime_error("it is larger than 16 GiB");
-  std::string bytes = read_stream(file, size);
-  note_file_read(path, bytes);
-  return bytes;
+  try {
+    std::string bytes = read_stream(file, size);
+    note_file_read(path, bytes);
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(fmt::format("its {} bytes are more than there is memory for", size));
+  }
 }
 
 std::string read_file(const std::filesystem::path& path) { return expand_gzip(read_bytes(path)); }

@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
 #include "integrators/memory_needs.h"
+#include "integrators/path_step.h"
 #include "integrators/summed_iterations.h"
 #include "integrators/tiles.h"
 
@@ -205,7 +206,8 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
                 "accepted for pbrt's sake: lights are chosen by power");
   params.unsupported("regularize", "path regularisation");
-  if (max_depth < 0) params.error("maxdepth", "maxdepth must not be negative");
+  if (max_depth < 0 || max_depth > kMostBounces)
+    params.error("maxdepth", fmt::format("maxdepth must lie between 0 and {}", kMostBounces));
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});

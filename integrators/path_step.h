@@ -15,6 +15,9 @@
 
 namespace dspm {
 
+/// More would keep a path under way for longer than a Ctrl-C waits, where nothing absorbs.
+constexpr int kMostBounces = 10'000;
+
 /// A path is a value. When frames part, so do copies of it, with disjoint sets.
 struct PathState {
   Ray ray;                 // the next segment

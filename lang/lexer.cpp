@@ -98,6 +98,7 @@ Token Lexer::read_string() {
   if (closed - begin > kLongestString)
     fail(view(begin, begin + 1), fmt::format("this string is longer than {} bytes", kLongestString),
          "names and files' names are shorter");
+  if (std::find(begin, closed, '\0') != closed) fail(view(begin, begin + 1), "this string holds a byte of value 0");
   return {Token::Kind::string, view(begin, closed)};
 }
 

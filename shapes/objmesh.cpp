@@ -47,8 +47,11 @@ std::optional<FileMaterial> material_of(const ObjPart& part, const ObjFile& file
 
 void report_empty(ParamReader& reader, const ObjFile& file, const std::string& group) {
   if (group.empty()) return reader.error("filename", "the file has no faces");
+  constexpr std::size_t kMostNamed = 20;
+  const auto end = file.groups.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNamed, file.groups.size()));
   reader.error("group", fmt::format("the file has no group or object \"{}\"", group),
-               fmt::format("{} it has: {}", did_you_mean(group, file.groups), fmt::join(file.groups, ", ")));
+               fmt::format("{} it has: {}{}", did_you_mean(group, file.groups),
+                           fmt::join(file.groups.begin(), end, ", "), end == file.groups.end() ? "" : ", ..."));
 }
 
 }  // namespace

@@ -145,8 +145,8 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   for (std::size_t part = 0; part < source.materials.size(); ++part) {
     Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)],
                     {}};
-    for (std::size_t s = 0; s < places.states.size(); ++s) {
-      const auto [state, matrix] = places.states[s];
+    const std::size_t first = shapes_.size();
+    for (const auto& [state, matrix] : places.states) {
       std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][part];
       Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
       // What stays at one place goes into the world's space; what moves rigidly, or is there many times, is stored
@@ -165,12 +165,14 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.material = source.materials[part];
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       world.present.resize(present.size());
-      for (std::size_t f = 0; f < present.size(); ++f) world.present[f] = places.state_of[f] == static_cast<int>(s);
       if (emitter.use) {
         world.emitter = static_cast<int>(emitters_.size());
         emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
       }
     }
+    for (std::size_t f = 0; f < present.size(); ++f)
+      if (const int state = places.state_of[f]; state >= 0)
+        shapes_[first + static_cast<std::size_t>(state)].present[f] = true;
     if (emitter.use) emitters_.push_back(std::move(emitter));
   }
 }

@@ -58,6 +58,7 @@ struct Look {
   Timeline<Recipe> recipes;
   mutable std::vector<std::weak_ptr<const T>> made;  // by state
   std::vector<std::shared_ptr<const T>> kept;        // what is held even if no scene does
+  std::vector<int> lookups;  // by state: of textures, for one of this texture; up to kMostLookups
 };
 
 }  // namespace dspm

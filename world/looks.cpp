@@ -40,6 +40,18 @@ struct Source {
   }
 };
 
+/// With those that its textures take in turn. Deep ones would use up the stack, wide ones never end.
+constexpr int kMostLookups = 1000;
+int lookups_for(const Recipe& recipe) {
+  int sum = 1;
+  const auto add = [&](const auto& ingredients) {
+    for (const auto& each : ingredients)
+      sum = std::min(kMostLookups, sum + each.look->lookups[static_cast<std::size_t>(each.state)]);
+  };
+  add(recipe.numbers), add(recipe.colours);
+  return sum;
+}
+
 }  // namespace
 
 Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
@@ -114,6 +126,11 @@ void Looks::add_texture_of(const TextureUse& own) {
   auto& [looks, by_name] = std::get<Textures<T>>(textures_);
   Look<Texture<T>>& look = looks.emplace_back();
   look.recipes = recipes_of(definition_of(description_, own));
+  for (const Recipe& recipe : look.recipes.states) look.lookups.push_back(lookups_for(recipe));
+  if (*std::max_element(look.lookups.begin(), look.lookups.end()) == kMostLookups)
+    diagnostics_.error(own.where,
+                       fmt::format("each lookup of texture \"{}\" takes {} others or more", own.name, kMostLookups),
+                       "a texture that names another one twice looks it up twice");
   look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
     return make_texture_of<T>(recipe, textures, diagnostics_);
   });

@@ -1,9 +1,11 @@
 // A render that is interrupted and resumed gives the bits of one that was not; one of another scene is refused.
 #include <gtest/gtest.h>
 
+#include "app/checkpoints.h"
 #include "image/exr.h"
 #include "image/image.h"
 #include "image/png.h"
+#include "testing/test_scene.h"
 #include "tests/app/process.h"
 
 namespace dspm::test {
@@ -184,6 +186,34 @@ TEST(Checkpoint, ThatOthersPutThereIsLeftAlone) {
   EXPECT_EQ(process.wait().code, 130);
   EXPECT_EQ(contents(directory / "a"), "precious");
   EXPECT_NE(contents(directory / "err.txt").find("another program has put a file of its own there"), std::string::npos);
+}
+
+// Between the look whether there is one and the first write, the scene is made.
+TEST(Checkpoint, ThatOthersPutThereMeanwhileIsLeftAlone) {
+  const TinyDirectory directory;
+  TestScene test(kTinyScene);
+  Options options;
+  options.checkpoint = directory / "a";
+  Messages messages(true);
+  Checkpoints checkpoints(test.job(), options, messages);
+  put_file(directory / "a", "precious");
+  const auto scene = test.scene(test.all_frames());
+  const auto integrator = test.integrator(*scene);
+  EXPECT_THROW(checkpoints.begin(test.intervals(), *integrator), std::runtime_error);
+  EXPECT_EQ(contents(directory / "a"), "precious");
+}
+
+TEST(Checkpoint, ThatCannotBeOpenedEndsNoRun) {
+  const TinyDirectory directory;
+  const Process process(directory, {"tiny.dsc", "--checkpoint", "a"}, "out.txt", "err.txt", [] {
+    const rlimit few{5, 5};  // one too few, behind the first write
+    setrlimit(RLIMIT_NOFILE, &few);
+  });
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("cannot write a: it cannot be read: Too many open files"), std::string::npos)
+      << outcome.err;
+  for (const char* image : kTinyImages) EXPECT_EQ(read_image(directory / image).width, 12);
 }
 
 TEST(Checkpoint, GoesToAnotherFileEvenIfNothingIsLeftToDo) {

@@ -128,6 +128,23 @@ TEST(CommandLine, ADirectoryThatIsMissingIsSaidBeforeRendering) {
   }
 }
 
+TEST(CommandLine, NoFileReplacesOneThatTheSceneReads) {
+  const TinyDirectory directory;
+  run(directory, {"tiny.dsc", "--iterations", "1", "-o", "wood.##.png"});
+  const std::string wood = contents(directory / "wood.02.png");
+  put_file(directory / "part.dsc", "Texture \"wood\" \"spectrum\" \"imagemap\" \"string filename\" \"wood.02.png\"\n");
+  put_file(directory / "tiny.dsc", kTinyScene + "Include \"part.dsc\"\n");
+  for (const auto& [option, file] : {std::pair{"-o", "wood.##.png"}, std::pair{"--contact-sheet", "wood.02.png"},
+                                     std::pair{"--checkpoint", "part.dsc"}}) {
+    const Outcome outcome = run(directory, {"tiny.dsc", option, file});
+    EXPECT_EQ(outcome.code, 2) << file << outcome.err;
+  }
+  const Outcome outcome = run(directory, {"tiny.dsc", "-o", "wood.##.png"});
+  EXPECT_NE(outcome.err.find("wood.02.png would be both a file that the scene reads and 2's image"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(contents(directory / "wood.02.png"), wood);
+}
+
 TEST(CommandLine, NoFileReplacesAnother) {
   const TinyDirectory directory;
   std::filesystem::create_symlink("tiny.0001.png", directory / "link.png");

@@ -40,6 +40,11 @@ TEST(Json, EscapesTextAndHasNoWordForInfinity) {
   JsonWriter text, number;
   text.value("a\"b\\c\nd\x01 \xc3\xa4");
   EXPECT_EQ(text.text(), "\"a\\\"b\\\\c\\u000ad\\u0001 \xc3\xa4\"");
+  JsonWriter bytes;
+  bytes.value("\xff\xc3(\xe2\x82\xac\xed\xa0\x80\xc0\xaf\xf4\x90\x80\x80\xc3");
+  std::string replaced = "\"\\ufffd\\ufffd(\xe2\x82\xac";
+  for (int i = 0; i < 10; ++i) replaced += "\\ufffd";
+  EXPECT_EQ(bytes.text(), replaced + "\"");
   number.value(std::numeric_limits<double>::infinity());
   EXPECT_EQ(number.text(), "null");
 }

@@ -35,7 +35,7 @@ TEST(ParseDuration, AddsItsParts) {
 }
 
 TEST(ParseDuration, RefusesWhatIsNone) {
-  for (const char* text : {"", "0s", "0", "-3s", "m", "10x", "1h30", "10m x", "1e400s", "nan", "inf", "s30"})
+  for (const char* text : {"", "0s", "0", "-3s", "m", "10x", "1h30", "10m x", "1e400s", "1e308h", "nan", "inf", "s30"})
     EXPECT_THROW(parse_duration("--time-limit", text), UsageError) << text;
 }
 

@@ -102,6 +102,27 @@ TEST_F(Bounds, DeepNesting) {
                        {"a.dsc:38:18", "keyed transforms are nested more than 32 deep"});
 }
 
+TEST_F(Bounds, TexturesThatDouble) {
+  std::string textures = "Texture \"t0\" \"spectrum\" \"constant\"\n";
+  for (int i = 1; i <= 60; ++i)
+    textures += fmt::format("Texture \"t{}\" \"spectrum\" \"mix\" \"texture tex1\" \"t{}\" \"texture tex2\" \"t{}\"\n",
+                            i, i - 1, i - 1);
+  expect_refused_scene(scene(textures), {"each lookup of texture \"t9\" takes 1000 others or more"});
+}
+
+TEST_F(Bounds, PathsWithoutEnd) {
+  for (const char* integrator : {"dsppm", "sppm", "photonmap", "path"})
+    expect_refused_scene(
+        scene("Shape \"sphere\"\n", fmt::format("Integrator \"{}\" \"integer maxdepth\" 10001\n", integrator)),
+        {"maxdepth must lie between", "and 10000"});
+}
+
+TEST_F(Bounds, NamesWithZeros) {
+  using namespace std::string_literals;
+  expect_refused_scene(scene("Shape \"plymesh\" \"string filename\" \"a\0.ply\""s),
+                       {"a.dsc:5:", "this string holds a byte of value 0"});
+}
+
 TEST_F(Bounds, LongListsInForce) {
   const std::string list = "Attribute \"shape\" \"float a\" [" + repeated("1 ", 400'000) + "]\n";
   expect_refused_scene(scene(list + repeated("AttributeBegin\n", 999)), {"a.dsc:5:1", "defaults for every shape"});

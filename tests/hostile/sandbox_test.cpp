@@ -128,6 +128,9 @@ TEST_F(Sandbox, TheSceneItselfLiesWithin) {
   expect_refused(run(directory, {"part.dsc", "--sandbox", "box"}), "the main file");
   expect_refused(run(directory, {"part.dsc", "--sandbox", "box", "--format"}), "a file to format");
   expect_refused(run(directory, {"--new-plugin", "shape", "a", "new", "--sandbox", "box"}), "a new plugin");
+  for (const char* folder : {"box/none/../up/evil", "box/none/../../evil"})
+    expect_refused(run(directory, {"--new-plugin", "shape", "a", folder, "--sandbox", "box"}), folder);
+  EXPECT_FALSE(fs::exists(directory / "evil") || fs::exists(directory / "box/none"));
   EXPECT_FALSE(fs::exists(directory / "new"));
 }
 
