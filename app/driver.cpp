@@ -102,6 +102,8 @@ RunReport Run::render() {
   report_.seconds = seconds_before_ + seconds_since(begin_);
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
   results_.say_end(report_.seconds);
+  if (InterruptRequests::signal() != 0 && !checkpoints_.path().empty())
+    messages_.say("--resume {} goes on from here", checkpoints_.path().string());
   return report_;
 }
 
@@ -133,6 +135,8 @@ void Run::iterate_to_the_end(std::size_t index, Integrator& integrator, int iter
   progress_->begin(static_cast<int>(index), before.iterations);
   WriteSchedule schedule(options_.write_every);
   int done = before.iterations, saved = before.iterations;
+  if (iterations > 0 && done >= iterations)
+    messages_.say("nothing is left of {} iterations; --iterations asks for more", iterations);
   const auto save = [&] {
     saved = done;
     results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(index, done, seconds_of_interval(), integrator); });
@@ -148,6 +152,7 @@ void Run::iterate_to_the_end(std::size_t index, Integrator& integrator, int iter
     progress_->step(static_cast<int>(index), ++done);
     if (checkpoints_.due(done)) save();
     const bool wanted = ImageRequests::take();
+    if (wanted) messages_.say("images of {} iterations were asked for", done);
     if ((schedule.due(done) || wanted) && !finished())
       write(frames, integrator, Results::Images::so_far), results_.tell_faults();
   }

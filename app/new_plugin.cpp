@@ -95,11 +95,20 @@ std::string shell_word(const std::string& word) {
 }
 
 /// What CMake must be told to find the package of this very program; nothing where it looks anyway.
-std::string package_place() {
-  std::error_code ignored;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path(), prefix = folder.parent_path();
+std::string package_place(const fs::path& program) {
+  const fs::path folder = program.parent_path(), prefix = folder.parent_path();
   if (folder.filename() != "bin" || prefix == "/usr" || prefix == "/usr/local") return {};
   return " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
+}
+
+/// That build, test and try it.
+std::string commands(const fs::path& folder, const std::string& name) {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  return fmt::format(
+      "cd {}\ncmake -B build{} && cmake --build build && ctest --test-dir build\n"
+      "{} --plugin build/lib{}.so {}.dsc --png\n",
+      shell_word(folder.string()), package_place(program), shell_word(program.string()), name, name);
 }
 
 }  // namespace
@@ -113,8 +122,7 @@ std::string new_plugin(std::string_view kind, const std::string& name, const fs:
   write_file(folder / (name + ".cpp"), filled(template_text(std::string(kind) + ".cpp"), words));
   write_file(folder / (name + "_test.cpp"), filled(template_text(std::string(kind) + "_test.cpp"), words));
   write_file(folder / (name + ".dsc"), filled(template_text("scene.dsc"), words));
-  return fmt::format("cd {}\ncmake -B build{} && cmake --build build && ctest --test-dir build\n",
-                     shell_word(folder.string()), package_place());
+  return commands(folder, name);
 }
 
 }  // namespace dspm

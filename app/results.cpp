@@ -70,7 +70,7 @@ void Results::say_end(double seconds) const {
   const std::size_t left = job_.frames.size() - written_.size();
   const std::string what = InterruptRequests::signal() != 0 ? "interrupted" : "done";
   const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
-  if (written_.empty()) return messages_.say("{} before the first iteration; nothing was written", what);
+  if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
   if (faults_.any())
     return messages_.say("{} after {}, but not all could be written{}", what, readable_time(seconds), missing);
   const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";

@@ -10,12 +10,14 @@ namespace {
 
 constexpr unsigned kSecondsToFinish = 10;  // an iteration
 
-volatile std::sig_atomic_t received = 0, images_wanted = 0;
+volatile std::sig_atomic_t received = 0, images_wanted = 0, is_terminal = 0;
 
 extern "C" void on_end_wanted(int number) {
+  constexpr char kWord[] = "\ndspm: after this iteration, or when it has taken ten seconds more; once more: at once\n";
   if (received != 0) end_suddenly(128 + number);
   received = number;
   alarm(kSecondsToFinish);
+  if (is_terminal != 0 && write(STDERR_FILENO, kWord, sizeof kWord - 1) < 0) return;
 }
 extern "C" void on_time_over(int) { cancel_work(); }
 extern "C" void on_images_wanted(int) { images_wanted = 1; }
@@ -47,6 +49,7 @@ bool ImageRequests::take() {
 
 InterruptRequests::InterruptRequests() {
   received = 0;
+  is_terminal = isatty(STDERR_FILENO);
   allow_work();
   handlers_.handle(SIGINT, on_end_wanted);
   handlers_.handle(SIGTERM, on_end_wanted);

@@ -77,8 +77,9 @@ struct World::Parts {
   Parts(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
       : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
     refuse_media(text, diagnostics);
-    if (text.shapes.empty()) diagnostics.warning({}, "the scene has no shape");
-    if (text.lights.empty() && text.area_lights.empty())
+    const bool whole = diagnostics.error_count() == 0;
+    if (whole && text.shapes.empty()) diagnostics.warning({}, "the scene has no shape");
+    if (whole && text.lights.empty() && text.area_lights.empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     const Bounds3& bounds = geometry.bounds();
     if (!bounds.empty()) {

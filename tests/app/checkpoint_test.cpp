@@ -206,7 +206,9 @@ TEST(Checkpoint, ThatOthersPutThereMeanwhileIsLeftAlone) {
 TEST(Checkpoint, ThatCannotBeOpenedEndsNoRun) {
   const TinyDirectory directory;
   const Process process(directory, {"tiny.dsc", "--checkpoint", "a"}, "out.txt", "err.txt", [] {
-    const rlimit few{5, 5};  // one too few, behind the first write
+    const int next = dup(0);  // two more files may be open: one too few, behind the first write
+    close(next);
+    const rlimit few{static_cast<rlim_t>(next + 2), static_cast<rlim_t>(next + 2)};
     setrlimit(RLIMIT_NOFILE, &few);
   });
   const Outcome outcome = process.wait();
