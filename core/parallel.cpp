@@ -10,14 +10,11 @@
 #include <algorithm>
 
 #include "core/cancellation.h"
+#include "core/thread_sanitizer.h"
 
 #ifdef DSPM_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
-/// What TBB itself does by way of malloc and memcpy is not to be judged either, nor its delete[], which the first rule
-/// does not reach.
-extern "C" const char* __tsan_default_suppressions() {
-  return "called_from_lib:libtbb.so\nrace:^operator delete[]\n";
-}
+extern "C" const char* __tsan_default_suppressions() { return dspm::kNotJudged; }
 #endif
 
 namespace dspm {
