@@ -18,9 +18,10 @@ fs::path place_of(const fs::path& file) { return fs::weakly_canonical(fs::absolu
 
 bool is_same_file(const fs::path& a, const fs::path& b) { return place_of(a) == place_of(b); }
 
-void expect_distinct(const std::vector<NamedFile>& files) {
+void expect_distinct(const std::vector<NamedFile>& read, const std::vector<NamedFile>& written) {
   std::map<fs::path, std::string> seen;
-  for (const NamedFile& file : files) {
+  for (const NamedFile& file : read) seen.emplace(place_of(file.path), file.what);
+  for (const NamedFile& file : written) {
     const auto [other, is_new] = seen.emplace(place_of(file.path), file.what);
     if (!is_new)
       throw UsageError(fmt::format("{} would be both {} and {}", file.path.string(), other->second, file.what));

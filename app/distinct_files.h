@@ -15,7 +15,7 @@ struct NamedFile {
 /// Whatever the spelling, and whether it exists.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Throws UsageError where two are the same file, and names both.
-void expect_distinct(const std::vector<NamedFile>& files);
+/// Throws UsageError where one that is written is another one, or one that is read, and names both.
+void expect_distinct(const std::vector<NamedFile>& read, const std::vector<NamedFile>& written);
 
 }  // namespace dspm

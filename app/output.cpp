@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -21,19 +20,16 @@ namespace {
 constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
 /// No file may take another one's place, nor that of one which is read.
-void expect_all_distinct(const std::vector<NamedFile>& written, const Options& options) {
-  std::vector<NamedFile> files;
+void expect_all_distinct(std::vector<NamedFile> files, const Options& options) {
+  std::vector<NamedFile> read;
   for (const std::string& scene : options.scenes)
-    if (scene != "-") files.push_back({scene, "the scene"});
-  for (const auto& [path, digest] : files_read())
-    if (std::none_of(files.begin(), files.end(),
-                     [&](const NamedFile& scene) { return is_same_file(scene.path, path); }))
-      files.push_back({path, "a file that the scene reads"});
-  files.insert(files.end(), written.begin(), written.end());
+    if (scene != "-") read.push_back({scene, "the scene"});
+  expect_distinct({}, read);  // none is given twice
+  for (const auto& [path, digest] : files_read()) read.push_back({path, "a file that the scene reads"});
   if (!options.video.empty()) files.push_back({options.video, "the video"});
   if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
     files.push_back({options.resume, "the checkpoint to resume"});
-  expect_distinct(files);
+  expect_distinct(read, files);
 }
 
 std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files) {

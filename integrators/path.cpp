@@ -206,8 +206,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
                 "accepted for pbrt's sake: lights are chosen by power");
   params.unsupported("regularize", "path regularisation");
-  if (max_depth < 0 || max_depth > kMostBounces)
-    params.error("maxdepth", fmt::format("maxdepth must lie between 0 and {}", kMostBounces));
+  check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});

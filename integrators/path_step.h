@@ -7,7 +7,9 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
 
+#include "core/params.h"
 #include "core/rng.h"
 #include "integrators/statistics.h"
 #include "integrators/strand.h"
@@ -15,8 +17,13 @@
 
 namespace dspm {
 
-/// More would keep a path under way for longer than a Ctrl-C waits, where nothing absorbs.
-constexpr int kMostBounces = 10'000;
+/// An error of the parameter where it is less than `least`, or so much that, where nothing absorbs, a path would be under
+/// way for longer than a Ctrl-C waits.
+inline void check_max_depth(ParamReader& params, int max_depth, int least) {
+  constexpr int kMost = 10'000;
+  if (max_depth < least || max_depth > kMost)
+    params.error("maxdepth", "maxdepth must lie between " + std::to_string(least) + " and " + std::to_string(kMost));
+}
 
 /// A path is a value. When frames part, so do copies of it, with disjoint sets.
 struct PathState {

@@ -267,8 +267,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
   demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");
   demand(s.least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
-  if (s.max_depth < 1 || s.max_depth > kMostBounces)
-    params.error("maxdepth", fmt::format("maxdepth must lie between 1 and {}", kMostBounces));
+  check_max_depth(params, s.max_depth, 1);
   params.finish();
   if (render.memory > 0) expect_enough(render.memory, needs_of(s, scene, render));
   return std::make_unique<PhotonMapper>(s, scene, render);

@@ -37,8 +37,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
   demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
-  if (max_depth < 1 || max_depth > kMostBounces)
-    params.error("maxdepth", fmt::format("maxdepth must lie between 1 and {}", kMostBounces));
+  check_max_depth(params, max_depth, 1);
   params.finish();
   if (s.photons == -1) s.photons = std::max(1, render.width * render.height);  // pbrt's default
   s.photon.seed = render.seed;

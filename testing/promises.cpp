@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "app/checkpoint_file.h"
 #include "core/parallel.h"
 #include "testing/state_bytes.h"
 #include "testing/test_scene.h"
@@ -60,8 +61,7 @@ Verdict check_resume(const std::string& scene, int iterations) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
     iterate(*calm, 0, iterations);
-    SavedState state;
-    if (!calm->persist(state)) return {false, "persist() says that there are no checkpoints of it"};
+    if (!state_bytes(*calm)) return {false, "persist() says that there are no checkpoints of it"};
     const std::vector<Image> expected = images_of(*calm, *interval);
     for (int before = 1; before < iterations && verdict.passed; ++before)
       verdict = check_resume(test, *interval, before, iterations, expected);

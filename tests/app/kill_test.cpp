@@ -48,16 +48,11 @@ struct Rhythm {
 
 class Kill : public testing::TestWithParam<Rhythm> {
  protected:
-  static std::vector<std::string> with(std::vector<std::string> arguments) {
-    const auto& [integrator, iterations, every] = GetParam();
-    for (const char* own : {"tiny.dsc", "--float", "--quiet", "--integrator", integrator, "--iterations"})
-      arguments.emplace_back(own);
-    arguments.push_back(std::to_string(iterations));
-    return arguments;
-  }
   static std::vector<std::string> writing(const char* option) {
-    const std::string every = std::to_string(GetParam().checkpoint_every);
-    return with({"--write-every", "1", "--checkpoint-every", every, option, "a"});
+    const auto& [integrator, iterations, every] = GetParam();
+    const std::string end = "--iterations=" + std::to_string(iterations);
+    const std::string rhythm = "--checkpoint-every=" + std::to_string(every);
+    return {"tiny.dsc", "--float", "--quiet", "--integrator", integrator, end, "--write-every=1", rhythm, option, "a"};
   }
 
   void expect_final_images(const TinyDirectory& directory) const {
