@@ -14,6 +14,7 @@
 
 #include "core/atomic_file.h"
 #include "core/file_access.h"
+#include "core/state_bytes.h"
 
 namespace dspm {
 namespace {
@@ -25,17 +26,6 @@ constexpr int kMostIterations = 1'000'000'000;
 constexpr std::size_t kBlock = 1 << 20;
 
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
-
-class CountingStream final : public StateStream {
- public:
-  std::uint64_t count() const { return count_; }
-
- protected:
-  void bytes(void*, std::size_t count) override { count_ += count; }
-
- private:
-  std::uint64_t count_ = 0;
-};
 
 class LoadingStream final : public StateStream {
  public:

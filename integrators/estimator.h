@@ -18,6 +18,8 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius within which gather_at would look: the largest of the frames'.
   virtual float search_radius2(const HitPoint& hit) const = 0;
+  /// Once an iteration, before anything is seen or gathered; what an iteration that was given up left is forgotten.
+  virtual void begin_iteration() {}
   /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
   /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;

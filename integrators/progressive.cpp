@@ -1,10 +1,13 @@
 #include "integrators/progressive.h"
 
 #include <cmath>
+#include <new>
 #include <numeric>
+#include <optional>
 
 #include "core/cancellation.h"
 #include "core/parallel.h"
+#include "core/state_bytes.h"
 #include "integrators/memory_needs.h"
 
 namespace dspm {
@@ -15,9 +18,17 @@ enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
 // More and smaller batches cost time and save little: most of the memory is the pixels' by then.
 constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
+constexpr double kLongGathering = 5;  // seconds that a Ctrl-C is not to wait for
+
 EstimatorSettings estimator_settings(const ProgressiveSettings& s, const Scene& scene, const RenderSettings& render,
                                      std::int64_t batch) {
   return {render.crop.count(), scene.frame_count(), s.photons, s.alpha, batch < s.photons};
+}
+
+/// Of what persist() saves of the pixels.
+std::size_t copy_bytes(EstimatorSettings of, const EstimatorKind& estimator) {
+  of.batched = false;
+  return estimator.bytes(of);
 }
 
 /// How many photon paths of an iteration are traced at a time: as many as there is memory for.
@@ -31,7 +42,8 @@ std::int64_t batch_within_memory(const ProgressiveSettings& settings, const Scen
     const std::int64_t batch = (settings.photons + batches - 1) / batches;
     if (batches > 1 && batch < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batch));
-    needs.pixels = estimator.bytes(estimator_settings(settings, scene, render, batch));
+    const EstimatorSettings of = estimator_settings(settings, scene, render, batch);
+    needs.pixels = estimator.bytes(of) + (of.batched ? copy_bytes(of, estimator) : 0);
     if (needs.total() <= render.memory) return batch;
     if (batches == 1 || needs.total() < least.total()) least = needs;
   }
@@ -49,6 +61,7 @@ class Progressive final : public Integrator {
     const EstimatorSettings of = estimator_settings(settings, scene, render, batch_);
     estimator_ = estimator.make(of);
     estimator_bytes_ = estimator.bytes(of);
+    copy_bytes_ = copy_bytes(of, estimator);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = static_cast<int>((settings.photons + batch_ - 1) / batch_);
@@ -59,16 +72,17 @@ class Progressive final : public Integrator {
   std::string settings() const override { return in_words(settings_); }
 
   void iterate(int iteration) override {
-    const float cell_size = trace_until_first_gather(static_cast<std::uint64_t>(iteration));
-    see_lights();
-    gather_photons();
-    for (std::int64_t first = batch_; first < settings_.photons; first += batch_) {
-      trace_light_paths(static_cast<std::uint64_t>(iteration), first);
-      build_photon_map(cell_size);
-      gather_photons();
+    const Statistics before = statistics_;
+    std::optional<Cancellable> nothing_is_lost(std::in_place);
+    try {
+      const float cell_size = trace_until_first_gather(static_cast<std::uint64_t>(iteration));
+      if (!copy_pixels()) nothing_is_lost.reset();
+      gather_all(static_cast<std::uint64_t>(iteration), cell_size);
+    } catch (...) {
+      if (nothing_is_lost) go_back_to(before);
+      throw;
     }
-    estimator_->end_iteration();
-    ++statistics_.iterations;
+    pixels_before_ = {};
   }
 
   Image estimate(Frame frame) const override {
@@ -91,21 +105,57 @@ class Progressive final : public Integrator {
   }
 
  private:
-  /// Changes no pixel, so that it may be given up. Returns the cell size of the photon maps.
+  /// Changes no pixel. Returns the cell size of the photon maps.
   float trace_until_first_gather(std::uint64_t iteration) {
-    const Statistics before = statistics_;
-    try {
-      const Cancellable nothing_is_lost;
-      trace_camera_paths(iteration);
-      const float cell_size = mean_search_radius();
-      trace_light_paths(iteration, 0);
+    trace_camera_paths(iteration);
+    const float cell_size = mean_search_radius();
+    trace_light_paths(iteration, 0);
+    build_photon_map(cell_size);
+    return cell_size;
+  }
+
+  void gather_all(std::uint64_t iteration, float cell_size) {
+    estimator_->begin_iteration();
+    see_lights();
+    gather_photons();
+    for (std::int64_t first = batch_; first < settings_.photons; first += batch_) {
+      trace_light_paths(iteration, first);
       build_photon_map(cell_size);
-      return cell_size;
-    } catch (...) {
-      statistics_ = before;
-      throw;
+      gather_photons();
+    }
+    estimator_->end_iteration();
+    ++statistics_.iterations;
+  }
+
+  /// So that gathering may be given up, where it takes long and there is room. Whether it may.
+  bool copy_pixels() {
+    const bool fits = is_batched() || render_.memory == 0 || bytes() + copy_bytes_ <= render_.memory;
+    if (!fits || !is_gathering_long()) return false;
+    try {
+      pixels_before_ = state_of(*estimator_);
+      return true;
+    } catch (const std::bad_alloc&) {
+      return false;
     }
   }
+
+  /// Judged by the iterations so far, and for the first one by how long it has been tracing.
+  bool is_gathering_long() const {
+    double seconds = 0;
+    for (const StepTime& step : statistics_.steps) seconds += step.seconds;
+    if (statistics_.iterations > 0) seconds = statistics_.steps[kStatistics].seconds / statistics_.iterations;
+    return is_batched() || seconds > kLongGathering;
+  }
+
+  void go_back_to(const Statistics& before) {
+    statistics_ = before;
+    if (pixels_before_.empty()) return;  // none has changed
+    LoadedState state(pixels_before_);
+    estimator_->persist(state);
+    pixels_before_ = {};
+  }
+
+  bool is_batched() const { return batch_ < settings_.photons; }
 
   // [WG12 4.1]
   void trace_camera_paths(std::uint64_t iteration) {
@@ -165,14 +215,17 @@ class Progressive final : public Integrator {
                  [&](std::int64_t t) { fn(tiles_[static_cast<std::size_t>(t)], static_cast<std::size_t>(t)); });
   }
 
-  std::size_t bytes() const { return estimator_bytes_ + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_); }
+  std::size_t bytes() const {
+    return estimator_bytes_ + pixels_before_.size() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
+  }
 
   ProgressiveSettings settings_;
   const Scene& scene_;
   RenderSettings render_;
   std::int64_t batch_;  // photon paths traced at a time
   std::unique_ptr<PixelEstimator> estimator_;
-  std::size_t estimator_bytes_ = 0;
+  std::size_t estimator_bytes_ = 0, copy_bytes_ = 0;
+  std::string pixels_before_;  // the iteration; empty where they are not kept
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
   PhotonMap map_;

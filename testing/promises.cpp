@@ -6,7 +6,7 @@
 
 #include "app/checkpoint_file.h"
 #include "core/parallel.h"
-#include "testing/state_bytes.h"
+#include "core/state_bytes.h"
 #include "testing/test_scene.h"
 
 namespace dspm::test {
@@ -27,7 +27,8 @@ Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterat
                      const std::vector<Image>& expected) {
   const auto first = test.integrator(scene), second = test.integrator(scene);
   iterate(*first, 0, before);
-  LoadedState state(state_of(*first));
+  const std::string saved = state_of(*first);
+  LoadedState state(saved);
   try {
     second->persist(state);
   } catch (const std::runtime_error& error) {

@@ -7,7 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "testing/state_bytes.h"
+#include "core/state_bytes.h"
+#include "integrators/memory_needs.h"
 #include "testing/test_scene.h"
 
 namespace dspm::test {
@@ -73,6 +74,50 @@ TEST_P(Cancellation, ChangesNothing) {
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));
 }
+
+/// What it says that it needs: as many batches of photons as there may be.
+std::size_t least_memory(TestScene& test, const Scene& scene) {
+  try {
+    test.integrator(scene, {}, 1);
+  } catch (const NotEnoughMemory& error) {
+    return error.least.total();
+  }
+  return 0;
+}
+
+class CancellationBetweenBatches : public ::testing::TestWithParam<const char*> {};
+
+// Photons were gathered by then, but where it was during the first of sixteen batches.
+TEST_P(CancellationBetweenBatches, ChangesNothing) {
+  TestScene test(std::string("Integrator ") + GetParam() + kScene);
+  const auto scene = test.scene(test.intervals().front());
+  const std::size_t memory = least_memory(test, *scene);
+  const auto calm = test.integrator(*scene, {}, memory), given_up = test.integrator(*scene, {}, memory);
+  ASSERT_EQ(given_up->statistics().photon_batches, 16);
+  const auto begin = std::chrono::steady_clock::now();
+  calm->iterate(0);
+  const std::chrono::duration<double, std::micro> iteration = std::chrono::steady_clock::now() - begin;
+  constexpr int kMoments = 20;
+  int cancelled = 0;
+  for (int i = 0; i < kMoments; ++i) {
+    const std::string before = state_of(*given_up);
+    const auto moment = std::chrono::duration_cast<std::chrono::microseconds>(iteration * i / kMoments);
+    if (!iterate_for(moment, *given_up, given_up->statistics().iterations)) continue;
+    ++cancelled;
+    ASSERT_EQ(state_of(*given_up), before);
+  }
+  EXPECT_GE(cancelled, kMoments / 2);
+  given_up->iterate(given_up->statistics().iterations);
+  for (int i = 1; i < given_up->statistics().iterations; ++i) calm->iterate(i);
+  for (Frame frame = 0; frame < scene->frame_count(); ++frame)
+    EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, CancellationBetweenBatches,
+                         ::testing::Values(R"("dsppm" "integer photons" 100000)",
+                                           R"("dsppm" "integer photons" 100000 "string estimator" "hj09")",
+                                           R"("sppm" "integer photons" 100000)",
+                                           R"("sppm" "integer photons" 100000 "string estimator" "hj09")"));
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Cancellation,
                          ::testing::Values(R"("dsppm" "integer photons" 30000)", R"("sppm" "integer photons" 30000)",

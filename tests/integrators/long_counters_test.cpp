@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "testing/state_bytes.h"
+#include "core/state_bytes.h"
 #include "testing/test_scene.h"
 
 namespace dspm::test {
@@ -35,7 +35,8 @@ TEST_P(LongCounters, GoBeyond32Bits) {
   for (std::uint64_t* count : {&many.camera.paths, &many.camera.segments.done, &many.photon.paths,
                                &many.photon.segments.separate, &many.photons_stored.done, &many.photon_tests.separate})
     *count += kHigh;
-  LoadedState state(state_of(many) + state_of(*young).substr(state_of(few).size()));
+  const std::string saved = state_of(many) + state_of(*young).substr(state_of(few).size());
+  LoadedState state(saved);
   ASSERT_TRUE(old->persist(state));
   young->iterate(1), old->iterate(1);
 

@@ -1,14 +1,26 @@
-// The state of an integrator as bytes in memory.
+// A state as bytes: how many they are, in memory, and back.
 #pragma once
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/state_stream.h"
 
-namespace dspm::test {
+namespace dspm {
+
+class CountingStream final : public StateStream {
+ public:
+  std::uint64_t count() const { return count_; }
+
+ protected:
+  void bytes(void*, std::size_t count) override { count_ += count; }
+
+ private:
+  std::uint64_t count_ = 0;
+};
 
 class SavedState final : public StateStream {
  public:
@@ -18,28 +30,32 @@ class SavedState final : public StateStream {
   void bytes(void* data, std::size_t count) override { all.append(static_cast<const char*>(data), count); }
 };
 
+/// Of bytes that outlive it.
 class LoadedState final : public StateStream {
  public:
-  explicit LoadedState(std::string bytes) : left_(std::move(bytes)) {}
+  explicit LoadedState(std::string_view bytes) : left_(bytes) {}
   bool all_read() const { return left_.empty(); }
 
  protected:
   void bytes(void* data, std::size_t count) override {
     if (count > left_.size()) throw std::runtime_error("there are not as many bytes");
     std::copy_n(left_.data(), count, static_cast<char*>(data));
-    left_.erase(0, count);
+    left_.remove_prefix(count);
   }
 
  private:
-  std::string left_;
+  std::string_view left_;
 };
 
 /// Of anything with persist().
 template <class Persistent>
 std::string state_of(Persistent& object) {
+  CountingStream size;
+  object.persist(size);
   SavedState state;
+  state.all.reserve(size.count());
   object.persist(state);
-  return state.all;
+  return std::move(state.all);
 }
 
-}  // namespace dspm::test
+}  // namespace dspm
