@@ -116,18 +116,19 @@ std::string in_words(const LoadedModule& module) {
   return plugins.empty() ? module.name : fmt::format("{} of {}", plugins, module.name);
 }
 
-std::string describe_plugin(std::string_view kind_and_name) {
-  const std::vector<CatalogueEntry> entries = all_plugins();
+std::string describe_plugins(std::string_view name) {
+  std::string text;
   std::vector<std::string> names;
-  for (const CatalogueEntry& entry : entries) {
+  for (const CatalogueEntry& entry : all_plugins()) {
     names.push_back(full_name(entry));
-    if (names.back() != kind_and_name) continue;
+    if (names.back() != name && entry.name != name) continue;
     const std::vector<ParamInfo> params = entry.params();
-    return fmt::format("{} ({}): {}\n{}", names.back(), entry.origin, entry.sentence,
-                       params.empty() ? "" : table_of(params));
+    text += fmt::format("{}{} ({}): {}\n{}", text.empty() ? "" : "\n", names.back(), entry.origin, entry.sentence,
+                        params.empty() ? "" : table_of(params));
   }
-  const std::string guess = did_you_mean(kind_and_name, names);
-  throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", kind_and_name,
+  if (!text.empty()) return text;
+  const std::string guess = did_you_mean(name, names);
+  throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", name,
                                guess.empty() ? "dspm --list names them all as kind and name" : guess));
 }
 

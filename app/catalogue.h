@@ -20,8 +20,8 @@ struct CatalogueEntry {
 std::vector<CatalogueEntry> all_plugins();
 /// Every kind with its plugins, a line each.
 std::string list_plugins();
-/// The parameters of `kind:name`; throws UsageError where there is no such plugin.
-std::string describe_plugin(std::string_view kind_and_name);
+/// The parameters of a `kind:name`, or of each plugin of the name; throws UsageError where there is none.
+std::string describe_plugins(std::string_view name);
 bool is_plugin(std::string_view kind, std::string_view name);
 /// A plugin as messages name it: `material "velvet" of libvelvet.so`; dspm's own without an origin.
 std::string in_words(std::string_view kind, std::string_view name);

@@ -26,7 +26,7 @@ namespace {
 int run(const Options& options) {
   switch (options.task) {
     case Task::list: return print_data(list_plugins()), 0;
-    case Task::describe: return print_data(describe_plugin(options.described)), 0;
+    case Task::describe: return print_data(describe_plugins(options.described)), 0;
     case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
     case Task::format: return print_data(formatted(options.scenes)), 0;
     case Task::list_variations: return print_data(variation_names(options)), 0;

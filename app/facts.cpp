@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <map>
 #include <set>
 
@@ -27,7 +28,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
-  facts.push_back(digest_fact("the frames to render", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
+  facts.push_back(digest_fact("the choice of frames", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
@@ -61,8 +62,8 @@ void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
 }
 
 /// Facts of the same name in their order.
-std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>& facts) {
-  std::map<std::string, std::vector<const Fact*>> map;
+std::map<std::string, std::deque<const Fact*>> by_name(const std::vector<Fact>& facts) {
+  std::map<std::string, std::deque<const Fact*>> map;
   for (const Fact& fact : facts) map[fact.name].push_back(&fact);
   return map;
 }
@@ -81,27 +82,24 @@ std::vector<Fact> facts_of(const Job& job) {
 
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics) {
   constexpr const char* kWayOut = "a checkpoint goes on with the same scene only; to begin anew, use another one";
-  const auto before = by_name(then), after = by_name(now);
-  for (const auto& [name, facts] : after) {
-    const auto same = before.find(name);
-    const std::size_t count = same == before.end() ? 0 : same->second.size();
-    for (std::size_t i = 0; i < facts.size(); ++i) {
-      const Fact& fact = *facts[i];
-      if (i >= count)
-        diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", name), kWayOut);
-      else if (const Fact& old = *same->second[i]; old.text != fact.text)
-        diagnostics.error(fact.where,
-                          fact.is_digest ? fmt::format("{} has changed since the checkpoint", name)
-                                         : fmt::format("{}: {} now, {} in the checkpoint", name, fact.text, old.text),
-                          kWayOut);
+  auto before = by_name(then);
+  for (const Fact& fact : now) {
+    std::deque<const Fact*>& same = before[fact.name];
+    if (same.empty()) {
+      diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", fact.name), kWayOut);
+      continue;
     }
+    const Fact& old = *same.front();
+    same.pop_front();
+    if (old.text == fact.text) continue;
+    diagnostics.error(fact.where,
+                      fact.is_digest ? fmt::format("{} has changed since the checkpoint", fact.name)
+                                     : fmt::format("{}: {} now, {} in the checkpoint", fact.name, fact.text, old.text),
+                      kWayOut);
   }
-  for (const auto& [name, facts] : before) {
-    const auto same = after.find(name);
-    const std::size_t left = same == after.end() ? 0 : same->second.size();
-    for (std::size_t i = left; i < facts.size(); ++i)
+  for (const auto& [name, left] : before)
+    for (std::size_t i = 0; i < left.size(); ++i)
       diagnostics.error({}, fmt::format("{} of the checkpoint is not there any more", name), kWayOut);
-  }
 }
 
 }  // namespace dspm

@@ -130,7 +130,8 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
   if (bytes_ == 0) return given.empty() ? frames.cut(job.plugin->frames_together) : given;
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
-    throw std::runtime_error(fmt::format("{}: reading the scene took {}", bound, readable_bytes(peak)));
+    throw std::runtime_error(
+        fmt::format("{}: reading the scene took {}; a bound must leave room besides", bound, readable_bytes(peak)));
 
   Trials trials(*this, job, world, writing);
   const auto accepts = [&](const std::vector<FrameList>& intervals) {

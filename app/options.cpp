@@ -62,7 +62,7 @@ void add_tasks(CLI::App& app, Options& o) {
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
-  add_text(app, "--describe", "KIND:NAME", "print a plugin's parameters, as of material:dielectric",
+  add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, as of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
   app.add_option_function<std::vector<std::string>>(
          "--new-plugin", [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },

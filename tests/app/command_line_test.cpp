@@ -247,6 +247,10 @@ TEST(CommandLine, EveryPluginIsListedAndDescribed) {
   const Outcome one = run(directory, {"--describe", "integrator:dsppm"});
   EXPECT_EQ(one.code, 0);
   EXPECT_NE(one.out.find("photons"), std::string::npos) << one.out;
+  const Outcome both = run(directory, {"--describe", "diffuse"});
+  EXPECT_EQ(both.code, 0);
+  for (const char* name : {"material:diffuse (", "area light:diffuse ("})
+    EXPECT_NE(both.out.find(name), std::string::npos) << both.out;
   const Outcome guess = run(directory, {"--describe", "material:dielectic"});
   EXPECT_NE(guess.err.find("material:dielectric"), std::string::npos) << guess.err;
 }
