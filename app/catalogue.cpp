@@ -120,6 +120,7 @@ std::string describe_plugins(std::string_view name) {
   std::string text;
   std::vector<std::string> names;
   for (const CatalogueEntry& entry : all_plugins()) {
+    names.push_back(entry.name);
     names.push_back(full_name(entry));
     if (names.back() != name && entry.name != name) continue;
     const std::vector<ParamInfo> params = entry.params();

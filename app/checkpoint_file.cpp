@@ -14,7 +14,7 @@
 
 #include "core/atomic_file.h"
 #include "core/file_access.h"
-#include "core/state_bytes.h"
+#include "core/state_in_memory.h"
 
 namespace dspm {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <deque>
 #include <map>
 #include <set>
 
@@ -61,10 +60,10 @@ void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
       facts.push_back(digest_fact(fmt::format("file {}", short_name(path, folder).string()), content));
 }
 
-/// Facts of the same name in their order.
-std::map<std::string, std::deque<const Fact*>> by_name(const std::vector<Fact>& facts) {
-  std::map<std::string, std::deque<const Fact*>> map;
-  for (const Fact& fact : facts) map[fact.name].push_back(&fact);
+/// Facts of the same name, the last one first.
+std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>& facts) {
+  std::map<std::string, std::vector<const Fact*>> map;
+  for (auto fact = facts.rbegin(); fact != facts.rend(); ++fact) map[fact->name].push_back(&*fact);
   return map;
 }
 
@@ -84,13 +83,13 @@ void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagno
   constexpr const char* kWayOut = "a checkpoint goes on with the same scene only; to begin anew, use another one";
   auto before = by_name(then);
   for (const Fact& fact : now) {
-    std::deque<const Fact*>& same = before[fact.name];
+    std::vector<const Fact*>& same = before[fact.name];
     if (same.empty()) {
       diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", fact.name), kWayOut);
       continue;
     }
-    const Fact& old = *same.front();
-    same.pop_front();
+    const Fact& old = *same.back();
+    same.pop_back();
     if (old.text == fact.text) continue;
     diagnostics.error(fact.where,
                       fact.is_digest ? fmt::format("{} has changed since the checkpoint", fact.name)

@@ -19,7 +19,7 @@ struct Fact {
 /// images, iterations to go, threads, the accelerator), nor is the memory bound, which changes rounding only.
 std::vector<Fact> facts_of(const Job& job);
 
-/// An error for each that is not the same, or is there in one only.
+/// An error for each that is not the same, or is there in one only; in the order of `now`, then what it lacks.
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics);
 
 }  // namespace dspm

@@ -26,7 +26,7 @@ struct Options {
   std::vector<std::string> defines;  // name=value
   std::vector<std::string> modules;  // files that bring plugins along
   std::string sandbox;               // the directory beyond which no file is touched; empty: there is none
-  std::string described;             // kind:name
+  std::string described;             // [kind:]name
   std::vector<std::string> created;  // a new plugin's kind, name and folder
   bool lenient = false, explain = false, quiet = false, quick = false;
 

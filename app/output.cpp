@@ -20,16 +20,16 @@ namespace {
 constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
 /// No file may take another one's place, nor that of one which is read.
-void expect_all_distinct(std::vector<NamedFile> files, const Options& options) {
+void expect_all_distinct(std::vector<NamedFile> written, const Options& options) {
   std::vector<NamedFile> read;
   for (const std::string& scene : options.scenes)
     if (scene != "-") read.push_back({scene, "the scene"});
   expect_distinct({}, read);  // none is given twice
   for (const auto& [path, digest] : files_read()) read.push_back({path, "a file that the scene reads"});
-  if (!options.video.empty()) files.push_back({options.video, "the video"});
   if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
-    files.push_back({options.resume, "the checkpoint to resume"});
-  expect_distinct(read, files);
+    read.push_back({options.resume, "the checkpoint to resume"});
+  if (!options.video.empty()) written.push_back({options.video, "the video"});
+  expect_distinct(read, written);
 }
 
 std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files) {

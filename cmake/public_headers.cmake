@@ -24,7 +24,8 @@ set(toolkit_headers
   cameras/projection.h
   core/frame_lanes.h core/rgb_lanes.h
   integrators/direct_light.h integrators/estimator.h integrators/gather.h
-  integrators/hit_point.h integrators/joint_path.h integrators/memory_needs.h integrators/path_step.h
+  integrators/hit_point.h integrators/joint_path.h integrators/max_depth.h integrators/memory_needs.h
+  integrators/path_step.h
   integrators/photon.h integrators/photon_grid.h integrators/photon_map.h
   integrators/point_grid.h integrators/points_within.h integrators/progressive.h integrators/progressive_settings.h
   integrators/radiance_estimate.h integrators/refit.h integrators/seen_light.h integrators/strand.h

@@ -18,8 +18,6 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius within which gather_at would look: the largest of the frames'.
   virtual float search_radius2(const HitPoint& hit) const = 0;
-  /// Once an iteration, before anything is seen or gathered; what an iteration that was given up left is forgotten.
-  virtual void begin_iteration() {}
   /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
   /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
@@ -27,12 +25,14 @@ class PixelEstimator {
   virtual void see(const SeenLight& light) = 0;
   /// Once an iteration, after all gathers.
   virtual void end_iteration() = 0;
-  /// Between iterations; see Integrator::persist.
+  /// All that lasts beyond an iteration; see Integrator::persist. Loads in the midst of one, too, where it is given up.
   virtual void persist(StateStream& state) = 0;
   /// Radiance after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Nothing where only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
+  /// Behind persist(), where an iteration is given up: what is kept for its end alone is as it was at its start.
+  virtual void forget_iteration() {}
 };
 
 /// kz11's radius, the same for all pixels and frames but for where it starts.
@@ -69,7 +69,7 @@ struct EstimatorSettings {
 
 struct EstimatorKind {
   std::unique_ptr<PixelEstimator> (*make)(const EstimatorSettings&);
-  std::size_t (*bytes)(const EstimatorSettings&);  // that it will hold
+  std::size_t (*bytes)(const EstimatorSettings&);  // that it will hold; those that last, where it is not batched
 };
 template <class Estimator>
 EstimatorKind estimator_kind() {

@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "integrators/direct_light.h"
+#include "integrators/max_depth.h"
 #include "integrators/memory_needs.h"
 #include "integrators/path_step.h"
 #include "integrators/summed_iterations.h"

@@ -7,23 +7,13 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string>
 
-#include "core/params.h"
 #include "core/rng.h"
 #include "integrators/statistics.h"
 #include "integrators/strand.h"
 #include "world/scene.h"
 
 namespace dspm {
-
-/// An error of the parameter where it is less than `least`, or so much that, where nothing absorbs, a path would be under
-/// way for longer than a Ctrl-C waits.
-inline void check_max_depth(ParamReader& params, int max_depth, int least) {
-  constexpr int kMost = 10'000;
-  if (max_depth < least || max_depth > kMost)
-    params.error("maxdepth", "maxdepth must lie between " + std::to_string(least) + " and " + std::to_string(kMost));
-}
 
 /// A path is a value. When frames part, so do copies of it, with disjoint sets.
 struct PathState {

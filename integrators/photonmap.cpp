@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/parallel.h"
+#include "integrators/max_depth.h"
 #include "integrators/memory_needs.h"
 #include "integrators/path_step.h"
 #include "integrators/radiance_estimate.h"

@@ -4,10 +4,11 @@
 #include <new>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "core/cancellation.h"
 #include "core/parallel.h"
-#include "core/state_bytes.h"
+#include "core/state_in_memory.h"
 #include "integrators/memory_needs.h"
 
 namespace dspm {
@@ -57,11 +58,11 @@ class Progressive final : public Integrator {
       : settings_(settings),
         scene_(scene),
         render_(render),
-        batch_(batch_within_memory(settings, scene, render, estimator)) {
-    const EstimatorSettings of = estimator_settings(settings, scene, render, batch_);
-    estimator_ = estimator.make(of);
-    estimator_bytes_ = estimator.bytes(of);
-    copy_bytes_ = copy_bytes(of, estimator);
+        batch_(batch_within_memory(settings, scene, render, estimator)),
+        kind_(estimator),
+        estimator_settings_(estimator_settings(settings, scene, render, batch_)) {
+    estimator_ = kind_.make(estimator_settings_);
+    estimator_bytes_ = kind_.bytes(estimator_settings_);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = static_cast<int>((settings.photons + batch_ - 1) / batch_);
@@ -76,13 +77,14 @@ class Progressive final : public Integrator {
     std::optional<Cancellable> nothing_is_lost(std::in_place);
     try {
       const float cell_size = trace_until_first_gather(static_cast<std::uint64_t>(iteration));
-      if (!copy_pixels()) nothing_is_lost.reset();
+      copy_pixels();
+      if (statistics_.iterations > 0 && !pixels_before_) nothing_is_lost.reset();
       gather_all(static_cast<std::uint64_t>(iteration), cell_size);
     } catch (...) {
       if (nothing_is_lost) go_back_to(before);
       throw;
     }
-    pixels_before_ = {};
+    pixels_before_.reset();
   }
 
   Image estimate(Frame frame) const override {
@@ -115,7 +117,6 @@ class Progressive final : public Integrator {
   }
 
   void gather_all(std::uint64_t iteration, float cell_size) {
-    estimator_->begin_iteration();
     see_lights();
     gather_photons();
     for (std::int64_t first = batch_; first < settings_.photons; first += batch_) {
@@ -127,32 +128,32 @@ class Progressive final : public Integrator {
     ++statistics_.iterations;
   }
 
-  /// So that gathering may be given up, where it takes long and there is room. Whether it may.
-  bool copy_pixels() {
-    const bool fits = is_batched() || render_.memory == 0 || bytes() + copy_bytes_ <= render_.memory;
-    if (!fits || !is_gathering_long()) return false;
+  /// So that gathering may be given up. Not where it is short, and not where the copy would be most of the memory; room
+  /// for it is part of the plan where photons come in batches.
+  void copy_pixels() {
+    if (statistics_.iterations == 0) return;  // before the first iteration there is nothing to keep
+    const StepTimer timer(statistics_.steps[kStatistics]);
+    const std::size_t copy = copy_bytes(estimator_settings_, kind_);
+    const bool fits = render_.memory == 0 || bytes() + copy <= render_.memory;
+    const bool is_short = statistics_.steps[kStatistics].seconds < kLongGathering * statistics_.iterations;
+    if (!is_batched() && (is_short || !fits || copy > photon_bytes())) return;
     try {
       pixels_before_ = state_of(*estimator_);
-      return true;
-    } catch (const std::bad_alloc&) {
-      return false;
+    } catch (const std::bad_alloc&) {  // then it is not given up
     }
-  }
-
-  /// Judged by the iterations so far, and for the first one by how long it has been tracing.
-  bool is_gathering_long() const {
-    double seconds = 0;
-    for (const StepTime& step : statistics_.steps) seconds += step.seconds;
-    if (statistics_.iterations > 0) seconds = statistics_.steps[kStatistics].seconds / statistics_.iterations;
-    return is_batched() || seconds > kLongGathering;
   }
 
   void go_back_to(const Statistics& before) {
     statistics_ = before;
-    if (pixels_before_.empty()) return;  // none has changed
-    LoadedState state(pixels_before_);
-    estimator_->persist(state);
-    pixels_before_ = {};
+    if (statistics_.iterations == 0) {
+      estimator_.reset();
+      estimator_ = kind_.make(estimator_settings_);
+    } else if (pixels_before_) {
+      LoadedState state(*pixels_before_);
+      estimator_->persist(state);
+      estimator_->forget_iteration();
+      pixels_before_.reset();
+    }
   }
 
   bool is_batched() const { return batch_ < settings_.photons; }
@@ -216,16 +217,19 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return estimator_bytes_ + pixels_before_.size() + map_.bytes() + bytes_of(tiles_) + bytes_of(traces_);
+    return estimator_bytes_ + (pixels_before_ ? pixels_before_->capacity() : 0) + photon_bytes() + bytes_of(tiles_);
   }
+  std::size_t photon_bytes() const { return map_.bytes() + bytes_of(traces_); }
 
   ProgressiveSettings settings_;
   const Scene& scene_;
   RenderSettings render_;
   std::int64_t batch_;  // photon paths traced at a time
+  EstimatorKind kind_;
+  EstimatorSettings estimator_settings_;
   std::unique_ptr<PixelEstimator> estimator_;
-  std::size_t estimator_bytes_ = 0, copy_bytes_ = 0;
-  std::string pixels_before_;  // the iteration; empty where they are not kept
+  std::size_t estimator_bytes_ = 0;
+  std::optional<std::string> pixels_before_;  // the iteration
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
   PhotonMap map_;

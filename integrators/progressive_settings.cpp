@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "integrators/path_step.h"
+#include "integrators/max_depth.h"
 
 namespace dspm {
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -40,8 +41,6 @@ class Hj09 final : public PixelEstimator {
     return R2 > 0 ? R2 : hit.radius * hit.radius;
   }
 
-  void begin_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
-
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const auto at = static_cast<std::size_t>(hit.pixel);
     pixels_[at].begin(hit.radius * hit.radius);
@@ -59,10 +58,12 @@ class Hj09 final : public PixelEstimator {
   void end_iteration() override {
     parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 14, [&](std::int64_t i) {
       const auto at = static_cast<std::size_t>(i);
-      pixels_[at].absorb(passes_[at], of_.alpha);
+      pixels_[at].absorb(std::exchange(passes_[at], {}), of_.alpha);
     });
     ++iterations_;
   }
+
+  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
 
   void persist(StateStream& state) override {
     state.part(iterations_);

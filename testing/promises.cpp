@@ -4,9 +4,8 @@
 
 #include <stdexcept>
 
-#include "app/checkpoint_file.h"
 #include "core/parallel.h"
-#include "core/state_bytes.h"
+#include "core/state_in_memory.h"
 #include "testing/test_scene.h"
 
 namespace dspm::test {
@@ -62,7 +61,7 @@ Verdict check_resume(const std::string& scene, int iterations) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
     iterate(*calm, 0, iterations);
-    if (!state_bytes(*calm)) return {false, "persist() says that there are no checkpoints of it"};
+    if (CountingStream size; !calm->persist(size)) return {false, "persist() says that there are no checkpoints of it"};
     const std::vector<Image> expected = images_of(*calm, *interval);
     for (int before = 1; before < iterations && verdict.passed; ++before)
       verdict = check_resume(test, *interval, before, iterations, expected);

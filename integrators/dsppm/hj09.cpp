@@ -51,8 +51,6 @@ class Hj09 final : public PixelEstimator {
     return radii.largest();
   }
 
-  void begin_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
-
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
     // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
@@ -113,9 +111,12 @@ class Hj09 final : public PixelEstimator {
     parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 12, [&](std::int64_t i) {
       const auto at = static_cast<std::size_t>(i);
       statistics_[at].absorb(passes_[at], of_.alpha);
+      passes_[at] = FourSums::none();
     });
     ++iterations_;
   }
+
+  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
 
   void persist(StateStream& state) override {
     state.part(iterations_);

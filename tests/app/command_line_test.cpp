@@ -251,8 +251,10 @@ TEST(CommandLine, EveryPluginIsListedAndDescribed) {
   EXPECT_EQ(both.code, 0);
   for (const char* name : {"material:diffuse (", "area light:diffuse ("})
     EXPECT_NE(both.out.find(name), std::string::npos) << both.out;
-  const Outcome guess = run(directory, {"--describe", "material:dielectic"});
-  EXPECT_NE(guess.err.find("material:dielectric"), std::string::npos) << guess.err;
+  for (const char* kind : {"", "material:"}) {
+    const Outcome guess = run(directory, {"--describe", kind + std::string("dielectic")});
+    EXPECT_NE(guess.err.find(kind + std::string("dielectric")), std::string::npos) << guess.err;
+  }
 }
 
 TEST(CommandLine, APbrtFileIsRenderedByPathAndKeepsItsName) {

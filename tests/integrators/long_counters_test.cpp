@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/state_bytes.h"
+#include "core/state_in_memory.h"
 #include "testing/test_scene.h"
 
 namespace dspm::test {

@@ -1,7 +1,9 @@
-// A state as bytes: how many they are, in memory, and back.
+// The bytes of a state: how many they are, in memory, and back.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
