@@ -36,8 +36,8 @@ class Bsdf {
   virtual LobeSet lobes(float least_alpha) const = 0;
   LobeSet all_lobes() const { return lobes(0); }
   /// f(wo, wi) in 1/sr, without the cosine, summed over `lobes`; specular lobes add nothing. Reflection and
-  /// transmission are told apart by the geometric normal; where it and ns disagree about the side of wi there is no
-  /// light.
+  /// transmission are told apart by the geometric normal; where it and ns disagree about the side that light comes from
+  /// (wi for radiance, wo for flux) there is none. So f for flux is f for radiance with the directions exchanged.
   virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;

@@ -12,33 +12,37 @@
 namespace dspm {
 namespace {
 
+// Light counts by its cosine about ns and leaves to all of its own side by ng. So what a photon path samples lies about
+// ng: a lobe about ns would send nothing to where ns does not face.
 class Diffuse final : public Bsdf {
  public:
   Diffuse(const SurfacePoint& point, const Rgb& f) : ng_(point.ng), ns_(point.ns), f_(f) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    return (lobes & 1) && cosine(wo, wi) > 0 ? f_ : Rgb(0);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const bool one_side = dot(wo, ng_) * dot(wi, ng_) > 0;
+    return (lobes & 1) && one_side && faces(transport == Transport::radiance ? wi : wo) ? f_ : Rgb(0);
   }
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    return lobes & 1 ? std::max(0.f, cosine(wo, wi)) / kPi : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const float side = dot(wo, ng_);
+    if (!(lobes & 1) || !(side * dot(wi, ng_) > 0) || (transport == Transport::flux && !faces(wo))) return 0;
+    return std::max(0.f, std::copysign(1.f, side) * dot(wi, axis(transport))) / kPi;
   }
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
-    if (!(lobes & 1)) return std::nullopt;
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
+    if (!(lobes & 1) || (transport == Transport::flux && !faces(wo))) return std::nullopt;
     const float side = dot(wo, ng_) > 0 ? 1.f : -1.f;
-    const Vec3 local = cosine_hemisphere({u.x, u.y}), wi = Basis::around(ns_ * side).to_world(local);
+    const Vec3 local = cosine_hemisphere({u.x, u.y}), wi = Basis::around(axis(transport) * side).to_world(local);
     if (local.z <= 0 || dot(wi, ng_) * side <= 0) return std::nullopt;
-    return BsdfSample{wi, f_ * kPi, local.z / kPi, false};
+    const float cosines = axis(transport) == ns_ ? 1 : std::abs(dot(wi, ns_)) / local.z;
+    return BsdfSample{wi, f_ * (kPi * cosines), local.z / kPi, false};
   }
   float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
   std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
 
  private:
-  /// Between wi and ns, turned to wo's side; 0 where wi is on the other side of the surface.
-  float cosine(const Vec3& wo, const Vec3& wi) const {
-    const float side = dot(wo, ng_);
-    return side * dot(wi, ng_) > 0 ? std::copysign(1.f, side) * dot(wi, ns_) : 0;
-  }
+  /// Both normals see `w` on the same side.
+  bool faces(const Vec3& w) const { return dot(w, ng_) * dot(w, ns_) > 0; }
+  const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 
   Vec3 ng_, ns_;
   Rgb f_;

@@ -16,6 +16,7 @@ constexpr Transport kTransports[] = {Transport::radiance, Transport::flux};
 
 std::string text(const Vec3& v) { return fmt::format("({} {} {})", v.x, v.y, v.z); }
 std::string text(const Rgb& c) { return fmt::format("({} {} {})", c.r, c.g, c.b); }
+const char* text(Transport transport) { return transport == Transport::radiance ? "radiance" : "flux"; }
 
 bool near(const Rgb& a, const Rgb& b, float relative) {
   for (int c = 0; c < 3; ++c)
@@ -32,29 +33,33 @@ void on_surfaces(const Material& material, const Fn& fn) {
   }
 }
 
-/// Where the density is highest among some samples: there cells should be finest.
-Vec3 peak(const Bsdf& bsdf, const Vec3& wo, LobeSet lobes, const PathRandom& random) {
-  Vec3 best = wo;
-  float highest = 0;
-  for (int n = 0; n < 64; ++n) {
-    const auto drawn = bsdf.sample(wo, three_numbers(random, n), Transport::radiance, lobes);
-    if (drawn && drawn->pdf_w > highest) highest = drawn->pdf_w, best = drawn->wi;
-  }
-  return best;
-}
-
 struct DensityCase {
   SurfacePoint point;
   Vec3 wo;
   LobeSet lobes;
+  Transport transport;
 };
+
+/// Where the density is highest among some samples: there cells should be finest.
+Vec3 peak(const Bsdf& bsdf, const DensityCase& c, const PathRandom& random) {
+  Vec3 best = c.wo;
+  float highest = 0;
+  for (int n = 0; n < 64; ++n) {
+    const auto drawn = bsdf.sample(c.wo, three_numbers(random, n), c.transport, c.lobes);
+    if (drawn && drawn->pdf_w > highest) highest = drawn->pdf_w, best = drawn->wi;
+  }
+  return best;
+}
 
 std::vector<DensityCase> density_cases(const Material& material) {
   std::vector<DensityCase> cases;
   on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
     if (bsdf.lobes(1e-6f) == 0) return;  // specular throughout: there is no density
     for (const Vec3& wo : directions())
-      for (const LobeSet lobes : subsets_of(bsdf.all_lobes())) cases.push_back({point, wo, lobes});
+      for (const LobeSet lobes : subsets_of(bsdf.all_lobes())) {
+        cases.push_back({point, wo, lobes, Transport::radiance});
+        if (!(point.ns == point.ng)) cases.push_back({point, wo, lobes, Transport::flux});
+      }
   });
   return cases;
 }
@@ -63,15 +68,14 @@ Chi2Result chi2_of(const Material& material, const DensityCase& c, Chi2Settings 
   BsdfSlot slot;
   const Bsdf& bsdf = material.bsdf(c.point, slot);
   const PathRandom random(seed, Stream::setup, 0, 0);
-  settings.axis = peak(bsdf, c.wo, c.lobes, PathRandom(seed, Stream::setup, 1, 0));
+  settings.axis = peak(bsdf, c, PathRandom(seed, Stream::setup, 1, 0));
   int n = 0;
   const auto sample = [&]() -> std::optional<Vec3> {
-    const auto drawn = bsdf.sample(c.wo, three_numbers(random, n++), Transport::radiance, c.lobes);
+    const auto drawn = bsdf.sample(c.wo, three_numbers(random, n++), c.transport, c.lobes);
     if (!drawn || drawn->specular || !is_finite(drawn->wi)) return std::nullopt;  // weights_agree tells of the last
     return drawn->wi;
   };
-  return SphereChi2(settings).run(sample,
-                                  [&](const Vec3& wi) { return bsdf.pdf_w(c.wo, wi, Transport::radiance, c.lobes); });
+  return SphereChi2(settings).run(sample, [&](const Vec3& wi) { return bsdf.pdf_w(c.wo, wi, c.transport, c.lobes); });
 }
 
 /// What is wrong with one sample; empty: nothing.
@@ -138,46 +142,51 @@ Verdict weights_agree(const Material& material) {
 Verdict keeps_to_sides(const Material& material) {
   Verdict verdict;
   const PathRandom random(5, Stream::setup, 2, 0);
-  on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
+  const auto check = [&](const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo, const Vec3& wi,
+                         Transport transport) {
     const LobeSet all = bsdf.all_lobes();
+    const float pdf_w = bsdf.pdf_w(wo, wi, transport, all);
+    const Rgb f = bsdf.evaluate(wo, wi, transport, all);
+    const auto wrong = [&](const std::string& what) {
+      verdict.fail(fmt::format("wo {}, wi {}, {}: {}", text(wo), text(wi), text(transport), what));
+    };
+    if (!is_finite(f) || !std::isfinite(pdf_w) || !(pdf_w >= 0) || !(std::min({f.r, f.g, f.b}) >= 0))
+      wrong(fmt::format("f is {}, pdf_w {}", text(f), pdf_w));
+    const Vec3& incident = transport == Transport::radiance ? wi : wo;  // where light comes from
+    const bool sides_agree = dot(incident, point.ng) * dot(incident, point.ns) > 0;
+    const bool through = dot(wi, point.ng) * dot(wo, point.ng) < 0;
+    if (!sides_agree || (through && !bsdf.transmits(all))) {
+      if (f != Rgb(0) || pdf_w != 0) wrong("there should be no light, and no sample");
+    } else if (!is_black(f) && pdf_w == 0) {
+      wrong("there is light, which sample never finds");
+    }
+  };
+  on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
     for (const Vec3& wo : directions())
-      for (int n = 0; n < 500; ++n) {
-        const Vec3 wi = any_direction(random, n);
-        const float pdf_w = bsdf.pdf_w(wo, wi, Transport::radiance, all);
-        const Rgb f = bsdf.evaluate(wo, wi, Transport::radiance, all);
-        const auto wrong = [&](const std::string& what) {
-          verdict.fail("wo " + text(wo) + ", wi " + text(wi) + ": " + what);
-        };
-        if (!is_finite(f) || !std::isfinite(pdf_w) || !(pdf_w >= 0) || !(std::min({f.r, f.g, f.b}) >= 0))
-          wrong(fmt::format("f is {}, pdf_w {}", text(f), pdf_w));
-        const bool sides_agree = dot(wi, point.ng) * dot(wi, point.ns) > 0;
-        const bool through = dot(wi, point.ng) * dot(wo, point.ng) < 0;
-        if (!sides_agree || (through && !bsdf.transmits(all))) {
-          if (f != Rgb(0) || pdf_w != 0) wrong("there should be no light, and no sample");
-        } else if (!is_black(f) && pdf_w == 0) {
-          wrong("there is light, which sample never finds");
-        }
-      }
+      for (int n = 0; n < 500; ++n)
+        for (const Transport transport : kTransports) check(bsdf, point, wo, any_direction(random, n), transport);
   });
   return verdict;
 }
 
+// On a bent surface, too: photons then go where camera paths look for them.
 Verdict is_reciprocal(const Material& material) {
   Verdict verdict;
   const PathRandom random(5, Stream::setup, 6, 0);
-  BsdfSlot slot;
-  const Bsdf& bsdf = material.bsdf(surface(), slot);
-  const auto f = [&](const Vec3& wo, const Vec3& wi, Transport transport) {
-    return bsdf.evaluate(wo, wi, transport, bsdf.all_lobes());
-  };
-  for (int n = 0; n < 2000; ++n) {
-    const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
-    const Rgb back = f(wi, wo, Transport::radiance), flux = f(wo, wi, Transport::flux);
-    const bool equal = wo.z * wi.z < 0 || near(f(wo, wi, Transport::radiance), flux, 2e-3f);
-    if (!near(flux, back, 2e-3f) || !equal)
-      verdict.fail(fmt::format("between {} and {}: f is {} for flux, {} for radiance the other way round", text(wo),
-                               text(wi), text(flux), text(back)));
-  }
+  on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
+    const auto f = [&](const Vec3& wo, const Vec3& wi, Transport transport) {
+      return bsdf.evaluate(wo, wi, transport, bsdf.all_lobes());
+    };
+    for (int n = 0; n < 2000; ++n) {
+      const Vec3 wo = any_direction(random, n), wi = any_direction(random, 10'000 + n);
+      const Rgb back = f(wi, wo, Transport::radiance), flux = f(wo, wi, Transport::flux);
+      const bool through = wo.z * wi.z < 0, plain = point.ns == point.ng;
+      const bool equal = through || !plain || near(f(wo, wi, Transport::radiance), flux, 2e-3f);
+      if (!near(flux, back, 2e-3f) || !equal)
+        verdict.fail(fmt::format("between {} and {}{}: f is {} for flux, {} for radiance the other way round", text(wo),
+                                 text(wi), plain ? "" : " on a bent surface", text(flux), text(back)));
+    }
+  });
   return verdict;
 }
 

@@ -16,13 +16,13 @@ namespace dspm::test {
 /// The material that a scene gets for these words: `"velvet" "float falloff" 4`. A mistake in them is a SceneError.
 std::shared_ptr<const Material> material_of(const std::string& words);
 
-/// Chi-square tests of samples against pdf_w. A right material fails any of them with a chance of `level`.
+/// Chi-square tests of samples against pdf_w, for radiance and, on the bent surface, for flux. A right material fails any of them with a chance of `level`.
 Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1);
 /// sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
 Verdict weights_agree(const Material& material);
 /// f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about a side.
 Verdict keeps_to_sides(const Material& material);
-/// f for flux is f for radiance with the directions exchanged; on one side of the surface both are equal.
+/// f for flux is f for radiance with the directions exchanged; on one side of a plain surface both are equal.
 Verdict is_reciprocal(const Material& material);
 /// No more light comes back than came.
 Verdict gains_nothing(const Material& material);

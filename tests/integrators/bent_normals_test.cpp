@@ -1,0 +1,77 @@
+// Photons off smooth-shaded meshes: on a floor that has its light from the mesh alone, what they bring is what path
+// tracing finds. Eight faces with the normals of a sphere bend the shading normal by up to 55 degrees, so that light
+// arrives from below its horizon and leaves below it. [Veach 1997, 5.3]
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "testing/agreement.h"
+
+namespace dspm::test {
+namespace {
+
+constexpr int kMaterials = 6, kSettings = 3;
+
+/// The light shines up from just above the floor; the camera sees a piece of the floor beside light and mesh.
+std::string octahedron(const std::string& integrator, const std::string& light, const std::string& material) {
+  return fmt::format(R"(
+Integrator {}
+LookAt 0 3 2  0 0 2  0 0 1
+Camera "perspective" "float fov" 30
+PixelFilter "box"
+Film "rgb" "integer xresolution" 24 "integer yresolution" 24
+WorldBegin
+{}
+Material "diffuse" "rgb reflectance" [.8 .8 .8]
+AttributeBegin
+  Rotate -90 1 0 0
+  Shape "disk" "float radius" 4
+AttributeEnd
+Material {}
+Translate 0 1.2 0
+Rotate 20 1 .3 .2
+Shape "trianglemesh" "integer indices" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5]
+  "point3 P" [.8 0 0 -.8 0 0 0 .8 0 0 -.8 0 0 0 .8 0 0 -.8]
+  "normal N" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1]
+)",
+                     integrator, light, material);
+}
+
+// It grazes the mesh, and hits nothing else.
+constexpr const char* kSpot = R"(LightSource "spot" "rgb I" [9 9 9] "point3 from" [2.2 .1 -.4] "point3 to" [0 1.2 0]
+  "float coneangle" 18 "float conedeltaangle" 3)";
+// Paths by way of mirrors find it.
+constexpr const char* kLamp = R"(AttributeBegin
+  Translate 0 0.05 0
+  Rotate -90 1 0 0
+  AreaLightSource "diffuse" "rgb L" [12 12 12]
+  Material "diffuse" "rgb reflectance" [0 0 0]
+  Shape "disk" "float radius" 0.8
+AttributeEnd)";
+
+struct Case {
+  const char *light, *material;
+};
+
+class BentNormals : public testing::TestWithParam<Case> {};
+
+TEST_P(BentNormals, PhotonsBringWhatPathsFind) {
+  const Tiles path = rendered(octahedron(R"("path" "integer maxdepth" 12)", GetParam().light, GetParam().material), 48);
+  for (const char* settings :
+       {R"("string estimator" "kz11")", R"("string estimator" "hj09")", R"("string direct" "sampled")"}) {
+    const std::string integrator =
+        fmt::format(R"("dsppm" "integer maxdepth" 12 "integer photons" 40000 "float radius" 0.06 {})", settings);
+    const Verdict verdict = agreement(rendered(octahedron(integrator, GetParam().light, GetParam().material), 3), path,
+                                      {0.01 / (kMaterials * kSettings), 0.02});
+    EXPECT_TRUE(verdict.passed) << GetParam().material << " " << settings << ": " << verdict.message;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Materials, BentNormals,
+    testing::Values(Case{kSpot, R"("diffuse" "rgb reflectance" [.9 .9 .9])"},
+                    Case{kSpot, R"("coateddiffuse" "rgb reflectance" [.9 .7 .5] "float roughness" 0.2)"},
+                    Case{kSpot, R"("conductor" "float roughness" 0.3)"}, Case{kLamp, R"("conductor")"},
+                    Case{kSpot, R"("dielectric" "float roughness" 0.2)"}, Case{kLamp, R"("dielectric")"}));
+
+}  // namespace
+}  // namespace dspm::test
