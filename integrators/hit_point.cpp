@@ -14,8 +14,6 @@ namespace {
 constexpr int kTileSide = 32;
 // A few pixel spacings; never more than a share of the scene, for what is seen at the horizon.
 constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
-// What is rougher is no specular lobe.
-constexpr float kLeastRoughness = 1e-4f;
 
 /// How frames end in a hit point.
 struct End {
@@ -38,7 +36,13 @@ struct End {
 class HitPointTracer {
  public:
   HitPointTracer(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings, HitPointTile& out)
-      : scene_(scene), render_(render), settings_(settings), frames_(scene.frames()), out_(out) {}
+      : scene_(scene),
+        render_(render),
+        settings_(settings),
+        frames_(scene.frames()),
+        has_hidden_(settings.find_hidden && std::any_of(scene.lights.begin(), scene.lights.end(),
+                                                        [](const SceneLight& light) { return light.is_delta; })),
+        out_(out) {}
 
   /// x, y in the full image. What frames meet apart from others waits for finish().
   void trace(int x, int y, std::uint64_t iteration) {
@@ -107,7 +111,7 @@ class HitPointTracer {
       if (choice.rough) {
         end(arrived, point, bsdf, wo, choice, random, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
-          add_hit_point(arrived, {&f, 1}, point, wo, constant ? nullptr : &bsdf, choice.lobes);
+          add_hit_point(out_.hit_points, arrived, {&f, 1}, point, wo, constant ? nullptr : &bsdf, choice.lobes);
         });
       } else {
         go_on(arrived, point, bsdf, wo, choice, random, [&](const BsdfSample& sample) {
@@ -139,7 +143,8 @@ class HitPointTracer {
     });
     // Frames whose scattering functions are multiples of one another have a hit point in common.
     for_each_joint(ends, settings_.mixture, [&](const End& first, std::span<const FrameFactor> factors) {
-      add_hit_point(path, factors, point, wo, first.constant ? nullptr : &*first.bsdf, first.choice.lobes);
+      add_hit_point(out_.hit_points, path, factors, point, wo, first.constant ? nullptr : &*first.bsdf,
+                    first.choice.lobes);
     });
     for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
       push(path, factors, point, first.sample, random);
@@ -158,14 +163,14 @@ class HitPointTracer {
   }
 
   /// `bsdf`: null where f is constant and among the factors.
-  void add_hit_point(const PathState& path, std::span<const FrameFactor> factors, const SurfacePoint& point,
-                     const Vec3& wo, const Bsdf* bsdf, LobeSet lobes) {
+  void add_hit_point(std::vector<HitPoint>& hit_points, const PathState& path, std::span<const FrameFactor> factors,
+                     const SurfacePoint& point, const Vec3& wo, const Bsdf* bsdf, LobeSet lobes) {
     PathState ended = path;
     const auto keep = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
       return if_finite(after, frames);
     };
     if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep)) return;
-    HitPoint& hit = out_.hit_points.emplace_back();
+    HitPoint& hit = hit_points.emplace_back();
     hit.p = point.p;
     hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = ended.throughput, hit.strands = ended.strands;
@@ -182,11 +187,14 @@ class HitPointTracer {
   template <class Fn>
   void go_on(const PathState& path, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
              const LobeChoice& choice, const PathRandom& random, Fn&& fn) {
-    // No ray that follows a lobe finds a point, spot or distant light; no photon is gathered here that could come from
-    // it.
-    if (const auto glossy = static_cast<LobeSet>(choice.lobes & bsdf.lobes(kLeastRoughness)))
+    // No ray that follows a lobe finds a point, spot or distant light: a shadow ray does, or, where its light came
+    // through specular lobes, the photons that are kept for this.
+    if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
       add_direct_light(path, point, bsdf, wo, glossy, choice.chance, random,
                        [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
+      const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
+      if (has_hidden_) add_hit_point(out_.glossy, path, {&f, 1}, point, wo, &bsdf, glossy);
+    }
     const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
     if (!sample) return;
     if (!is_finite(sample->wi)) return reject(path.frames, material());
@@ -243,6 +251,7 @@ class HitPointTracer {
   const RenderSettings& render_;
   const HitPointSettings& settings_;
   FrameSet frames_;
+  bool has_hidden_;  // there may be hidden photons to be found
   HitPointTile& out_;
   const Camera* camera_ = nullptr;
   PathStack<> stack_;
@@ -255,6 +264,7 @@ class HitPointTracer {
 
 void clear(HitPointTile& tile) {
   tile.hit_points.clear();
+  tile.glossy.clear();
   tile.scatterings.clear();
   tile.strands.clear();
   tile.seen.clear();
@@ -270,8 +280,9 @@ void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
-    sum += tile.hit_points.capacity() * sizeof(HitPoint) + tile.scatterings.capacity() * sizeof(Scattering) +
-           tile.seen.capacity() * sizeof(SeenLight) + tile.strands.bytes();
+    sum += (tile.hit_points.capacity() + tile.glossy.capacity()) * sizeof(HitPoint) +
+           tile.scatterings.capacity() * sizeof(Scattering) + tile.seen.capacity() * sizeof(SeenLight) +
+           tile.strands.bytes();
   return sum;
 }
 

@@ -44,11 +44,13 @@ struct HitPointSettings {
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
   bool keep_bsdf = false;      // every hit point has its `scattering`
   bool mixture = false;        // frames that differ in looks or light only share paths; else they part
+  bool find_hidden = false;    // glossy lobes gather hidden photons
 };
 
 /// The hit points of one tile of pixels.
 struct HitPointTile {
   std::vector<HitPoint> hit_points;  // at most one for a pixel and frame
+  std::vector<HitPoint> glossy;      // where paths followed a glossy lobe: they gather hidden photons alone
   std::vector<Scattering> scatterings;
   StrandTable strands;
   std::vector<SeenLight> seen;

@@ -19,8 +19,9 @@ constexpr double kWithCells = 1.5;
 std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
-    sum += tile.hit_points.size() * sizeof(HitPoint) + tile.scatterings.size() * sizeof(Scattering) +
-           tile.seen.size() * sizeof(SeenLight) + tile.strands.end() * sizeof(Strand);
+    sum += (tile.hit_points.size() + tile.glossy.size()) * sizeof(HitPoint) +
+           tile.scatterings.size() * sizeof(Scattering) + tile.seen.size() * sizeof(SeenLight) +
+           tile.strands.end() * sizeof(Strand);
   return sum;
 }
 
@@ -67,11 +68,12 @@ std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, co
 
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
-  PhotonMap map;
-  map.build(traces, scene.frame_count(), 2 * scene.radius);  // a single cell: for few photons there would be too many
-  double photons = static_cast<double>(map.size() * sizeof(Photon));
+  PhotonMap map, hidden;  // of a single cell: for few photons there would be too many
+  map.build(traces, scene.frame_count(), 2 * scene.radius);
+  hidden.build(traces, scene.frame_count(), 2 * scene.radius, &PhotonTrace::hidden);
+  double photons = static_cast<double>((map.size() + hidden.size()) * sizeof(Photon));
   for (const PhotonTrace& trace : traces) photons += static_cast<double>(trace.strands.end() * sizeof(Strand));
-  return kSlack * (kWithCells * static_cast<double>(map.bytes()) + photons) / kPaths;
+  return kSlack * (kWithCells * static_cast<double>(map.bytes() + hidden.bytes()) + photons) / kPaths;
 }
 
 }  // namespace dspm

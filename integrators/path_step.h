@@ -117,6 +117,14 @@ struct LobeChoice {
   bool rough;
 };
 
+// Rougher lobes are not specular: Ggx::kSmoothest is more.
+inline constexpr float kLeastRoughness = 1e-4f;
+
+/// Lobes that are followed though they are not specular.
+inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
+  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~bsdf.lobes(least_alpha));
+}
+
 inline LobeChoice choose_lobes(const Bsdf& bsdf, const Vec3& wo, float least_alpha, const PathRandom& random,
                                int bounce) {
   const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);

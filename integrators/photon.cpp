@@ -11,6 +11,7 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
+  bool hidden = false;  // see PhotonTrace::hidden
 };
 
 unsigned kind_after(const PhotonPath& path, bool rough) {
@@ -54,6 +55,7 @@ class PhotonTracer {
       }
       PhotonPath& path = stack_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
       path.strands = start.strands;
+      path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.index)].is_delta;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.index)) {
         stack_.drop();
         continue;
@@ -87,6 +89,7 @@ class PhotonTracer {
     if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(path, part, point, wo, random);
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) store(path, frames, point, wo);
+      if (is_hidden_on(path, bsdf)) store_hidden(path, frames, point, wo);
       way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
         go_on(path, point, sample, rough, {&all, 1}, random);
@@ -96,22 +99,35 @@ class PhotonTracer {
 
   [[gnu::noinline]] void follow_together(const PhotonPath& path, const FrameHit& part, const SurfacePoint& point,
                                          const Vec3& wo, const PathRandom& random) {
-    FrameSet gathering;
+    FrameSet gathering, hidden;
     FrameArray<Way> ways;
     for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
+      if (is_hidden_on(path, bsdf)) hidden |= frames;
       way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         ways.add({frames, factor, sample, rough});
       });
     });
     if (!gathering.empty()) store(path, gathering, point, wo);
+    if (!hidden.empty()) store_hidden(path, hidden, point, wo);
     for_each_joint(ways, settings_.mixture, [&](const Way& first, std::span<const FrameFactor> factors) {
       go_on(path, point, first.sample, first.rough, factors, random);
     });
   }
 
   void store(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
-    if ((path.kind & settings_.kinds) == 0) return;
+    if ((path.kind & settings_.kinds) != 0) store(out_.photons, path, frames, point, wi);
+  }
+  void store_hidden(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
+    store(out_.hidden, path, frames, point, wi);
+  }
+  /// Light that comes straight from the light is found by shadow rays.
+  bool is_hidden_on(const PhotonPath& path, const Bsdf& bsdf) const {
+    return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, settings_.least_alpha) != 0;
+  }
+
+  void store(std::vector<Photon>& photons, const PhotonPath& path, FrameSet frames, const SurfacePoint& point,
+             const Vec3& wi) {
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
       // Where the normals disagree about the side, no scattering function gives anything.
@@ -120,7 +136,7 @@ class PhotonTracer {
       flux *= shading / geometric;
     }
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    out_.photons.push_back({point.p, wi, flux, frames, strands});
+    photons.push_back({point.p, wi, flux, frames, strands});
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
   }
@@ -146,6 +162,7 @@ class PhotonTracer {
              std::span<const FrameFactor> factors, const PathRandom& random) {
     PhotonPath& branch = stack_.push(path);
     branch.kind = kind_after(path, rough);
+    branch.hidden = path.hidden && sample.specular;
     move_on(branch, point, sample);
     if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
   }
@@ -199,6 +216,7 @@ class PhotonTracer {
 
 void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
   trace.photons.clear();
+  trace.hidden.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
   trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
@@ -229,7 +247,8 @@ void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
 
 std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
   std::size_t sum = 0;
-  for (const PhotonTrace& trace : traces) sum += trace.photons.capacity() * sizeof(Photon) + trace.strands.bytes();
+  for (const PhotonTrace& trace : traces)
+    sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) + trace.strands.bytes();
   return sum;
 }
 

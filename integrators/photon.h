@@ -34,12 +34,16 @@ struct PhotonSettings {
   int max_depth = 8;             // a photon is stored at its first max_depth hits
   float least_alpha = 0.25f;     // lobes smoother than this do not gather: nothing is stored for them alone
   unsigned kinds = kAllPhotons;  // those that are stored
+  bool hidden = false;           // hidden photons are stored, too
   bool mixture = false;          // frames that differ in looks or light only share paths; else they part
 };
 
 /// What a range of photon paths left behind.
 struct PhotonTrace {
   std::vector<Photon> photons;  // by path index, then branch; a frame's photons of one path by bounce
+  // Light that no camera path finds by following a glossy lobe, on such lobes: it left a light that no ray can hit and
+  // met specular lobes only. In the same order.
+  std::vector<Photon> hidden;
   StrandTable strands;
   StrandList own_strands = 1;  // earlier lists are the lights', the same in all traces
   PathCounts paths;

@@ -24,15 +24,16 @@ void for_each_trace(const std::vector<PhotonTrace>& traces, Fn&& fn) {
   parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t t) { fn(static_cast<std::size_t>(t)); });
 }
 
-std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t frames) {
+std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t frames,
+                          std::vector<Photon> PhotonTrace::*which) {
   std::vector<Places> counts(traces.size());
   for_each_trace(traces, [&](std::size_t t) {
     counts[t].resize(frames + 2);
     if (frames == 1) {
-      counts[t][0] = traces[t].photons.size();
+      counts[t][0] = (traces[t].*which).size();
       return;
     }
-    for (const Photon& photon : traces[t].photons) ++counts[t][class_of(photon, frames)];
+    for (const Photon& photon : traces[t].*which) ++counts[t][class_of(photon, frames)];
   });
   return counts;
 }
@@ -46,9 +47,10 @@ bool mostly_common(const std::vector<Places>& counts) {
 
 }  // namespace
 
-void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size) {
+void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size,
+                      std::vector<Photon> PhotonTrace::*which) {
   const auto frames = static_cast<std::size_t>(frame_count);
-  std::vector<Places> places = count(traces, frames);
+  std::vector<Places> places = count(traces, frames, which);
   const bool by_frame = !mostly_common(places);
   if (!by_frame)
     for (Places& trace : places) {
@@ -61,7 +63,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
   refit(photons_, begin.back());
   refit(strands_, begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
-    for (const Photon& photon : traces[t].photons) {
+    for (const Photon& photon : traces[t].*which) {
       const std::size_t own = class_of(photon, frames), c = by_frame || own > frames ? own : 0;
       const std::size_t place = places[t][c]++;
       photons_[place] = &photon;

@@ -16,8 +16,9 @@ namespace dspm {
 class PhotonMap {
  public:
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` suits a typical search radius.
-  /// The traces' strands must stay.
-  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size);
+  /// The traces' strands must stay. `which`: the photons, or those that are hidden.
+  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
+             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
 
   /// A list of a light's strands: many photons have it.
   bool is_of_light(const Strand* strands) const {

@@ -36,7 +36,11 @@ constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125
 constexpr int kGatherBounces = 4;  // smooth lobes that a final gather ray follows
 
 HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
-  return {s.max_depth, s.least_alpha, 0, true, s.final_gather > 0};
+  return {.max_depth = s.max_depth,
+          .least_alpha = s.least_alpha,
+          .sample_direct = true,
+          .keep_bsdf = s.final_gather > 0,
+          .find_hidden = true};
 }
 
 /// A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
@@ -44,7 +48,7 @@ PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings&
   return {render.seed, Stream::photon, s.max_depth, s.least_alpha, s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
 }
 PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
-  return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons};
+  return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
 }
 
 MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
@@ -106,15 +110,19 @@ class PhotonMapper final : public Integrator {
 
   void make_maps(Statistics& statistics) {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
-    make_map(global_, global_settings(settings_, render_), settings_.photons, global_how_.radius, statistics);
-    make_map(caustic_, caustic_settings(settings_, render_), settings_.caustic_photons, caustic_how_.radius,
-             statistics);
-  }
-
-  void make_map(PhotonMap& map, const PhotonSettings& settings, int photons, float radius, Statistics& statistics) {
-    const auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
-    map.build(traces, scene_.frame_count(), radius / 4);
-    if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
+    const auto trace = [&](const PhotonSettings& settings, int photons) {
+      auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
+      if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
+      return traces;
+    };
+    const auto build = [&](PhotonMap& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how,
+                           std::vector<Photon> PhotonTrace::*which) {
+      map.build(traces, scene_.frame_count(), how.radius / 4, which);
+    };
+    build(global_, trace(global_settings(settings_, render_), settings_.photons), global_how_, &PhotonTrace::photons);
+    const auto caustic = trace(caustic_settings(settings_, render_), settings_.caustic_photons);
+    build(caustic_, caustic, caustic_how_, &PhotonTrace::photons);
+    build(hidden_, caustic, caustic_how_, &PhotonTrace::hidden);
   }
 
   void trace_camera_paths(std::uint64_t iteration, Statistics& statistics) {
@@ -128,9 +136,15 @@ class PhotonMapper final : public Integrator {
     std::vector<TileCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
+      const auto add_to = [&sums](const HitPoint& hit) {
+        return [&sums, &hit](FrameSet frames, const Rgb& radiance) { sums.add({hit.pixel, frames, radiance}); };
+      };
       for (const SeenLight& light : tiles_[tile].seen) sums.add(light);
+      for (const HitPoint& hit : tiles_[tile].glossy)
+        estimate_radiance(hit, tiles_[tile].scattering_of(hit), hidden_, caustic_how_, counts[tile].gather,
+                          add_to(hit));
       for (const HitPoint& hit : tiles_[tile].hit_points) {
-        const auto add = [&](FrameSet frames, const Rgb& radiance) { sums.add({hit.pixel, frames, radiance}); };
+        const auto add = add_to(hit);
         const Scattering* scattering = tiles_[tile].scattering_of(hit);
         estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
         if (settings_.final_gather == 0)
@@ -142,8 +156,8 @@ class PhotonMapper final : public Integrator {
     std::vector<GatherCounts> gathers;
     for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
     account(gathers, statistics);
-    statistics.bytes =
-        std::max(statistics.bytes, global_.bytes() + caustic_.bytes() + done_.bytes() + bytes_of(tiles_));
+    statistics.bytes = std::max(
+        statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() + done_.bytes() + bytes_of(tiles_));
   }
 
   /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
@@ -227,6 +241,7 @@ class PhotonMapper final : public Integrator {
   const Scene& scene_;
   RenderSettings render_;
   PhotonMap global_, caustic_;
+  PhotonMap hidden_;  // photons on glossy lobes
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;

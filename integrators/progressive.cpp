@@ -9,6 +9,7 @@
 #include "core/cancellation.h"
 #include "core/parallel.h"
 #include "core/state_in_memory.h"
+#include "integrators/hidden_light.h"
 #include "integrators/memory_needs.h"
 
 namespace dspm {
@@ -103,6 +104,7 @@ class Progressive final : public Integrator {
   bool persist(StateStream& state) override {
     statistics_.persist(state);
     estimator_->persist(state);
+    hidden_radius_.persist(state);
     return true;
   }
 
@@ -118,13 +120,16 @@ class Progressive final : public Integrator {
 
   void gather_all(std::uint64_t iteration, float cell_size) {
     see_lights();
+    see_hidden_light();
     gather_photons();
     for (std::int64_t first = batch_; first < settings_.photons; first += batch_) {
       trace_light_paths(iteration, first);
       build_photon_map(cell_size);
+      see_hidden_light();
       gather_photons();
     }
     estimator_->end_iteration();
+    hidden_radius_.end_iteration(settings_.alpha);
     ++statistics_.iterations;
   }
 
@@ -197,6 +202,22 @@ class Progressive final : public Integrator {
   void build_photon_map(float cell_size) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     map_.build(traces_, scene_.frame_count(), cell_size);
+    hidden_map_.build(traces_, scene_.frame_count(), cell_size, &PhotonTrace::hidden);
+  }
+
+  /// Its radius shrinks as kz11's whatever the estimator, so that it is linear in the photons and can be added as seen.
+  void see_hidden_light() {
+    if (hidden_map_.size() == 0) return;
+    const StepTimer timer(statistics_.steps[kStatistics]);
+    std::vector<GatherCounts> counts(tiles_.size());
+    for_each_tile([&](const HitPointTile& tile, std::size_t t) {
+      for (const HitPoint& hit : tile.glossy)
+        gather_hidden(hit, tile, hidden_map_, hidden_radius_.squared(hit), counts[t],
+                      [&](FrameSet frames, const Rgb& radiance) {
+                        estimator_->see({hit.pixel, frames, radiance / static_cast<float>(settings_.photons)});
+                      });
+    });
+    account(counts, statistics_);
   }
 
   // [WG12 4.3]
@@ -219,7 +240,7 @@ class Progressive final : public Integrator {
   std::size_t bytes() const {
     return estimator_bytes_ + (pixels_before_ ? pixels_before_->capacity() : 0) + photon_bytes() + bytes_of(tiles_);
   }
-  std::size_t photon_bytes() const { return map_.bytes() + bytes_of(traces_); }
+  std::size_t photon_bytes() const { return map_.bytes() + hidden_map_.bytes() + bytes_of(traces_); }
 
   ProgressiveSettings settings_;
   const Scene& scene_;
@@ -232,7 +253,8 @@ class Progressive final : public Integrator {
   std::optional<std::string> pixels_before_;  // the iteration
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
-  PhotonMap map_;
+  PhotonMap map_, hidden_map_;
+  IterationRadius hidden_radius_;
   Statistics statistics_;
 };
 

@@ -46,6 +46,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.photon.mixture = s.hit_point.mixture = mixture;
   s.hit_point.sample_direct = sampled;
+  s.photon.hidden = s.hit_point.find_hidden = true;
   return s;
 }
 

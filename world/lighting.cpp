@@ -37,7 +37,9 @@ class LightMaker {
                         use.world_from_light.at(description_.frames.moment(f))};
     });
     auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
-    if (light) light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
+    if (!light) return light;
+    light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
+    light->is_delta = !light->infinite;
     return light;
   }
 

@@ -14,6 +14,7 @@ struct WorldLight {
   float probability = 0;                // in proportion to the mean power over all frames
   std::vector<std::vector<int>> alike;  // its states in groups whose photons start as those of the first
   bool infinite = false;
+  bool is_delta = false;  // neither infinite nor of a shape
   std::string name;  // for messages
   const PluginUse* use = nullptr;
 };

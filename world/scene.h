@@ -55,6 +55,7 @@ struct SceneLight {
   FrameStates<Light> states;
   float probability = 0;
   std::vector<Alike> alike;  // all states in groups
+  bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
 };
 
 struct ChosenLight {

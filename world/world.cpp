@@ -133,8 +133,8 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   scene->materials = parts_->looks.materials_in(scene->file_frames);
   for (const WorldLight& light : parts_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
-    scene->lights.push_back(
-        {cut(light.states, scene->file_frames), light.probability, alike_in(light, scene->file_frames)});
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
+                             alike_in(light, scene->file_frames), light.is_delta});
   }
   scene->camera = cut(parts_->camera, scene->file_frames);
   Diagnostics ignored;
