@@ -29,34 +29,47 @@ std::vector<Image> images_in(const TinyDirectory& directory) {
   return images;
 }
 
-std::vector<Image> undisturbed(const Arguments& arguments) {
+std::vector<Image> undisturbed(const Arguments& arguments, const std::string& scene = kTinyScene) {
   const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene);
   expect_success(directory, Arguments{"tiny.dsc", "--float"} + arguments);
   return images_in(directory);
 }
 
-class Resumed : public testing::TestWithParam<Arguments> {};
+struct Run {
+  Arguments arguments;
+  std::string scene = kTinyScene;
+};
+
+const std::string kFinalGather =
+    tiny_scene(R"("dsppm" "integer iterations" 2 "integer photons" 200)",
+               R"("photonmap" "integer finalgather" 2 "integer photons" 200 "integer causticphotons" 200)");
+
+class Resumed : public testing::TestWithParam<Run> {};
 
 TEST_P(Resumed, EqualsARunThatWasNotInterrupted) {
-  const Arguments how = Arguments{"tiny.dsc", "--float"} + GetParam();
+  const auto& [arguments, scene] = GetParam();
+  const Arguments how = Arguments{"tiny.dsc", "--float"} + arguments;
   const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", scene);
   expect_success(directory, how + Arguments{"--iterations", "2", "--checkpoint", "a"});
   expect_success(directory, how + Arguments{"--iterations", "3", "--resume", "a", "-t", "1"});
   expect_success(directory, how + Arguments{"--iterations", "7", "--resume", "a", "--checkpoint", "b", "-t", "3"});
-  EXPECT_EQ(images_in(directory), undisturbed(GetParam() + Arguments{"--iterations", "7"}));
+  const std::vector<Image> expected = undisturbed(arguments + Arguments{"--iterations", "7"}, scene);
+  EXPECT_EQ(images_in(directory), expected);
   EXPECT_EQ(read_exr_header(directory / kTinyImages[2]).integers.at("iterations"), 7);
 
   // Once more from the end: nothing is left to do.
   for (const char* image : kTinyImages) std::filesystem::remove(directory / image);
   expect_success(directory, how + Arguments{"--iterations", "7", "--resume", "b"});
-  EXPECT_EQ(images_in(directory), undisturbed(GetParam() + Arguments{"--iterations", "7"}));
+  EXPECT_EQ(images_in(directory), expected);
 }
 
-std::string name_of(const testing::TestParamInfo<Arguments>& info) { return "Case" + std::to_string(info.index); }
+std::string name_of(const testing::TestParamInfo<Run>& info) { return "Case" + std::to_string(info.index); }
 INSTANTIATE_TEST_SUITE_P(Integrators, Resumed,
-                         testing::Values(Arguments{"--integrator", "dsppm"}, Arguments{"--integrator", "sppm"},
-                                         Arguments{"--integrator", "photonmap"}, Arguments{"--integrator", "path"},
-                                         Arguments{"--integrator", "dsppm", "--seed", "9"}),
+                         testing::Values(Run{{"--integrator", "dsppm"}}, Run{{"--integrator", "sppm"}},
+                                         Run{{"--integrator", "photonmap"}}, Run{{}, kFinalGather},
+                                         Run{{"--integrator", "path"}}, Run{{"--integrator", "dsppm", "--seed", "9"}}),
                          name_of);
 
 TEST(Checkpoint, KeepsProgressiveRadii) {

@@ -96,13 +96,14 @@ const Degenerate kRefused[] = {
     {"normals that are no numbers", R"(Shape "trianglemesh" "integer indices" [0 1 2]
                                        "point3 P" [-1 -1 0 1 -1 0 0 1 0] "normal N" [nan 0 0 0 nan 0 0 0 nan])"}};
 
-void put_scene(const TemporaryDirectory& directory, const std::string& text) {
-  put_file(directory / "d.dsc", kBefore + "AttributeBegin\n" + text + "\nAttributeEnd\n");
+void put_scene(const TemporaryDirectory& directory, const std::string& text,
+               const std::string& integrator = R"("dsppm")") {
+  put_file(directory / "d.dsc", "Integrator " + integrator + kBefore + "AttributeBegin\n" + text + "\nAttributeEnd\n");
 }
 
 Outcome render(const TemporaryDirectory& directory, const std::string& integrator) {
-  std::vector<std::string> words = {"d.dsc", "--integrator", integrator, "--iterations", "3", "--stats=s.json"};
-  if (integrator != "path") words.insert(words.end(), {"--photons", "2000"});
+  std::vector<std::string> words = {"d.dsc", "--iterations", "3", "--stats=s.json"};
+  if (integrator != R"("path")") words.insert(words.end(), {"--photons", "2000"});
   return run(directory, words);
 }
 
@@ -118,11 +119,11 @@ class DegenerateScene : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DegenerateScene, WhatIsNotThereChangesNothing) {
   const TemporaryDirectory directory;
-  put_scene(directory, "");
+  put_scene(directory, "", GetParam());
   ASSERT_EQ(render(directory, GetParam()).code, 0);
   const std::vector<Image> without = images(directory);
   for (const Degenerate& scene : kNothing) {
-    put_scene(directory, scene.text);
+    put_scene(directory, scene.text, GetParam());
     const Outcome outcome = render(directory, GetParam());
     ASSERT_EQ(outcome.code, 0) << scene.name << outcome.err;
     EXPECT_TRUE(images(directory) == without) << scene.name;
@@ -132,7 +133,7 @@ TEST_P(DegenerateScene, WhatIsNotThereChangesNothing) {
 TEST_P(DegenerateScene, ImagesAreFinite) {
   const TemporaryDirectory directory;
   for (const Degenerate& scene : kSomething) {
-    put_scene(directory, scene.text);
+    put_scene(directory, scene.text, GetParam());
     const Outcome outcome = render(directory, GetParam());
     ASSERT_EQ(outcome.code, 0) << scene.name << outcome.err;
     for (const Image& image : images(directory)) EXPECT_TRUE(all_finite(image)) << scene.name;
@@ -144,7 +145,9 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene, ::testing::Values("dsppm", "sppm", "photonmap", "path"));
+INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene,
+                         ::testing::Values(R"("dsppm")", R"("sppm")", R"("photonmap")",
+                                           R"("photonmap" "integer finalgather" 2)", R"("path")"));
 
 TEST(SenselessScene, IsRefused) {
   const TemporaryDirectory directory;

@@ -61,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Integrators, LongRun,
                          ::testing::Values(R"("dsppm" "integer photons" 5000)",
                                            R"("dsppm" "string estimator" "hj09" "integer photons" 5000)",
                                            R"("photonmap" "integer photons" 2000 "integer causticphotons" 2000)",
+                                           R"("photonmap" "integer photons" 2000 "integer finalgather" 2)",
                                            R"("path")"));
 
 }  // namespace

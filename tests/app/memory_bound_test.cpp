@@ -97,7 +97,8 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
 INSTANTIATE_TEST_SUITE_P(Integrators, MemoryBound,
                          ::testing::Values(R"("dsppm")", R"("dsppm" "string estimator" "hj09")",
                                            R"("sppm" "string estimator" "hj09")",
-                                           R"("photonmap" "integer causticphotons" 50000)"));
+                                           R"("photonmap" "integer causticphotons" 50000)",
+                                           R"("photonmap" "integer causticphotons" 50000 "integer finalgather" 2)"));
 
 TEST(Memory, SaysWhatItMeans) {
 #ifdef DSPM_MEMORY_OF_ITS_OWN

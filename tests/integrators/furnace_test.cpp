@@ -30,7 +30,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
                     Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
                     Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
-                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2)", 3}));
+                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
+"integer causticphotons" 20000)",
+                         3},
+                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
+"integer causticphotons" 20000)",
+                         2},
+                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 4
+"integer causticphotons" 20000)",
+                         1}));
 
 class OpenFurnace : public testing::TestWithParam<const char*> {};
 

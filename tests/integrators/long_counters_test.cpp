@@ -56,7 +56,9 @@ INSTANTIATE_TEST_SUITE_P(Integrators, LongCounters,
                          ::testing::Values("\"dsppm\" \"integer photons\" 5000",
                                            "\"dsppm\" \"integer photons\" 5000 \"string estimator\" \"hj09\"",
                                            "\"sppm\" \"integer photons\" 5000",
-                                           "\"photonmap\" \"integer photons\" 5000", "\"path\""),
+                                           "\"photonmap\" \"integer photons\" 5000",
+                                           "\"photonmap\" \"integer photons\" 5000 \"integer finalgather\" 2",
+                                           "\"path\""),
                          name_of);
 
 }  // namespace
