@@ -115,8 +115,13 @@ ExrHeader Output::header(Frame frame) const {
   return header;
 }
 
-void Output::write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds) {
-  for (Rgb& pixel : image.pixels) pixel = pixel * job_.exposure;
+Image Output::developed(Image image) const {
+  for (Rgb& pixel : image.pixels) pixel = limited(pixel * job_.exposure, job_.film.max_component);
+  return image;
+}
+
+void Output::write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds) {
+  const Image image = developed(std::move(radiance));
   ExrHeader header = this->header(frame);
   header.integers["iterations"] = iterations;
   header.numbers["photons"] = static_cast<double>(photons);
@@ -135,10 +140,8 @@ void Output::write_contact_sheet() const {
   if (sheet_) write_png(sheet_path_, sheet_->image());
 }
 
-void Output::add_to_video(Image image) {
-  if (!video_) return;
-  for (Rgb& pixel : image.pixels) pixel = limited(pixel * job_.exposure, job_.film.max_component);
-  video_->add(shown(std::move(image), kToneMap));
+void Output::add_to_video(Image radiance) {
+  if (video_) video_->add(shown(developed(std::move(radiance)), kToneMap));
 }
 
 void Output::finish_video() {

@@ -24,13 +24,13 @@ class Output {
   std::filesystem::path name(Frame frame) const;
   /// What writing takes in memory, at most.
   std::size_t bytes_while_writing() const;
-  /// Writes the image of a frame of the file (radiance over the crop), over an earlier one. Throws WriteError, but
-  /// tries its PNG all the same.
-  void write(Frame frame, Image image, int iterations, std::uint64_t photons, double seconds);
+  /// Writes the image of a frame of the file, given its radiance over the crop, over an earlier one. Throws WriteError,
+  /// but tries its PNG all the same.
+  void write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds);
   /// The sheet with all images so far, where one was asked for.
   void write_contact_sheet() const;
   /// To the video, where one was asked for: an image of every frame, one after the other.
-  void add_to_video(Image image);
+  void add_to_video(Image radiance);
   /// The video with what was added. Throws WriteError where it cannot be made.
   void finish_video();
 
@@ -42,6 +42,8 @@ class Output {
   /// What all images take on the disk, uncompressed.
   std::uint64_t bytes_on_disk() const;
   ExrHeader header(Frame frame) const;
+  /// What files hold, in place of radiance: exposed, then limited as the film says.
+  Image developed(Image image) const;
 
   const Job& job_;
   bool png_;

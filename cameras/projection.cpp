@@ -24,10 +24,12 @@ void read_window(ParamReader& reader, Screen& screen) {
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
 }
 
-// dspm renders moments; world says what is to be said where transforms would move while the shutter is open.
+// dspm renders moments: lang refuses transforms that move while the shutter is open, so that it only sets Job::exposure.
 void read_shutter(ParamReader& reader) {
-  reader.number("shutteropen", 0, "s", "when the shutter opens; without effect, nothing moves within a frame");
-  reader.number("shutterclose", 1, "s", "when the shutter closes; without effect");
+  reader.number("shutteropen", 0, "s", "when the shutter opens; images are multiplied by the seconds until it closes");
+  reader.number(
+      "shutterclose", 1, "s",
+      "when it closes; nothing moves in between, and unless it is after shutteropen, images are multiplied by 1");
 }
 
 }  // namespace

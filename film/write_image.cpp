@@ -9,7 +9,6 @@ namespace dspm {
 
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const ToneMap& tone) {
-  for (Rgb& pixel : image.pixels) pixel = limited(pixel, film.max_component);
   if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
   if (path.extension() != ".exr") {
     throw WriteError(path, "images are .exr or .png files");

@@ -29,16 +29,6 @@ TEST(WriteImage, ACropKnowsItsPlace) {
   EXPECT_EQ(read_image(directory / "a.exr").width, 10);
 }
 
-TEST(WriteImage, BrightColoursAreLimited) {
-  const TemporaryDirectory directory;
-  FilmSettings film;
-  film.width = film.height = 1, film.max_component = 2, film.save_half = false;
-  Image image(1, 1);
-  image.at(0, 0) = {8, 4, 1};
-  write_image(directory / "a.exr", image, film, {});
-  EXPECT_EQ(read_image(directory / "a.exr").at(0, 0), Rgb(2, 1, 0.25f));
-}
-
 TEST(WriteImage, PngGoesThroughTheToneMap) {
   const TemporaryDirectory directory;
   FilmSettings film;
