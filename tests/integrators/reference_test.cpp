@@ -92,8 +92,8 @@ Rgb ratio(const std::vector<Block>& blocks) {
   return {image.r / reference.r, image.g / reference.g, image.b / reference.b};
 }
 
-void expect_ratio(const Rgb& ratio, double expected, double tolerance) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], expected, tolerance) << "channel " << c;
+void expect_ratio(const Rgb& ratio, const Rgb& expected, float tolerance) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(ratio[c], expected[c], tolerance) << "channel " << c;
 }
 
 class Reference : public ::testing::Test {
@@ -113,7 +113,7 @@ TEST_F(Reference, CornellBoxByPath) {
   record(blocks);
   EXPECT_EQ(blocks.size(), 256u);
   EXPECT_LT(mean_error(blocks), 0.015);
-  expect_ratio(ratio(blocks), 1, 0.005);
+  expect_ratio(ratio(blocks), Rgb(1), 0.005f);
 }
 
 // The reference shows direct light only, whatever the scene's maxdepth says: its plates are black where they mirror the
@@ -126,7 +126,7 @@ TEST_F(Reference, VeachMisByPath) {
                [](const Block& b) { return b.x < 32 || b.x >= 288 || b.y < 56; });
   record(diffuse);
   EXPECT_LT(mean_error(diffuse), 0.025);
-  expect_ratio(ratio(diffuse), 1, 0.02);
+  expect_ratio(ratio(diffuse), Rgb(1), 0.02f);
 
   // Middle columns of the four plates, where the lamps mirror in them: the wall between plates is grey. At the rims of
   // the lamps' reflections the distributions differ, hence the median.
@@ -143,14 +143,17 @@ TEST_F(Reference, VeachMisByPath) {
   EXPECT_LT(median(blue), 0.03);
 }
 
+// The scene's depth of 9 holds here for camera paths and for photons each, so that light may be scattered more often than
+// in the reference, which lies between our depths 8 (ratios 1.013, 0.997, 0.976) and 9. Four seeds were within 0.001 of
+// the ratios below, with errors from 0.041 to 0.046.
 TEST_F(Reference, WaterCausticBySppm) {
   const auto blocks =
-      render_blocks({"water-caustic", R"("sppm" "integer maxdepth" 7 "integer photons" 200000 "float radius" 0.01)",
+      render_blocks({"water-caustic", R"("sppm" "integer maxdepth" 9 "integer photons" 200000 "float radius" 0.01)",
                      128, 128, 12, 8, 10});
   record(blocks);
   EXPECT_GT(blocks.size(), 200u);
   EXPECT_LT(mean_error(blocks), 0.05);
-  expect_ratio(ratio(blocks), 0.96, 0.03);
+  expect_ratio(ratio(blocks), {1.034f, 1.0115f, 0.984f}, 0.004f);
 }
 
 }  // namespace

@@ -1,34 +1,23 @@
-// What is wrong with meshes, and mending them: each fault alone, all at once, and the horse.
+// What is wrong with meshes, and mending them: each fault alone, and all at once.
 #include "shapes/mesh_check.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <iostream>
 
 #include "shapes/mesh_repair.h"
-#include "shapes/mesh_topology.h"
-#include "shapes/obj.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/random.h"
 
 namespace dspm {
 namespace {
 
+using test::volume;
+
 std::string faults(const MeshData& data) {
   std::string text;
   for (const std::string& s : describe(check_mesh(TriangleMesh(data)))) text += s + "\n";
   return text;
-}
-
-double volume(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (int i = 0; i < mesh.primitive_count(); ++i)
-    sum += double{dot(mesh.vertex(i, 0), cross(mesh.vertex(i, 1), mesh.vertex(i, 2)))} / 6;
-  return sum;
 }
 
 MeshData joined(const MeshData& a, const MeshData& b) {
@@ -208,41 +197,6 @@ TEST(MeshRepair, PlansFitTheirMeshOnly) {
   EXPECT_TRUE(fits(plan, TriangleMesh(test::box(2, {1, 1, 1}))));
   EXPECT_FALSE(fits(plan, TriangleMesh(test::icosphere(0, 1, {}))));
   EXPECT_THROW(apply(plan, TriangleMesh(test::icosphere(0, 1, {}))), std::invalid_argument);
-}
-
-// 24 frames of a galloping horse, 19 open edges in each: one plan closes all of them.
-TEST(MeshRepair, TheHorseIsMendedInAllFrames) {
-  const std::filesystem::path data = std::filesystem::path(DSPM_TEST_DATA) / "data/horse-gallop";
-  if (!std::filesystem::exists(data)) GTEST_SKIP() << "SKIPPED: there is no " << data;
-  const auto frame = [&](int i) {
-    return TriangleMesh(read_obj(data / fmt::format("{:04}.obj", i), "", false).parts.at(0).mesh);
-  };
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::time_point a, Clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-  };
-
-  const TriangleMesh first = frame(1);
-  const auto t0 = Clock::now();
-  const MeshReport report = check_mesh(first);
-  const auto t1 = Clock::now();
-  const RepairPlan plan = plan_repair(first);
-  const auto t2 = Clock::now();
-  for (const std::string& s : describe(report)) std::cout << s << '\n';
-  for (const std::string& s : describe(plan)) std::cout << s << '\n';
-  std::cout << fmt::format("check {:.3f} s, plan {:.3f} s\n", seconds(t0, t1), seconds(t1, t2));
-  EXPECT_EQ(report.open_edges.count, 19);
-  for (int i = 1; i <= 24; ++i) {
-    const TriangleMesh mended = apply(plan, frame(i));
-    const std::vector<Edge> edges = edges_of(replace_vertices(mended.faces(), weld(mended.vertices())));
-    EXPECT_TRUE(
-        std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.forward == 1 && e.backward == 1; }));
-    EXPECT_GT(volume(mended), 0) << i;
-    EXPECT_EQ(mended.faces(), plan.faces);
-    if (i % 8 != 0) continue;
-    const MeshReport after = check_mesh(mended);
-    EXPECT_TRUE(after.closed() && after.outward && after.orientable && after.twisted_edges.count == 0) << i;
-  }
 }
 
 }  // namespace

@@ -59,4 +59,12 @@ inline MeshData icosphere(int levels, float radius, const Vec3& center) {
   return m;
 }
 
+/// Signed: below 0 where the mesh is inside out.
+inline double volume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (int i = 0; i < mesh.primitive_count(); ++i)
+    sum += double{dot(mesh.vertex(i, 0), cross(mesh.vertex(i, 1), mesh.vertex(i, 2)))} / 6;
+  return sum;
+}
+
 }  // namespace dspm::test
