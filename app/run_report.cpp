@@ -106,6 +106,7 @@ void write_energy(JsonWriter& json, const RunReport& report) {
     json.member("absorbed", energy->absorbed);
     json.member("escaped", energy->escaped);
     json.member("terminated", energy->terminated);
+    json.member("roulette", energy->roulette);
     json.end_object();
   }
   json.end_array();

@@ -175,11 +175,12 @@ class PhotonTracer {
       if (!valid) reject(frames, material_part(scene_, *met_));
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb left = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
-      const double arrived = sum(before), scattered = valid ? sum(after) : arrived;
-      const double absorbed = arrived - scattered, terminated = scattered - sum(left);
-      balance(weights, frames, [&](EnergyBalance& e, const Rgb& grey) {
-        e.absorbed += absorbed * static_cast<double>(grey.r), e.terminated += terminated * static_cast<double>(grey.r);
-      });
+      EnergyBalance change;
+      if (valid)
+        change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(left);
+      else
+        change.terminated = sum(before);
+      balance(weights, frames, [&](EnergyBalance& e, const Rgb& grey) { e += change * static_cast<double>(grey.r); });
       return left;
     };
     return multiply(path, factors, out_.strands, ByRatio::yes, roulette);
@@ -225,7 +226,7 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
 void finish_balance(PhotonTrace& trace, int frames) {
   for (StrandList list = 0; list < trace.own_strands; ++list) {
     const EnergyBalance shared = trace.energy[static_cast<std::size_t>(frames) + list];
-    if (shared.emitted == 0 && shared.escaped == 0 && shared.absorbed == 0 && shared.terminated == 0) continue;
+    if (shared == EnergyBalance{}) continue;
     for_each_strand(trace.strands.of(list), FrameSet::first(frames), [&](FrameSet alike, const Rgb& grey) {
       alike.for_each(
           [&](Frame f) { trace.energy[static_cast<std::size_t>(f)] += shared * static_cast<double>(grey.r); });

@@ -42,15 +42,21 @@ struct PathCounts {
   }
 };
 
-/// Flux in W summed over the three channels, by frame: emitted = absorbed + escaped + terminated.
+/// Flux in W summed over the three channels, by frame: emitted = absorbed + escaped + terminated + roulette.
 struct EnergyBalance {
-  double emitted = 0, absorbed = 0, escaped = 0, terminated = 0;
+  double emitted = 0, absorbed = 0, escaped = 0;
+  double terminated = 0;  // cut off by the depth, or because no photon of its kind is stored
+  double roulette = 0;    // of the paths that Russian roulette ends, less what it adds to the others: 0 in the mean
 
   EnergyBalance& operator+=(const EnergyBalance& o) {
-    emitted += o.emitted, absorbed += o.absorbed, escaped += o.escaped, terminated += o.terminated;
+    emitted += o.emitted, absorbed += o.absorbed, escaped += o.escaped;
+    terminated += o.terminated, roulette += o.roulette;
     return *this;
   }
-  EnergyBalance operator*(double s) const { return {emitted * s, absorbed * s, escaped * s, terminated * s}; }
+  EnergyBalance operator*(double s) const {
+    return {emitted * s, absorbed * s, escaped * s, terminated * s, roulette * s};
+  }
+  friend bool operator==(const EnergyBalance&, const EnergyBalance&) = default;
 };
 
 struct StepTime {

@@ -74,7 +74,7 @@ Seen render(const std::string& text, int iterations = 2) {
     const Statistics statistics = integrator->statistics();
     seen.rejected += statistics.rejections.count();
     for (const EnergyBalance& e : statistics.energy)
-      EXPECT_NEAR(e.absorbed + e.escaped + e.terminated, e.emitted, 1e-3 * e.emitted);
+      EXPECT_NEAR(e.absorbed + e.escaped + e.terminated + e.roulette, e.emitted, 1e-3 * e.emitted);
     for (std::size_t frame = 0; frame < interval.size(); ++frame)
       for (const Rgb& pixel : integrator->estimate(static_cast<Frame>(frame)).pixels) {
         EXPECT_TRUE(is_finite(pixel) && pixel.r >= 0 && pixel.g >= 0 && pixel.b >= 0)
