@@ -28,7 +28,7 @@ struct IntervalState {
 class CheckpointFile {
  public:
   /// What such a file begins with; then its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 1\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 2\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or
   /// none.

@@ -19,7 +19,7 @@ std::vector<std::pair<const char*, SharedCount>> shared_counts(const Statistics&
   return {{"camera path segments", s.camera.segments},
           {"photon path segments", s.photon.segments},
           {"photons stored", s.photons_stored},
-          {"photon tests", s.photon_tests},
+          {"gathers", s.gathers},
           {"photons found", s.photons_found}};
 }
 
@@ -92,6 +92,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
     json.end_object();
   }
   json.end_object();
+  json.member("photon_tests", s.photon_tests);
   json.member("invalid", s.rejections.count());
 }
 
@@ -122,6 +123,7 @@ void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_int
   sum.camera += interval.camera;
   sum.photon += interval.photon;
   sum.photons_stored += interval.photons_stored;
+  sum.gathers += interval.gathers;
   sum.photon_tests += interval.photon_tests;
   sum.photons_found += interval.photons_found;
   sum.rejections += interval.rejections;
@@ -176,6 +178,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   for (const auto& [name, count] : shared_counts(s))
     text += fmt::format("  {:<24}{:>16}{:>18}{:>10.2f}\n", name, grouped(count.done), grouped(count.separate),
                         count.factor());
+  text += fmt::format("  {:<24}{:>16}\n", "photon tests", grouped(s.photon_tests));
   text += fmt::format("\n  {:<24}{:>16}{:>18}\n", "paths", "camera", "photon");
   const auto line = [&](const char* name, std::uint64_t camera, std::uint64_t photon) {
     text += fmt::format("  {:<24}{:>16}{:>18}\n", name, grouped(camera), grouped(photon));

@@ -2,7 +2,6 @@
 // grid's), frames, side of the surface, then the scattering function.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +13,8 @@ namespace dspm {
 
 /// Work of a gather.
 struct GatherCounts {
-  SharedCount tests, found;
+  SharedCount gathers, found;
+  std::uint64_t tests = 0;
   Rejections rejections;
 };
 
@@ -24,18 +24,18 @@ struct GatherCounts {
 template <class Fn>
 void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
             GatherCounts& counts, Fn&& fn) {
+  counts.gathers.add(hit.frames.count());
   SharedCount within;
-  std::uint64_t tested = 0;
   if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
     const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
-    tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
+    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
       if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
         fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
     });
   } else {
-    tested = map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
+    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
       if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
@@ -46,14 +46,14 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
     });
   }
   counts.found += within;
-  // How many frames the photons too far away belong to is not looked up: they are taken to be like those within.
-  counts.tests += {tested, static_cast<std::uint64_t>(std::llround(static_cast<double>(tested) * within.factor()))};
 }
 
 /// Takes the counts of all tiles into `statistics`.
 inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
-  for (const GatherCounts& c : tiles)
-    statistics.photon_tests += c.tests, statistics.photons_found += c.found, statistics.rejections += c.rejections;
+  for (const GatherCounts& c : tiles) {
+    statistics.gathers += c.gathers, statistics.photon_tests += c.tests, statistics.photons_found += c.found;
+    statistics.rejections += c.rejections;
+  }
 }
 
 }  // namespace dspm

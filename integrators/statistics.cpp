@@ -7,7 +7,8 @@ void Statistics::persist(StateStream& state) {
   for (StepTime& step : steps) state.part(step.seconds);
   state.part(camera);
   state.part(photon);
-  for (SharedCount* count : {&photons_stored, &photon_tests, &photons_found}) state.part(*count);
+  for (SharedCount* count : {&photons_stored, &gathers, &photons_found}) state.part(*count);
+  state.part(photon_tests);
   rejections.persist(state);
   state.part(energy);
   state.part(bytes);

@@ -69,8 +69,10 @@ struct Statistics {
   std::vector<StepTime> steps;
   PathCounts camera, photon;
   SharedCount photons_stored;
-  SharedCount photon_tests;           // distance tests of the gather
-  SharedCount photons_found;          // that passed
+  SharedCount gathers;  // places where photons were gathered
+  // Distance tests of the gathers. What separate renders would test cannot be told: the cells of their grids differ.
+  std::uint64_t photon_tests = 0;
+  SharedCount photons_found;          // that passed; separate renders with radii of their own find no more
   Rejections rejections;              // contributions that were not finite
   std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
   std::size_t bytes = 0;              // of the integrator's own buffers, at their largest

@@ -1,5 +1,6 @@
 #include "bench/measure/share.h"
 
+#include "bench/measure/work.h"
 #include "bench/report/table.h"
 
 namespace dspm {
@@ -11,15 +12,15 @@ Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames,
   groups[2] = start_each(loaded, loaded.job, "sppm", spread_frames(frames, alone));
   const std::vector<Rounds> rounds = in_turns(groups, iterations);
   const Statistics s = groups[0][0].integrator->statistics();
-  const auto over_one = [&](const SharedCount& count) { return static_cast<double>(frames.size()) / count.factor(); };
+  StepSeconds counted = sharing_factors(mean_work(groups[2]), 1, work_of(*groups[0][0].integrator));
+  for (double& factor : counted) factor = factor > 0 ? 1 / factor : 0;
   return {.frames = static_cast<int>(frames.size()),
           .together = medians(rounds[0]),
           .dsppm = medians(rounds[1]),
           .sppm = medians(rounds[2]),
           .over_dsppm = ratios(rounds[0], rounds[1]),
           .over_sppm = ratios(rounds[0], rounds[2]),
-          .counted = {over_one(s.camera.segments), over_one(s.photon.segments), over_one(s.photons_stored),
-                      over_one(s.photon_tests), 0},
+          .counted = counted,
           .dynamic_photons = s.photon.dynamic_share(),
           .dynamic_hit_points = s.camera.dynamic_share()};
 }

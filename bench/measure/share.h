@@ -12,7 +12,8 @@ struct Share {
   int frames = 0;
   StepSeconds together{}, dsppm{}, sppm{};  // medians of seconds; of one frame by either integrator
   StepSeconds over_dsppm{}, over_sppm{};    // medians of ratios
-  /// Path segments, photons stored, photon tests over those of the mean frame alone; 0 for the total.
+  /// The work of all over that of the mean frame alone by sppm, counted in both: of several kinds the one that grows
+  /// least; 0 for the total.
   StepSeconds counted{};
   double dynamic_photons = 0, dynamic_hit_points = 0;  // shares of the paths
 };

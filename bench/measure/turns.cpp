@@ -1,5 +1,6 @@
 #include "bench/measure/turns.h"
 
+#include "bench/measure/work.h"
 #include "bench/report/table.h"
 
 namespace dspm {
@@ -19,14 +20,16 @@ double factor_of_all(const StepSeconds& separate, const StepSeconds& factors) {
   return separate.back() / together;
 }
 
-Comparison compare(const Rounds& together, const Rounds& separate, const Statistics& s, std::size_t frames) {
+Comparison compare(const std::vector<Rounds>& seconds, const Integrator& together, const Group& separate,
+                   std::size_t frames) {
+  const Rounds of_all = for_all(seconds[1], frames);
   Comparison c;
   c.frames = static_cast<int>(frames);
-  c.together = medians(together), c.separate = medians(separate);
-  c.speedups = ratios(separate, together);
-  c.factors = {s.camera.segments.factor(), s.photon.segments.factor(), s.photons_stored.factor(),
-               s.photon_tests.factor(), 0};
+  c.together = medians(seconds[0]), c.separate = medians(of_all);
+  c.speedups = ratios(of_all, seconds[0]);
+  c.factors = sharing_factors(mean_work(separate), static_cast<double>(frames), work_of(together));
   c.factors.back() = factor_of_all(c.separate, c.factors);
+  const Statistics s = together.statistics();
   c.dynamic_photons = s.photon.dynamic_share(), c.dynamic_hit_points = s.camera.dynamic_share();
   return c;
 }
@@ -38,8 +41,7 @@ Comparison take_turns(const LoadedScene& loaded, const Job& job, const TurnSetti
   groups[0].push_back(start(loaded, job, "dsppm", job.frames));
   groups[1] = start_each(loaded, job, "sppm", spread_frames(job.frames, settings.separate));
   const std::vector<Rounds> seconds = in_turns(groups, settings.iterations);
-  const Integrator& together = *groups[0][0].integrator;
-  return compare(seconds[0], for_all(seconds[1], job.frames.size()), together.statistics(), job.frames.size());
+  return compare(seconds, *groups[0][0].integrator, groups[1], job.frames.size());
 }
 
 std::string table_of(const Comparison& c, const wg12::Speedups* paper) {

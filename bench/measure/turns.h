@@ -11,9 +11,8 @@ struct Comparison {
   int frames = 0;
   StepSeconds together{}, separate{};  // medians over iterations; separate: of all frames
   StepSeconds speedups{};              // medians of the iterations' ratios
-  /// What separate runs do over what is done together: path segments, photons stored, photon tests. The limit of the
-  /// speedup as long as shared work costs as much as other work. For the total: the speedup if every step reached its
-  /// own.
+  /// What the separate runs did over what was done together, counted in both; see sharing_factors. For the total: the
+  /// speedup if every step reached its own.
   StepSeconds factors{};
   double dynamic_photons = 0, dynamic_hit_points = 0;  // shares of the paths
 };

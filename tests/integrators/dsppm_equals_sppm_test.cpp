@@ -33,7 +33,24 @@ bool same(const Rgb& a, const Rgb& b) {
 
 struct Comparison {
   int pixels = 0, with_statistics = 0, differing = 0, lit = 0;
+  Statistics together, alone;  // alone: sums over the frames
 };
+
+/// What a joint run says that separate ones would do, against what they did.
+void expect_counted(const Comparison& c, bool equal_radii) {
+  const auto expect_equal = [](const SharedCount& told, const SharedCount& counted) {
+    EXPECT_EQ(counted.done, counted.separate);
+    EXPECT_EQ(told.separate, counted.done);
+  };
+  expect_equal(c.together.camera.segments, c.alone.camera.segments);
+  expect_equal(c.together.photon.segments, c.alone.photon.segments);
+  expect_equal(c.together.photons_stored, c.alone.photons_stored);
+  expect_equal(c.together.gathers, c.alone.gathers);
+  if (equal_radii)
+    expect_equal(c.together.photons_found, c.alone.photons_found);
+  else
+    EXPECT_GE(c.together.photons_found.separate, c.alone.photons_found.done);
+}
 
 /// Every frame of a joint run against the frame's own run, after every iteration.
 Comparison compare(TestScene& test) {
@@ -62,6 +79,12 @@ Comparison compare(TestScene& test) {
       }
     }
   }
+  result.together = dsppm->statistics();
+  for (const auto& each : sppm) {
+    const Statistics s = each->statistics();
+    result.alone.camera += s.camera, result.alone.photon += s.photon, result.alone.photons_stored += s.photons_stored;
+    result.alone.gathers += s.gathers, result.alone.photons_found += s.photons_found;
+  }
   return result;
 }
 
@@ -86,6 +109,7 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
     EXPECT_EQ(one.differing, 0);
     EXPECT_EQ(one.with_statistics, i % 4 == 3 ? 0 : one.pixels);
     EXPECT_GT(one.lit, one.pixels / 4);
+    expect_counted(one, i % 4 == 3);
     sum.pixels += one.pixels, sum.differing += one.differing;
   }
   RecordProperty("pixels", sum.pixels);
