@@ -15,7 +15,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photons =
       params.integer("photons", s.photons, "", "photon paths an iteration; photonsperiteration is another name");
   s.hit_point.radius =
-      params.number("radius", 0, "world units", "initial search radius; 0: four pixel spacings at the hit point");
+      params.number("radius", 0, "world units",
+                    "initial search radius; 0: four pixel spacings at the hit point, at most 5% of the scene's radius");
   s.alpha =
       params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
   const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
