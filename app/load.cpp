@@ -24,9 +24,11 @@ ParseOptions parse_options_of(const Options& options) {
 
 }  // namespace
 
-LoadedScene::LoadedScene(const Options& options, Messages& messages) {
+LoadedScene::LoadedScene(const Options& options, Messages& messages, std::optional<Frame> only) {
   Diagnostics diagnostics(options.lenient);
-  description = std::make_unique<SceneDescription>(parse_files(options.scenes, parse_options_of(options), diagnostics));
+  SceneDescription read = parse_files(options.scenes, parse_options_of(options), diagnostics);
+  if (only) read.frames = read.frames.only(*only);
+  description = std::make_unique<SceneDescription>(std::move(read));
   make(options, diagnostics);
   messages.show(diagnostics);
   diagnostics.throw_if_errors();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/job.h"
 #include "app/messages.h"
@@ -11,7 +12,8 @@ namespace dspm {
 
 /// Throws SceneError with everything that is wrong with the scene; warnings and notes have been shown by then.
 struct LoadedScene {
-  LoadedScene(const Options& options, Messages& messages);
+  /// `only`: as if the file held that frame alone.
+  LoadedScene(const Options& options, Messages& messages, std::optional<Frame> only = std::nullopt);
   /// The same of a text in memory; files that it names are looked for beside `name`.
   LoadedScene(const std::string& name, std::string text, const Options& options, Diagnostics& diagnostics);
 

@@ -16,7 +16,7 @@ struct Combination {
   std::vector<int> choices;  // by axis: which of its variations
 };
 
-/// Frame f is moment f % moments() of combination f / moments().
+/// Frame f is moment f % moments(), counted from the first, of combination f / moments().
 class FileFrames {
  public:
   FileFrames() : FileFrames(1, {{}}) {}
@@ -27,7 +27,7 @@ class FileFrames {
   int moments() const { return moments_; }
   const std::vector<Combination>& combinations() const { return combinations_; }
 
-  Frame moment(Frame f) const { return f % moments_; }
+  Frame moment(Frame f) const { return first_moment_ + f % moments_; }
   std::size_t combination_of(Frame f) const { return static_cast<std::size_t>(f / moments_); }
   const std::string& variation(Frame f) const { return combinations_[combination_of(f)].name; }
   /// "12", "oak-red" or "oak-red 12".
@@ -35,10 +35,17 @@ class FileFrames {
     const std::string number = std::to_string(moment(f) + 1);
     return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
   }
+  /// As if the file held that frame alone; its moment keeps its number.
+  FileFrames only(Frame f) const {
+    FileFrames one(1, {combinations_[combination_of(f)]});
+    one.first_moment_ = moment(f);
+    return one;
+  }
   /// Which of the axis's variations.
   int choice(Frame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 
  private:
+  Frame first_moment_ = 0;
   int moments_;
   std::vector<Combination> combinations_;
 };

@@ -23,9 +23,9 @@ struct LightState {
 
 class LightMaker {
  public:
-  LightMaker(const SceneDescription& description, const Geometry& geometry, const Vec3& center, float radius,
+  LightMaker(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
              Diagnostics& diagnostics)
-      : description_(description), geometry_(geometry), center_(center), radius_(radius), diagnostics_(diagnostics) {}
+      : description_(description), geometry_(geometry), sphere_(sphere), diagnostics_(diagnostics) {}
 
   std::optional<WorldLight> make(const LightUse& use) {
     const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
@@ -72,7 +72,7 @@ class LightMaker {
     for (const LightState& state : states.states) {
       LightContext context;
       context.to_world = Transform(state.placement);
-      context.scene_center = center_, context.scene_radius = radius_;
+      context.scene_center = sphere_.center, context.scene_radius = sphere_.radius;
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
       ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
       light.states.states.emplace_back(plugin.make(reader, context));
@@ -83,8 +83,7 @@ class LightMaker {
 
   const SceneDescription& description_;
   const Geometry& geometry_;
-  Vec3 center_;
-  float radius_;
+  BoundingSphere sphere_;
   Diagnostics& diagnostics_;
 };
 
@@ -116,9 +115,9 @@ float mean_power(const WorldLight& light) {
 
 }  // namespace
 
-std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Vec3& center,
-                                    float radius, Diagnostics& diagnostics) {
-  LightMaker maker(description, geometry, center, radius, diagnostics);
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+                                    const BoundingSphere& sphere, Diagnostics& diagnostics) {
+  LightMaker maker(description, geometry, sphere, diagnostics);
   std::vector<WorldLight> lights;
   // One that could not be made leaves an empty place, so that emitters keep their numbers; its error stops the scene.
   for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lights/light.h"
+#include "world/bounding_sphere.h"
 #include "world/geometry.h"
 
 namespace dspm {
@@ -20,8 +21,8 @@ struct WorldLight {
 };
 
 /// The directives' lights, then the geometry's emitters in their order.
-std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Vec3& center,
-                                    float radius, Diagnostics& diagnostics);
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+                                    const BoundingSphere& sphere, Diagnostics& diagnostics);
 
 /// See SceneLight::alike; of a light that exists in these frames of the file.
 std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames);

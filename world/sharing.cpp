@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace dspm {
@@ -102,6 +103,31 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
                       ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
                                     counted(camera_states, "state"))
                       : "camera: the same in all frames: hit points are shared where nothing dynamic is seen.");
+  return lines;
+}
+
+std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
+                                       std::span<const Frame> frames) {
+  constexpr double kWorthTelling = 0.9;
+  const auto of = [&](Frame f, double PhotonWorth::*share) { return worth[static_cast<std::size_t>(f)].*share; };
+  const auto worst = [&](double PhotonWorth::*share) -> std::optional<Frame> {
+    const auto least =
+        std::min_element(frames.begin(), frames.end(), [&](Frame a, Frame b) { return of(a, share) < of(b, share); });
+    return least != frames.end() && of(*least, share) < kWorthTelling ? std::optional(*least) : std::nullopt;
+  };
+  const std::string all = counted(static_cast<std::size_t>(file.count()), "frame");
+  std::vector<std::string> lines;
+  if (const auto frame = worst(&PhotonWorth::by_choice))
+    lines.push_back(fmt::format(
+        "lights: photon paths choose them by their mean power over the {} of the file. Frame {} fares worst: "
+        "the flux of its lights is as noisy as with {:.2g}% of the photons in a file of its own.",
+        all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_choice)));
+  if (const auto frame = worst(&PhotonWorth::by_reach))
+    lines.push_back(
+        fmt::format("distant and infinite lights: their photons start on a disk that covers what is in any "
+                    "of the {} of the file. Frame {} fares worst: {:.2g}% of them would start in a file of "
+                    "its own.",
+                    all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_reach)));
   return lines;
 }
 

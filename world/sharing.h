@@ -9,6 +9,7 @@
 #include "lang/description.h"
 #include "world/geometry.h"
 #include "world/lighting.h"
+#include "world/photon_worth.h"
 
 namespace dspm {
 
@@ -17,5 +18,9 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
                                          const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const Frame> frames);
+
+/// Where photons are worth less to some of these frames than in files of their own: how much, and why.
+std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
+                                       std::span<const Frame> frames);
 
 }  // namespace dspm

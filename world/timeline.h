@@ -38,7 +38,7 @@ struct Timeline {
     for (std::size_t f = 0; f < present.size(); ++f) {
       if (!present[f]) continue;
       const Frame moment = frames.moment(static_cast<Frame>(f));
-      int& state = of_moment[static_cast<std::size_t>(moment)];
+      int& state = of_moment[static_cast<std::size_t>(moment - frames.moment(0))];
       if (state == kUnknown) state = line.place(at(moment), same);
       line.state_of[f] = state;
     }

@@ -8,8 +8,6 @@
 namespace dspm {
 namespace {
 
-constexpr float kEmptySceneRadius = 1;
-
 const CameraUse& camera_use(const SceneDescription& description) {
   static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
   return description.camera ? *description.camera : fallback;
@@ -81,12 +79,8 @@ struct World::Parts {
     if (whole && text.shapes.empty()) diagnostics.warning({}, "the scene has no shape");
     if (whole && text.lights.empty() && text.area_lights.empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
-    const Bounds3& bounds = geometry.bounds();
-    if (!bounds.empty()) {
-      center = bounds.center();
-      radius = std::max(0.5f * length(bounds.extent()), 1e-6f * (1 + length(center)));
-    }
-    lights = make_lights(text, geometry, center, radius, diagnostics);
+    sphere = sphere_around(geometry.bounds());
+    lights = make_lights(text, geometry, sphere, diagnostics);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
@@ -112,8 +106,7 @@ struct World::Parts {
   const SceneDescription& description;
   Looks looks;
   Geometry geometry;
-  Vec3 center;
-  float radius = kEmptySceneRadius;
+  BoundingSphere sphere;
   std::vector<WorldLight> lights;
   Timeline<std::shared_ptr<const Camera>> camera;
   const AccelPlugin* accel = nullptr;
@@ -128,7 +121,7 @@ int World::frame_count() const { return parts_->description.frames.count(); }
 std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   auto scene = std::make_unique<Scene>();
   scene->file_frames.assign(frames.begin(), frames.end());
-  scene->center = parts_->center, scene->radius = parts_->radius;
+  scene->center = parts_->sphere.center, scene->radius = parts_->sphere.radius;
   scene->shapes = parts_->shapes_in(scene->file_frames);
   scene->materials = parts_->looks.materials_in(scene->file_frames);
   for (const WorldLight& light : parts_->lights) {
@@ -163,7 +156,11 @@ std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
 }
 
 std::vector<std::string> World::explain(std::span<const Frame> frames) const {
-  return explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
+  std::vector<std::string> lines =
+      explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
+  const auto worth = photon_worth(parts_->geometry, parts_->lights, parts_->sphere, frame_count());
+  for (std::string& line : explain_worth(parts_->description.frames, worth, frames)) lines.push_back(std::move(line));
+  return lines;
 }
 
 }  // namespace dspm

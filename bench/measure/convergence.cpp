@@ -83,6 +83,22 @@ Images render_for(const LoadedScene& loaded, const Method& method, double limit)
   return renderer.images();
 }
 
+Images rendered(const Scene& scene, const char* integrator, Job job, int seed, int iterations) {
+  job.settings.seed += static_cast<std::uint64_t>(seed);
+  const std::unique_ptr<Integrator> made = start(std::move(job), integrator, scene);
+  for (int i = 0; i < iterations; ++i) made->iterate(i);
+  Images images;
+  for (Frame f = 0; f < scene.frame_count(); ++f) images.push_back(made->estimate(f));
+  return images;
+}
+
+Images long_run(const Scene& scene, const Job& job, int iterations) {
+  constexpr int kSeed = 1000;
+  const Job faster = with_number(job, "alpha", 0.5f);
+  return mean_of(rendered(scene, "dsppm", faster, kSeed, iterations),
+                 rendered(scene, "dsppm", faster, kSeed + 1, iterations));
+}
+
 Images mean_of(const Images& a, const Images& b) {
   Images mean = a;
   for (std::size_t f = 0; f < a.size(); ++f)

@@ -35,6 +35,13 @@ std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method
 /// The images of `method` after so many seconds.
 Images render_for(const LoadedScene& loaded, const Method& method, double limit);
 
+/// An image of each of the scene's frames after so many iterations; `seed` is added to the job's.
+Images rendered(const Scene& scene, const char* integrator, Job job, int seed, int iterations);
+
+/// What frames converge to: the mean of two runs whose seeds no comparison takes, and whose radii shrink faster (alpha
+/// 0.5), so that there is less bias.
+Images long_run(const Scene& scene, const Job& job, int iterations);
+
 /// The pixels' mean of both.
 Images mean_of(const Images& a, const Images& b);
 

@@ -38,13 +38,13 @@ std::filesystem::path foreign(const std::string& name) {
   return path;
 }
 
-LoadedScene load(const std::filesystem::path& scene, const Options& given) {
+LoadedScene load(const std::filesystem::path& scene, const Options& given, std::optional<Frame> only) {
   if (!std::filesystem::exists(scene)) throw Skipped(fmt::format("there is no {}", scene.filename().string()));
   Options options = given;
   options.scenes = {scene};
   Messages messages(true);
   try {
-    return LoadedScene(options, messages);
+    return LoadedScene(options, messages, only);
   } catch (const SceneError& error) {
     if (!lacks_files_only(error)) throw;
     throw Skipped(first_line(error.what()));

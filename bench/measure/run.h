@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ std::filesystem::path our_scene(const std::string& name);
 std::filesystem::path foreign(const std::string& name);
 
 /// Throws Skipped where the scene is not there or has errors, such as meshes that have not been made.
-LoadedScene load(const std::filesystem::path& scene, const Options& options);
+LoadedScene load(const std::filesystem::path& scene, const Options& options,
+                 std::optional<Frame> only = std::nullopt);  // as if the file held that frame alone
 /// The scene's text has these values of its names, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});
 /// The paper's first scene with its true models.

@@ -20,6 +20,7 @@ std::span<const Section> sections() {
       {"scenes", "WG12 table 3: disco, water and material", measure_scenes},
       {"figure9", "WG12 figure 9: the speedup over the shares of dynamic photons and hit points", measure_figure9},
       {"looks", "variations of a product against one of them, and their noise", measure_looks},
+      {"own", "the error of frames among others and in files of their own", measure_own},
       {"fabrics", "time and memory of up to 500 fabrics", measure_fabrics},
       {"lamp", "a lamp that dims, a camera that moves", measure_lamp},
       {"memory", "WG12 table 2: peak memory over the number of frames", measure_memory},

@@ -12,6 +12,7 @@ Findings measure_turns(const Setup& setup);
 Findings measure_scenes(const Setup& setup);
 Findings measure_figure9(const Setup& setup);
 Findings measure_looks(const Setup& setup);
+Findings measure_own(const Setup& setup);
 Findings measure_fabrics(const Setup& setup);
 Findings measure_lamp(const Setup& setup);
 Findings measure_memory(const Setup& setup);

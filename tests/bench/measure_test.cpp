@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "bench/measure/convergence.h"
+#include "bench/measure/work.h"
 #include "tests/bench/grey_image.h"
 
 namespace dspm {
@@ -19,6 +20,36 @@ TEST(SpreadFrames, LeavesSomeOutEvenly) {
   const std::vector<Frame> most = spread_frames(frames, 24);
   ASSERT_EQ(most.size(), 24u);
   for (std::size_t i = 1; i < most.size(); ++i) EXPECT_LE(most[i] - most[i - 1], 2);
+}
+
+// Of three kinds of work a, b, c that take 1, 2 and 3 seconds a piece, 4 separate runs do 10, 20, 30 each and all
+// together 20, 40, 20: 4 (10 + 40 + 90) / (20 + 80 + 60) = 3.5, below 6, the factor of the third kind.
+TEST(SharingFactors, AreThoseOfTheKindThatIsSharedMost) {
+  const Work separate = {{{10}, {8}, {0}, {10, 20, 30}}}, together = {{{20}, {32}, {0}, {20, 40, 20}}};
+  EXPECT_EQ(sharing_factors(separate, 4, together), (StepSeconds{2, 1, 0, 6, 0}));
+}
+
+TEST(OwnFile, ChoosesTheLampThatIsOn) {
+  const std::filesystem::path file = std::filesystem::path(DSPM_SOURCE_DIR) / "bench/eight_lamps.dsc";
+  const auto chances = [](const LoadedScene& loaded) {
+    std::vector<float> all;
+    for (const SceneLight& light : loaded.world->scene(loaded.job.frames)->lights) all.push_back(light.probability);
+    return all;
+  };
+  EXPECT_EQ(chances(load(file)), std::vector<float>(8, 0.125f));
+  const LoadedScene own = load(file, Options{}, 2);
+  EXPECT_EQ(own.job.frames, (std::vector<Frame>{0}));
+  EXPECT_EQ(own.job.variation(0), "c");
+  EXPECT_EQ(chances(own), std::vector<float>{1}) << "it has no other lamp";
+}
+
+// The ball's frames: a floor of 4 x 4 and a wall of 2, and the ball of radius 0.6 at 0.6 to 20.
+TEST(OwnFile, HasTheSphereOfItsFrame) {
+  const std::filesystem::path file = std::filesystem::path(DSPM_SOURCE_DIR) / "bench/rising_ball.dsc";
+  const auto radius = [](const LoadedScene& loaded) { return loaded.world->scene(loaded.job.frames)->radius; };
+  EXPECT_NEAR(radius(load(file)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
+  EXPECT_NEAR(radius(load(file, Options{}, 0)), 3, 1e-3f);
+  EXPECT_NEAR(radius(load(file, Options{}, 23)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
 }
 
 TEST(Median, IsTheMiddleOrTheMeanOfTwo) {

@@ -85,6 +85,16 @@ TEST(Variations, MultiplyWithFrames) {
   EXPECT_EQ(scene.frames.variation(13), "blue");
 }
 
+TEST(Variations, OfAFileOfOneFrameKeepItsNumberAndName) {
+  const SceneDescription scene = good(std::string("Frames 10\n") + kChair + axis("seat", {"red", "blue"}));
+  const FileFrames one = scene.frames.only(13);
+  EXPECT_EQ(one.count(), 1);
+  EXPECT_EQ(one.moment(0), 3);
+  EXPECT_EQ(one.variation(0), "blue");
+  EXPECT_EQ(one.choice(0, 0), 1);
+  EXPECT_EQ(one.only(0).moment(0), 3);
+}
+
 TEST(Variations, OutsideOfAxesFormOneWithoutName) {
   const std::string bare = R"(VariationBegin "plain" Hide "cushion" VariationEnd
 )";

@@ -34,6 +34,7 @@ TEST(Sharing, SaysWhatIsSharedAndWhy) {
   EXPECT_NE(all.find("dynamic \"growing\": 6 states of its geometry"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"late\": there in 2 of 6 frames, "), std::string::npos) << all;
   EXPECT_NE(all.find("camera: the same in all frames"), std::string::npos) << all;
+  EXPECT_EQ(all.find("file of its own"), std::string::npos) << all;
 }
 
 TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
@@ -41,6 +42,57 @@ TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
   EXPECT_NE(explained(test, {3, 4}).find("dynamic \"moving\": the same in all frames"), std::string::npos);
   EXPECT_NE(explained(test, {0, 1}).find("dynamic \"late\": not there"), std::string::npos);
   EXPECT_NE(explained(test, {2}).find("dynamic \"growing\": the same in all frames"), std::string::npos);
+}
+
+std::string lamp(const std::string& name) {
+  return "LightSource \"point\" \"rgb I\" [1 1 1] \"string name\" \"" + name + "\"\n";
+}
+
+std::string variation(const std::string& name, const std::vector<std::string>& dark) {
+  std::string text = "VariationBegin \"" + name + "\" ";
+  for (const std::string& each : dark) text += "Light \"" + each + "\" \"float scale\" 0 ";
+  return text + "VariationEnd\n";
+}
+
+// One lamp of a third of the power is left of three: photon paths choose it as often as each of the others, so a third
+// of them carry its flux.
+TEST(Sharing, TellsWhatPhotonsAreWorthWhereLightsDiffer) {
+  TestScene three("WorldBegin Shape \"sphere\"\n" + lamp("a") + lamp("b") + lamp("c") + variation("one", {"b", "c"}) +
+                  variation("two", {"a", "c"}) + variation("three", {"a", "b"}));
+  EXPECT_NE(explained(three, {2}).find("Frame three fares worst: the flux of its lights is as noisy as with 33%"),
+            std::string::npos)
+      << explained(three, {2});
+  // Mean powers of 1 and 1/2, so chances of 2/3 and 1/3. With both lit: (1 + 1)^2 / (1 / (2/3) + 1 / (1/3)) = 8/9, with
+  // one: 1 / (1 / (2/3)) = 2/3.
+  TestScene two("WorldBegin Shape \"sphere\"\n" + lamp("a") + lamp("b") +
+                "VariationBegin \"both\" Light \"a\" \"float scale\" 1 VariationEnd\n" + variation("one", {"b"}));
+  EXPECT_NE(explained(two, {0, 1})
+                .find("over the 2 frames of the file. Frame one fares worst: the flux of its lights "
+                      "is as noisy as with 67% of"),
+            std::string::npos)
+      << explained(two, {0, 1});
+  EXPECT_NE(explained(two, {0}).find("Frame both fares worst: the flux of its lights is as noisy as with 89% of"),
+            std::string::npos)
+      << explained(two, {0});
+}
+
+// Boxes of 2 x 2 x 2 in the first frame and 2 x 6 x 2 in both: spheres of radius sqrt(3) and sqrt(11), disks of 3 : 11.
+TEST(Sharing, TellsWhichPhotonsFromFarAwayReachAFrame) {
+  const std::string scene = R"(Frames 3
+WorldBegin
+Shape "sphere"
+DynamicBegin "ball" Keyframe 1 Translate 0 0 0 Keyframe 3 Translate 0 4 0 KeyframeEnd Shape "sphere" DynamicEnd
+)";
+  for (const char* far : {"LightSource \"distant\"", "LightSource \"infinite\""}) {
+    TestScene rises(scene + far);
+    EXPECT_NE(explained(rises, {0, 1, 2}).find("in any of the 3 frames of the file. Frame 1 fares worst: 27% of them"),
+              std::string::npos)
+        << explained(rises, {0, 1, 2});
+    EXPECT_EQ(explained(rises, {2}).find("file of its own"), std::string::npos) << "the last frame has all";
+    EXPECT_EQ(explained(rises, {0, 1, 2}).find("lights: photon paths"), std::string::npos) << "there is one light";
+  }
+  TestScene near(scene + lamp("a"));
+  EXPECT_EQ(explained(near, {0, 1, 2}).find("its own"), std::string::npos);
 }
 
 TEST(World, ScenesOfIntervalsAgreeInWhatSamplingDerives) {
