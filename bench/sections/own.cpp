@@ -25,7 +25,7 @@ std::vector<Case> cases() {
   const std::filesystem::path here = std::filesystem::path(DSPM_SOURCE_DIR) / "bench";
   return {{here / "eight_lamps.dsc", false, 4000, 2},
           {here / "rising_ball.dsc", false, 4000, 3},
-          {our_scene("lamp"), true, 300000 / 16, 6}};
+          {our_scene("lamp"), true, 300000 / 16, 4}};
 }
 
 struct Effort {
@@ -149,7 +149,7 @@ std::string table_of(const std::vector<Measured>& all, int iterations) {
 }  // namespace
 
 Findings measure_own(const Setup& setup) {
-  const Effort effort = setup.quick ? Effort{8, 2, 64, 3} : Effort{16, 4, 512, 9};
+  const Effort effort = setup.quick ? Effort{8, 2, 64, 3} : Effort{16, 4, 256, 7};
   std::vector<Measured> all;
   std::string told, skipped;
   for (const Case& c : cases()) {
