@@ -152,6 +152,38 @@ TEST(Infinite, BlackOrSpoiltImagesGiveNoLight) {
   EXPECT_EQ(light->escaped({0, 0, 1}), Rgb());
 }
 
+// Frames whose lights are multiples of one another share photons, so a light of another place or shape must not count
+// as one.
+TEST(Lights, AreMultiplesOnlyOfLightsOfTheSamePlaceAndShape) {
+  const auto spot = [](float angle, float delta, Vec3 from, Vec3 to, float intensity) {
+    return make_light("spot",
+                      {number("coneangle", angle), number("conedeltaangle", delta), point("from", from),
+                       point("to", to), rgb("I", Rgb(intensity))},
+                      {});
+  };
+  const auto light = spot(40, 10, {}, {0, 0, 1}, 2);
+  EXPECT_EQ(spot(40, 10, {}, {0, 0, 1}, 6)->ratio_to(*light), Rgb(3));
+  EXPECT_FALSE(spot(50, 20, {}, {0, 0, 1}, 2)->ratio_to(*light));  // the same inner cone
+  EXPECT_FALSE(spot(40, 20, {}, {0, 0, 1}, 2)->ratio_to(*light));  // the same outer cone
+  EXPECT_FALSE(spot(40, 10, {0, 0, -1}, {0, 0, 1}, 2)->ratio_to(*light));
+  EXPECT_FALSE(spot(40, 10, {}, {0, 1, 1}, 2)->ratio_to(*light));
+
+  const auto bulb = make_light("point", {rgb("I", Rgb(2))}, {});
+  EXPECT_EQ(make_light("point", {rgb("I", {2, 4, 8})}, {})->ratio_to(*bulb), Rgb(1, 2, 4));
+  EXPECT_FALSE(make_light("point", {point("from", {0, 1, 0})}, {})->ratio_to(*bulb));
+  EXPECT_FALSE(bulb->ratio_to(*light));
+
+  const auto sun = make_light("distant", {}, {});
+  EXPECT_EQ(make_light("distant", {rgb("L", Rgb(4))}, {})->ratio_to(*sun), Rgb(4));
+  EXPECT_FALSE(make_light("distant", {point("to", {0, 1, 1})}, {})->ratio_to(*sun));
+
+  LightContext turned;
+  turned.to_world = Transform(Matrix4::rotate(90, 1, 0, 0));
+  const auto sky = make_light("infinite", {}, {});
+  EXPECT_EQ(make_light("infinite", {rgb("L", Rgb(5))}, {})->ratio_to(*sky), Rgb(5));
+  EXPECT_FALSE(make_light("infinite", {}, turned)->ratio_to(*sky));
+}
+
 TEST(Lights, RejectWhatMakesNoSense) {
   const auto errors = [](const std::string& name, std::vector<Param> params) {
     return errors_of(light_plugins(), name, std::move(params), LightContext{});
