@@ -178,9 +178,10 @@ TEST(Sight, FindsTheRayAgainAndTheFilmThatAnAreaTakes) {
   }
 }
 
-TEST(Sight, NothingBehindTheCamera) {
+TEST(Sight, NothingBehindTheCameraOrInItsPlane) {
   for (const std::string name : {"perspective", "orthographic"})
-    EXPECT_FALSE(camera(name, {}, film(64, 64))->sight({0, 0, -1}, {})) << name;
+    for (const float z : {-1.f, 0.f})
+      EXPECT_FALSE(camera(name, {}, film(64, 64))->sight({0.1f, 0, z}, {})) << name << " at " << z;
 }
 
 TEST(Cameras, RejectWhatMakesNoSense) {
