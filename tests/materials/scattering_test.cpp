@@ -57,6 +57,18 @@ TEST(Scattering, SharpLobesKeepTheirDigits) {
 
 TEST(Scattering, KeepsToTheSidesOfBothNormals) { expect_of_all(keeps_to_sides); }
 
+TEST(Scattering, NothingGoesAlongTheSurface) {
+  for (const Named& each : all_materials()) {
+    BsdfSlot slot;
+    const Bsdf& bsdf = each.material->bsdf(surface(), slot);
+    for (const Vec3& along : {Vec3{1, 0, 0}, Vec3{0, -1, 0}})
+      for (const Vec3& w : directions()) {
+        EXPECT_EQ(bsdf.evaluate(w, along, Transport::radiance, bsdf.all_lobes()), Rgb(0)) << each.name << text(w);
+        EXPECT_EQ(bsdf.pdf_w(w, along, Transport::radiance, bsdf.all_lobes()), 0) << each.name << text(w);
+      }
+  }
+}
+
 // Under a coat that mirrors 4% a black base would take 96% of the paths; bases that are about as bright choose alike.
 TEST(Scattering, ADarkBaseLeavesPathsToTheCoat) {
   const auto share_of_coat = [](float reflectance) {

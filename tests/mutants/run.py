@@ -14,7 +14,7 @@ from tree import Tree
 
 KILLED, SURVIVED, NOT_COMPILED = "killed", "survived", "does not compile"
 LEAST_SHARE = 0.95
-OTHERS_SECONDS = 150  # for test programs that a mutant does not name, building included
+OTHERS_SECONDS = 60  # for test programs that a mutant does not name, building included
 SLOW = 30  # seconds: tests that take longer run only where they are named
 
 
