@@ -110,9 +110,9 @@ def try_all(tree, mutants, stale, results):
     named = {name for mutant in todo for name in mutant.tests}
     tests = {name: test for name, test in tree.tests().items() if not test.alone or name in named}
     check_unmutated(tree, tests, named)
-    dependents = {file: tree.dependents(file, tests.values()) for file in {m.file for m in todo}}
+    dependents = tree.dependents(tests.values())
     for number, mutant in enumerate(todo, 1):
-        named, others = tests_to_try(mutant, tests, dependents[mutant.file])
+        named, others = tests_to_try(mutant, tests, dependents.get(mutant.file, ()))
         outcome = try_mutant(tree, mutant, named, others)
         results.set(mutant.key, outcome)
         say(f"{number}/{len(todo)} {outcome['result']} in {outcome['seconds']} s: {mutant.place} {mutant.file}: "

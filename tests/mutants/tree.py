@@ -90,9 +90,9 @@ class Tree:
             folder = pathlib.Path(settings["WORKING_DIRECTORY"])
             program = folder / (test["name"].replace("/", "_") + "_test")  # see dspm_test() in cmake/dspm.cmake
             found[test["name"]] = Test(test["name"], program, settings.get("RUN_SERIAL", False))
+        links = self.links()
         for test in found.values():
-            inputs = self.ninja("-t", "query", self.target(test)).stdout
-            test.needs_dspm = re.search(r"^ +\|\| dspm$", inputs, re.MULTILINE) is not None
+            test.needs_dspm = "dspm" in links[self.target(test)]
         return found
 
     def target(self, test):
@@ -105,15 +105,36 @@ class Tree:
     def build(self, tests):
         return self.ninja(*[self.target(test) for test in tests])
 
-    def dependents(self, file, tests):
-        """The tests that would be built anew if `file` changed. Everything must be built."""
-        path = self.sources / file
-        times = path.stat()
-        os.utime(path)
-        planned = self.ninja("-n", *[self.target(test) for test in tests]).stdout
-        os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
-        linked = set(re.findall(r"Linking CXX executable (\S+)", planned))
-        return {t.name for t in tests if self.target(t) in linked or t.needs_dspm and "dspm" in linked}
+    def links(self):
+        """By output what it is linked from; a test that runs dspm has it among them."""
+        links = {}
+        for line in (self.build_folder / "build.ninja").read_text().splitlines():
+            if edge := re.fullmatch(r"build ([^:]+): \w+_LINKER__\w+ (.*)", line):
+                inputs, _, before = edge[2].partition(" || ")
+                for output in edge[1].split():
+                    links[output] = inputs.split() + (["dspm"] if "dspm" in before.split() else [])
+        return links
+
+    def dependents(self, tests):
+        """The names of the tests by the source file that is in them. Everything must be built."""
+        links, sources = self.links(), {}  # by object
+        for line in self.ninja("-t", "deps").stdout.splitlines():
+            if line.startswith("    "):
+                if line.startswith(f"    {self.sources}/"):
+                    files.append(os.path.relpath(line.strip(), self.sources))
+            elif line:
+                files = sources.setdefault(line.split(": ")[0], [])
+        names = {}
+        for test in tests:
+            linked, todo = set(), [self.target(test)]
+            while todo:
+                if (part := todo.pop()) not in linked:
+                    linked.add(part)
+                    todo += links.get(part, [])
+            for part in linked:
+                for file in sources.get(part, []):
+                    names.setdefault(file, set()).add(test.name)
+        return names
 
     @contextlib.contextmanager
     def mutated(self, mutant):

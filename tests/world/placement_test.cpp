@@ -19,6 +19,7 @@ class Placed {
   explicit Placed(const std::string& contents)
       : test_(std::string("WorldBegin LightSource \"point\"\n") + kObjects + contents),
         scene_(test_.scene(test_.all_frames())) {}
+  const Scene& scene() const { return *scene_; }
   const PlacedShape& operator[](std::size_t i) const { return scene_->shapes.at(i); }
   std::size_t size() const { return scene_->shapes.size(); }
 
@@ -57,6 +58,25 @@ TEST(Placement, ReversedOrientationTurnsBothNormals) {
     EXPECT_EQ(turned.ng, -point.ng) << contents;
     EXPECT_EQ(turned.ns, -point.ns) << contents;
   }
+}
+
+// Half the diagonal of the box around everything: of a cube of side 4 it is 2 sqrt(3).
+TEST(Placement, TheSphereAroundTheSceneGoesThroughTheCornersOfItsBox) {
+  const Placed ball("Translate 7 0 0 Shape \"sphere\" \"float radius\" 2");
+  EXPECT_NEAR(ball.scene().center.x, 7, 1e-5f);
+  EXPECT_NEAR(ball.scene().radius, 2 * std::sqrt(3.f), 1e-5f);
+}
+
+// Smaller ones would be lost in the rounding of the coordinates.
+TEST(Placement, TheSphereAroundTheSceneIsNotSmallerThanItsPlaceAllows) {
+  const Placed speck("Translate 1000 0 0 Shape \"sphere\" \"float radius\" 1e-9");
+  EXPECT_NEAR(speck.scene().radius, 1e-6f * 1001, 1e-8f);
+}
+
+TEST(Placement, OnlySkiesAnswerRaysThatLeaveTheScene) {
+  const Placed lamps("LightSource \"infinite\" AreaLightSource \"diffuse\" Shape \"sphere\"");
+  EXPECT_EQ(lamps.scene().lights.size(), 3u);  // the first is a point
+  EXPECT_EQ(lamps.scene().infinite_lights, std::vector<int>{1});
 }
 
 }  // namespace
