@@ -24,15 +24,17 @@ TEST(ContactSheet, PlacesLieApartOnTheSheet) {
       EXPECT_LE(layout.sheet_width(), 2048);
       EXPECT_GE(layout.columns * layout.rows, count);
       EXPECT_LT(layout.columns * (layout.rows - 1), count) << "no row is empty";
+      const auto with_label = [&](int i) {
+        PixelRect place = layout.place(i);
+        place.y1 += kTextHeight * layout.text_scale;
+        return place;
+      };
       for (int i = 0; i < count; ++i) {
-        const PixelRect place = layout.place(i);
+        const PixelRect place = with_label(i);
         EXPECT_GT(place.x0, 0);
         EXPECT_LT(place.x1, layout.sheet_width());
-        EXPECT_LE(place.y1 + kTextHeight * layout.text_scale, layout.sheet_height());
-        PixelRect with_label = place;
-        with_label.y1 += kTextHeight * layout.text_scale;
-        for (int j = std::max(0, i - layout.columns - 1); j < i; ++j)
-          EXPECT_FALSE(overlap(layout.place(j), with_label));
+        EXPECT_LE(place.y1, layout.sheet_height());
+        for (int j = std::max(0, i - layout.columns - 1); j < i; ++j) EXPECT_FALSE(overlap(with_label(j), place));
       }
     }
   }
