@@ -1,0 +1,45 @@
+// What --list and --describe print: lines in columns.
+#include "app/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace dspm {
+namespace {
+
+// Kinds stand at the margin; below them name, origin and sentence, each column as wide as its widest entry.
+TEST(Catalogue, ListsPluginsInColumns) {
+  const std::vector<CatalogueEntry> plugins = all_plugins();
+  std::size_t names = 0;
+  for (const CatalogueEntry& plugin : plugins) names = std::max(names, plugin.name.size());
+  std::size_t found = 0;
+  std::istringstream lines(list_plugins());
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ")) continue;
+    const CatalogueEntry& plugin = plugins.at(found++);
+    EXPECT_EQ(line.find(plugin.name), 2u) << line;
+    EXPECT_EQ(line.find("dspm", 2 + names), 2 + names + 2) << line;
+    EXPECT_EQ(line.substr(2 + names + 2 + 4 + 2), plugin.sentence) << line;
+  }
+  EXPECT_EQ(found, plugins.size());
+}
+
+TEST(Catalogue, DescribesParametersInColumnsAsWideAsTheirContents) {
+  std::istringstream lines(describe_plugins("camera:perspective"));
+  std::string title, headings;
+  std::getline(lines, title), std::getline(lines, headings);
+  EXPECT_EQ(title, "camera:perspective (dspm): a pinhole or a thin lens");
+  const std::size_t name = headings.find("name"), meaning = headings.find("meaning");
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    for (const std::size_t column : {name, meaning}) {
+      EXPECT_EQ(line.substr(column - 2, 2), "  ") << line;
+      EXPECT_NE(line.at(column), ' ') << line;
+    }
+  EXPECT_GE(count, 5);
+}
+
+}  // namespace
+}  // namespace dspm

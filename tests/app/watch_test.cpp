@@ -1,0 +1,36 @@
+// Who does not come back is told after `patience`, and not before.
+#include "app/watch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace dspm {
+namespace {
+
+/// What is told of a step of that length, whose like comes before.
+std::string told(double patience, std::chrono::milliseconds length) {
+  testing::internal::CaptureStderr();
+  {
+    Watch watch(patience);
+    watch.begin("iteration 3", "");
+    watch.begin("iteration 4", "integrator \"slow\"");
+    std::this_thread::sleep_for(length);
+  }
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(Watch, SaysNothingOfStepsThatEndInTime) { EXPECT_EQ(told(1000, std::chrono::milliseconds(100)), ""); }
+
+TEST(Watch, SaysWhoHasNotEndedAndWaitsTwiceAsLongEachTime) {
+  const std::string text = told(0.02, std::chrono::milliseconds(300));
+  EXPECT_TRUE(text.starts_with("dspm: iteration 4 has not ended after 0.")) << text;
+  EXPECT_NE(text.find("s, at work: integrator \"slow\"\n"), std::string::npos) << text;
+  // After 0.02, 0.04, 0.08, 0.16 s; two more where the machine is slow and the step takes up to 1.28 s.
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 6) << text;
+}
+
+}  // namespace
+}  // namespace dspm
