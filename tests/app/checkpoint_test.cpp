@@ -18,9 +18,10 @@ Arguments operator+(Arguments a, const Arguments& b) {
   return a;
 }
 
-void expect_success(const TinyDirectory& directory, const Arguments& arguments) {
-  const Outcome outcome = run(directory, arguments);
+Outcome expect_success(const TinyDirectory& directory, const Arguments& arguments) {
+  Outcome outcome = run(directory, arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome;
 }
 
 std::vector<Image> images_in(const TinyDirectory& directory) {
@@ -71,6 +72,25 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Resumed,
                                          Run{{"--integrator", "photonmap"}}, Run{{}, kFinalGather},
                                          Run{{"--integrator", "path"}}, Run{{"--integrator", "dsppm", "--seed", "9"}}),
                          name_of);
+
+/// The whole run's, in the statistics.
+double seconds_told(const TinyDirectory& directory, const Arguments& arguments) {
+  const std::string json = expect_success(directory, arguments + Arguments{"--stats=-"}).out, key = "\"seconds\": ";
+  return std::stod(json.substr(json.find(key) + key.size()));
+}
+
+TEST(Checkpoint, AResumedRunCountsWhatRunsBeforeItDid) {
+  const TinyDirectory directory;
+  const auto iterations = [&] { return read_exr_header(directory / kTinyImages[0]).integers.at("iterations"); };
+  const double before =
+      seconds_told(directory, {"tiny.dsc", "--iterations", "0", "--time-limit", "0.5s", "--checkpoint", "a"});
+  EXPECT_GE(before, 0.5);
+  const int done = iterations();
+  EXPECT_GT(done, 1);
+  const double after = seconds_told(directory, {"tiny.dsc", "--iterations", "1", "--resume", "a"});
+  EXPECT_GE(after, 0.5);
+  EXPECT_EQ(iterations(), done) << "nothing was left to do";
+}
 
 TEST(Checkpoint, KeepsProgressiveRadii) {
   for (const char* integrator : {"dsppm", "sppm"}) {
