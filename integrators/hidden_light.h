@@ -1,6 +1,5 @@
-// Hidden photons on glossy lobes. Such lobes are followed, and a ray along them never finds a light without extent; what
-// that light sends through specular lobes reaches them by photons alone. Those of the lobes that gather are not asked:
-// between a light and a gathering lobe photons find all that these find.
+// Light that photons alone bring to a glossy lobe: see docs/design.md, Photons and hit points. Camera paths follow such
+// lobes; no ray hits a light without extent, and no shadow ray gets to it through glass.
 #pragma once
 
 #include "integrators/gather.h"

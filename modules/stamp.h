@@ -53,6 +53,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::RayHit", sizeof(RayHit)},
     {"dspm::HitPartition", sizeof(HitPartition)},
     {"dspm::Scene", sizeof(Scene)},
+    {"dspm::SceneLight", sizeof(SceneLight)},
     {"dspm::Image", sizeof(Image)},
     {"dspm::PixelFilter", sizeof(PixelFilter)},
     {"dspm::RenderSettings", sizeof(RenderSettings)},
