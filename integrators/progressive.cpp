@@ -207,7 +207,6 @@ class Progressive final : public Integrator {
 
   /// Its radius shrinks as kz11's whatever the estimator, so that it is linear in the photons and can be added as seen.
   void see_hidden_light() {
-    if (hidden_map_.size() == 0) return;
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {

@@ -86,7 +86,7 @@ TEST(ScatteringChecks, TellWhatIsWrong) {
 TEST(ScatteringChecks, OfWordsInAScene) {
   const Verdict verdict = check_scattering(R"("coateddiffuse" "float roughness" 0.3)");
   EXPECT_TRUE(verdict.passed) << verdict.message;
-  EXPECT_NE(verdict.message.find("60 tests"), std::string::npos) << verdict.message;
+  EXPECT_NE(verdict.message.find("90 tests"), std::string::npos) << verdict.message;
   EXPECT_THROW(check_scattering(R"("diffuse" "float roughnes" 1)"), SceneError);
 }
 
