@@ -44,9 +44,11 @@ void expect_mean(const std::vector<double>& samples, double expected, double lev
                                           error);
 }
 
-TEST(Energy, IsKeptInEveryFrame) {
+class Energy : public testing::TestWithParam<const char*> {};
+
+TEST_P(Energy, IsKeptInEveryFrame) {
   for (unsigned seed = 0; seed < 12; ++seed) {
-    const std::string text = test::RandomScene(seed, 6).text(R"(Integrator "dsppm" "integer photons" 5000)");
+    const std::string text = test::RandomScene(seed, 6).text(std::string("Integrator ") + GetParam());
     SCOPED_TRACE(text);
     const auto iterations = balances(text, 1);
     for (const EnergyBalance& e : iterations[0]) {
@@ -56,10 +58,16 @@ TEST(Energy, IsKeptInEveryFrame) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    Integrators, Energy,
+    testing::Values(R"("dsppm" "integer photons" 5000)",
+                    R"("photonmap" "integer photons" 5000 "integer causticphotons" 5000)",
+                    R"("photonmap" "integer photons" 5000 "integer causticphotons" 5000 "integer finalgather" 1)"));
+
 // A path that carries x survives with the chance p and then carries x / p, so that roulette takes x with the chance
 // 1 - p and gives x / p - x with the chance p: nothing in the mean, whatever p is. A survivor that is not divided by p
 // gives nothing back; one that is divided twice gives too much.
-TEST(Energy, RouletteGivesWhatItTakes) {
+TEST(EnergyOfPhotons, RouletteGivesWhatItTakes) {
   constexpr int kScenes = 12, kFrames = 6;
   for (unsigned seed = 0; seed < kScenes; ++seed) {
     const std::string text =
@@ -77,7 +85,7 @@ TEST(Energy, RouletteGivesWhatItTakes) {
 // A lamp of power P in a closed sphere of albedo a: the first hit absorbs (1 - a) P, the second (1 - a) a P, ... With
 // at most n hits the sum is (1 - a^(n-1)) P, and a^(n-1) P reaches the last hit, where it is cut off. Roulette goes by
 // the brightest channel, so that the weights of the others change with every bounce.
-TEST(Energy, IsAbsorbedAsTheAlbedoSays) {
+TEST(EnergyOfPhotons, IsAbsorbedAsTheAlbedoSays) {
   const double albedo[] = {0.8, 0.5, 0.3};
   constexpr int kDepths[] = {2, 3, 5, 8};
   for (const int depth : kDepths) {
@@ -102,7 +110,7 @@ TEST(Energy, IsAbsorbedAsTheAlbedoSays) {
 }
 
 // Through a clear glass ball nothing is lost: all of a lamp's light leaves the scene.
-TEST(Energy, GlassKeepsAll) {
+TEST(EnergyOfPhotons, GlassKeepsAll) {
   const EnergyBalance e = balances(R"(Integrator "dsppm" "integer photons" 50000 "integer maxdepth" 60
 LookAt 0 0 -4 0 0 0 0 1 0
 Camera "perspective"
