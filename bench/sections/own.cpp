@@ -25,7 +25,7 @@ std::vector<Case> cases() {
   const std::filesystem::path here = std::filesystem::path(DSPM_SOURCE_DIR) / "bench";
   return {{here / "eight_lamps.dsc", false, 4000, 2},
           {here / "rising_ball.dsc", false, 4000, 3},
-          {our_scene("lamp"), true, 300000 / 16, 4}};
+          {our_scene("lamp"), true, 300000 / 16, 6}};
 }
 
 struct Effort {
