@@ -22,6 +22,7 @@ TEST(Formatter, WritesTheCanonicalForm) {
       {"  WorldBegin  ", "WorldBegin\n"},
       {"WorldBegin Shape\"sphere\"\n\"float radius\"\n[ 1 ]", "WorldBegin\nShape \"sphere\" \"float radius\" 1\n"},
       {"AttributeBegin Shape \"a\" AttributeEnd", "AttributeBegin\n  Shape \"a\"\nAttributeEnd\n"},
+      {"Ask 1 Zoom 2", "Ask 1\nZoom 2\n"},  // known or not
       {"Translate 1\n2 3 Rotate 1 0 0 1", "Translate 1 2 3\nRotate 1 0 0 1\n"},
       {"Transform[1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]", "Transform [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]\n"},
       {"A\n\n\n\nB", "A\n\nB\n"},
