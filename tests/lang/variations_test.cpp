@@ -77,6 +77,14 @@ TEST(Variations, MultiplyInTheOrderOfTheText) {
   EXPECT_EQ(scene.frames.choice(4, 1), 1);
 }
 
+TEST(Variations, AndMomentsAreInTheLabelsOfFrames) {
+  EXPECT_EQ(FileFrames(3, {{"", {}}}).label(2), "3");
+  const std::vector<Combination> woods{{"oak", {0}}, {"ash", {1}}};
+  EXPECT_EQ(FileFrames(1, woods).label(1), "ash");
+  EXPECT_EQ(FileFrames(2, woods).label(0), "oak 1");
+  EXPECT_EQ(FileFrames(2, woods).label(3), "ash 2");
+}
+
 TEST(Variations, MultiplyWithFrames) {
   const SceneDescription scene = good(std::string("Frames 10\n") + kChair + axis("seat", {"red", "blue"}));
   EXPECT_EQ(scene.frames.count(), 20);

@@ -132,9 +132,10 @@ def report(mutants, stale, results):
         print(f"stale: {place}: {why}")
     killed, tried = len(by[KILLED]), len(by[KILLED]) + len(by[SURVIVED])
     share = killed / tried if tried else 1
+    equivalent = sum(bool(m.equivalent) for m in mutants)
+    untried = len(mutants) - equivalent - len(stale) - sum(map(len, by.values()))
     print(f"{len(mutants)} mutants: {killed} killed, {len(by[SURVIVED])} survived, {len(by[NOT_COMPILED])} do not compile, "
-          f"{sum(bool(m.equivalent) for m in mutants)} equivalent, {len(stale)} stale; "
-          f"{100 * share:.1f}% of those that could be noticed were killed")
+          f"{equivalent} equivalent, {len(stale)} stale, {untried} not tried; {100 * share:.1f}% of those tried were killed")
     return share >= LEAST_SHARE and not stale
 
 
