@@ -12,12 +12,11 @@
 namespace dspm::test {
 namespace {
 
-constexpr int kTiles = 4;           // along each side of a frame
 constexpr double kRounding = 1e-5;  // relative, of sums in single precision
 
 /// The colours of a frame's tiles and of the whole, one after the other.
-void append_colours(const Image& image, std::vector<double>& colours) {
-  for (const Image& small : {shrunk(image, kTiles, kTiles), shrunk(image, 1, 1)})
+void append_colours(const Image& image, int across, std::vector<double>& colours) {
+  for (const Image& small : {shrunk(image, across, across), shrunk(image, 1, 1)})
     for (const Rgb& c : small.pixels)
       for (int channel = 0; channel < 3; ++channel) colours.push_back(static_cast<double>(c[channel]));
 }
@@ -31,10 +30,10 @@ int degrees_of_freedom(const Tiles& a, const Tiles& b, std::size_t i) {
 
 }  // namespace
 
-Tiles tiles_of(const std::vector<std::vector<Image>>& renders) {
+Tiles tiles_of(const std::vector<std::vector<Image>>& renders, int across) {
   std::vector<std::vector<double>> colours(renders.size());
   for (std::size_t r = 0; r < renders.size(); ++r)
-    for (const Image& frame : renders[r]) append_colours(frame, colours[r]);
+    for (const Image& frame : renders[r]) append_colours(frame, across, colours[r]);
   const auto n = static_cast<double>(renders.size());
   Tiles tiles;
   tiles.renders = static_cast<int>(renders.size());
@@ -47,14 +46,14 @@ Tiles tiles_of(const std::vector<std::vector<Image>>& renders) {
   return tiles;
 }
 
-Tiles rendered(const std::string& scene, int iterations, int seeds) {
+Tiles rendered(const std::string& scene, int iterations, int seeds, int across) {
   std::vector<std::vector<Image>> renders;
   for (int seed = 1; seed <= seeds; ++seed) {
     Options options;
     options.seed = static_cast<std::uint64_t>(seed);
     renders.push_back(TestScene(scene, options).render_all(iterations));
   }
-  return tiles_of(renders);
+  return tiles_of(renders, across);
 }
 
 // [Abramowitz and Stegun 26.7.3, 26.7.4]

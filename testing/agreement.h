@@ -23,11 +23,11 @@ struct Tiles {
   int renders = 1;  // independent ones: 1 for what is known exactly
 };
 
-/// The images of all frames, by seed.
-Tiles tiles_of(const std::vector<std::vector<Image>>& renders);
+/// The images of all frames, by seed, in `across` x `across` tiles.
+Tiles tiles_of(const std::vector<std::vector<Image>>& renders, int across = 4);
 
 /// All frames of a scene's text, in as many seeds. Files that it names are looked for in the current folder.
-Tiles rendered(const std::string& scene, int iterations, int seeds = 16);
+Tiles rendered(const std::string& scene, int iterations, int seeds = 16, int across = 4);
 
 struct Tolerance {
   double level = 0.01;  // the chance that two of the same mean are told apart
