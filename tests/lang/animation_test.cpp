@@ -39,6 +39,10 @@ TEST(Animation, DynamicBlocksHoldShapesLightsAndInstances) {
   EXPECT_EQ(scene.shapes[3].dynamic_block, -1);
   EXPECT_EQ(scene.lights[0].dynamic_block, 0);
   EXPECT_EQ(scene.instances[0].dynamic_block, 0);
+  const SceneDescription late = good(R"(Frames 10
+    WorldBegin
+    DynamicBegin "a" "integer frames" [3 9] DynamicBegin "b" "integer frames" [8 10] DynamicEnd DynamicEnd)");
+  EXPECT_EQ(late.dynamic_blocks[1].moments, (FrameInterval{7, 9})) << "no longer than the block around it";
   EXPECT_EQ(good("Frames 4 WorldBegin DynamicBegin \"a\" DynamicEnd").dynamic_blocks[0].moments, (FrameInterval{0, 4}));
 }
 
