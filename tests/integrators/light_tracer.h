@@ -126,6 +126,7 @@ class LightTracer {
     const float cosine = dot(out, at.point.ng),
                 by_cosine = sides > 1 || cosine * front > 0 ? std::abs(cosine) / (kPi * sides) : 0;
     const float pdf_w = 0.5f * (by_cosine + bsdf.pdf_w(at.in, out, Transport::flux, lobes));
+    if (!(pdf_w > 0)) return {};  // along the surface
     return density(at, bsdf, lobes, out) * (std::abs(cosine) / pdf_w);
   }
 
