@@ -1,4 +1,4 @@
-// Who does not come back is told after `patience`, and not before.
+// The watch reports a step that does not end after `patience`, and not before.
 #include "app/watch.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace dspm {
 namespace {
 
-/// What is told of a step of that length, whose like comes before.
-std::string told(double patience, std::chrono::milliseconds length) {
+/// The reports on a step of that length, after one that ended at once.
+std::string reports(double patience, std::chrono::milliseconds length) {
   testing::internal::CaptureStderr();
   {
     Watch watch(patience);
@@ -22,10 +22,10 @@ std::string told(double patience, std::chrono::milliseconds length) {
   return testing::internal::GetCapturedStderr();
 }
 
-TEST(Watch, SaysNothingOfStepsThatEndInTime) { EXPECT_EQ(told(1000, std::chrono::milliseconds(100)), ""); }
+TEST(Watch, SaysNothingOfStepsThatEndInTime) { EXPECT_EQ(reports(1000, std::chrono::milliseconds(100)), ""); }
 
 TEST(Watch, SaysWhoHasNotEndedAndWaitsTwiceAsLongEachTime) {
-  const std::string text = told(0.02, std::chrono::milliseconds(300));
+  const std::string text = reports(0.02, std::chrono::milliseconds(300));
   EXPECT_TRUE(text.starts_with("dspm: iteration 4 has not ended after 0.")) << text;
   EXPECT_NE(text.find("s, at work: integrator \"slow\"\n"), std::string::npos) << text;
   // After 0.02, 0.04, 0.08, 0.16 s; two more where the machine is slow and the step takes up to 1.28 s.
