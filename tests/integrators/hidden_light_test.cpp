@@ -103,7 +103,7 @@ class HiddenLight : public ::testing::TestWithParam<Case> {
       const auto [integrator, iterations] = GetParam();
       TestScene scene(pane_over_metal("", fmt::format("{} {}", integrator, radius), light,
                                       metal(fmt::format("\"float roughness\" {}", alpha))));
-      EXPECT_NEAR(mean(scene.render(0, iterations)) / expected_radiance(2, alpha), 1, 0.015)
+      EXPECT_NEAR(mean(scene.render(0, iterations)) / expected_radiance(2, alpha), 1, 0.02)
           << integrator << ", alpha " << alpha;
     }
   }
@@ -115,13 +115,15 @@ TEST_P(HiddenLight, OfASpotThroughAPane) { expect_radiance(kSpot, 0.03, {0.2, 0.
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, HiddenLight,
-    ::testing::Values(Case{R"("sppm" "integer photons" 40000 "float radius")", 16},
-                      Case{R"("sppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 16},
-                      Case{R"("dsppm" "integer photons" 40000 "float radius")", 16},
-                      Case{R"("dsppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 16},
-                      Case{R"("dsppm" "integer photons" 40000 "string direct" "sampled" "float radius")", 16},
-                      Case{R"("photonmap" "integer causticphotons" 400000 "integer nearest" 0 "float causticradius")",
-                           1}));
+    ::testing::Values(
+        Case{R"("sppm" "integer photons" 40000 "float radius")", 8},
+        Case{R"("sppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 8},
+        Case{R"("dsppm" "integer photons" 40000 "float radius")", 8},
+        Case{R"("dsppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 8},
+        Case{R"("dsppm" "integer photons" 40000 "string direct" "sampled" "float radius")", 8},
+        Case{
+            R"("photonmap" "integer photons" 1000 "integer causticphotons" 400000 "integer nearest" 0 "float causticradius")",
+            1}));
 
 // A roughness that crosses gatheralpha from frame to frame: all frames together, each as it is alone, and none dark.
 TEST(HiddenLight, StaysAsRoughnessCrossesTheThreshold) {
@@ -210,8 +212,8 @@ Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-2 1.6 -2  -2 1
 )";
   for (const std::string& scene : {corner, lamp}) {
     const test::Tiles path = test::rendered(R"(Integrator "path" "integer maxdepth" 6)" + scene, 64);
-    for (const char* photons :
-         {R"("dsppm" "integer photons" 10000)", R"("photonmap" "integer causticphotons" 40000)"}) {
+    for (const char* photons : {R"("dsppm" "integer photons" 1000)",
+                                R"("photonmap" "integer photons" 1000 "integer causticphotons" 40000)"}) {
       const std::string integrator = fmt::format(R"(Integrator {} "integer maxdepth" 6)", photons);
       const test::Verdict verdict = test::agreement(test::rendered(integrator + scene, 48), path, {0.01 / 4, 0.003});
       EXPECT_TRUE(verdict.passed) << photons << ": " << verdict.message;

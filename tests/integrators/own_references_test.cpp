@@ -17,9 +17,6 @@ constexpr Way kWays[] = {
     {R"("dsppm" "string estimator" "hj09" "string direct" "sampled" "integer photons" 20000 "float radius" 0.03)", 2},
     {R"("photonmap" "integer photons" 30000 "integer causticphotons" 30000 "float radius" 0.06
   "float causticradius" 0.03)",
-     1},
-    {R"("photonmap" "integer finalgather" 4 "integer photons" 30000 "integer causticphotons" 30000 "float radius" 0.06
-  "float causticradius" 0.03)",
      1}};
 constexpr int kSeeds = 32;
 constexpr double kBlurOfBlocks = 0.015, kBlurOfTheWhole = 0.005;
