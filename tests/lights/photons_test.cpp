@@ -51,14 +51,15 @@ struct Receiver {
   Vec3 point(Vec2 u) const { return center + basis.x * (half * (2 * u.x - 1)) + basis.y * (half * (2 * u.y - 1)); }
 };
 
-RgbMean flux_by_photons(const Light& light, const Receiver& receiver, int n) {
+/// Of photons that start as `drawn` draws them, with the light's own weights.
+RgbMean flux_by_photons(const Light& light, const Light& drawn, const Receiver& receiver, int n) {
   Sequence random(1);
   RgbMean flux;
   for (int i = 0; i < n; ++i) {
     const Vec2 u_position = random.pair(), u_direction = random.pair();
-    const std::optional<Emission> e = light.emit(u_position, u_direction);
+    const std::optional<Emission> e = drawn.emit(u_position, u_direction);
     EXPECT_NEAR(e ? length(e->ray.direction) : 1, 1, 2e-6f);
-    add(flux, e && receiver.is_hit(e->ray) ? e->flux : Rgb());
+    add(flux, e && receiver.is_hit(e->ray) ? e->flux * light.ratio_along(drawn, e->ray) : Rgb());
   }
   return flux;
 }
@@ -88,7 +89,7 @@ RgbMean flux_of_all_photons(const Light& light, int n) {
 
 void expect_photons_agree(const Light& light, const Receiver& receiver, const std::string& name) {
   constexpr int n = 200'000;
-  expect_equal(flux_by_photons(light, receiver, n), flux_by_illumination(light, receiver, n), name);
+  expect_equal(flux_by_photons(light, light, receiver, n), flux_by_illumination(light, receiver, n), name);
   RgbMean power;
   add(power, light.power());
   expect_equal(flux_of_all_photons(light, n), power, name + ", power");
@@ -126,6 +127,23 @@ TEST(Photons, AgreeWithIlluminationForSpots) {
   // So narrow that the receiver must look at the falloff itself.
   const Receiver tiny{{.3f, -.2f, -2}, Basis::around(-normalize({.3f, -.2f, -3})), 3 * std::sin(0.005f)};
   expect_photons_agree(*spot(0.5f, 0.5f), tiny, "narrow spot");
+}
+
+// A receiver within the inner cone of both, and one that sees the falloffs.
+TEST(Photons, OfASpotStartAsThoseOfAWiderOne) {
+  const auto spot = [](float angle, float delta, const Rgb& intensity) {
+    return make_light("spot",
+                      {rgb("I", intensity), point("from", {0, 0, 1}), point("to", {0, 0, -2}),
+                       number("coneangle", angle), number("conedeltaangle", delta)},
+                      {});
+  };
+  const auto wide = spot(40, 12, {3, 2, 1}), narrow = spot(34, 10, {1, 4, 2});
+  ASSERT_TRUE(narrow->starts_like(*wide));
+  for (const float half : {0.4f, 4.f}) {
+    const Receiver below{{0.2f, 0.1f, -2}, Basis::around({0, 0, 1}), half};
+    expect_equal(flux_by_photons(*narrow, *wide, below, 200'000), flux_by_illumination(*narrow, below, 200'000),
+                 "half width " + std::to_string(half));
+  }
 }
 
 TEST(Photons, AgreeWithIlluminationForDistantAndInfiniteLights) {
