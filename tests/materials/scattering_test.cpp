@@ -246,5 +246,34 @@ TEST(Scattering, LambertianIsEvaluate) {
   });
 }
 
+// Frames whose scattering is said to be that of another frame times a colour gather once for both.
+TEST(Scattering, ARatioHoldsForAllDirections) {
+  std::vector<Named> materials = all_materials();
+  for (const float eta : {1.3f, 1.5f})
+    for (const float a : {0.f, 0.3f})
+      for (const float r : {0.2f, 0.6f})
+        materials.push_back(
+            {"coat " + std::to_string(eta) + " " + std::to_string(a) + " " + std::to_string(r),
+             make("coateddiffuse", {rgb("reflectance", {r, 0.5f, 0.3f}), number("eta", eta), alpha(a)})});
+  const PathRandom random(kSeed, Stream::setup, 9, 0);
+  int ratios = 0;
+  for (const Named& one : materials)
+    for (const Named& other : materials) {
+      BsdfSlot slots[2];
+      const Bsdf &a = one.material->bsdf(surface(), slots[0]), &b = other.material->bsdf(surface(), slots[1]);
+      for (const LobeSet lobes : subsets_of(a.all_lobes())) {
+        const std::optional<Rgb> ratio = a.ratio_to(b, lobes);
+        if (!ratio || &one == &other) continue;
+        ++ratios;
+        for (int n = 0; n < 100; ++n) {
+          const Vec3 wo = any_direction(random, n), wi = any_direction(random, 1000 + n);
+          expect_near(a.evaluate(wo, wi, Transport::radiance, lobes),
+                      b.evaluate(wo, wi, Transport::radiance, lobes) * *ratio, 1e-4f, one.name + ", " + other.name);
+        }
+      }
+    }
+  EXPECT_GT(ratios, 20);
+}
+
 }  // namespace
 }  // namespace dspm::test
