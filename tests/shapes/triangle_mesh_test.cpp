@@ -24,6 +24,16 @@ TEST(TriangleMesh, SurfacePointInterpolates) {
   EXPECT_EQ(mesh.area(0), 2.f);
 }
 
+// At (0.25, 0.5) the corners weigh 1/4, 1/4, 1/2. Without coordinates of their own corners have (0, 0), (1, 0), (1, 1), as
+// in pbrt.
+TEST(TriangleMesh, EveryCornerHasItsNormalAndCoordinates) {
+  const TriangleMesh mesh({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{1, 0, 1}, {0, 1, 1}, {-1, 0, 2}}, {}, {{0, 1, 2}}});
+  const SurfacePoint s = mesh.surface_point(0, {0.25f, 0.5f});
+  EXPECT_LT(length(s.ns - normalize(Vec3{0.25f - 0.5f, 0.25f, 0.25f + 0.25f + 1})), 1e-6f);
+  EXPECT_EQ(s.uv, (Vec2{0.75f, 0.5f}));
+  EXPECT_LT(length(mesh.surface_point(0, {0, 0}).ns - normalize(Vec3{1, 0, 1})), 1e-6f);
+}
+
 TEST(TriangleMesh, NormalsTellTheSide) {
   const TriangleMesh mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, -2}, {0, 0, -1}, {1, 0, -1}}, {}, {{0, 1, 2}}});
   const SurfacePoint s = mesh.surface_point(0, {0, 0.5f});
@@ -82,14 +92,10 @@ TEST(TriangleMesh, SamplesAreUniform) {
 Vec2 anywhere(Random& random) {
   const float x = random.uniform();
   switch (random.below(5)) {
-    case 0:
-      return {x, 0};
-    case 1:
-      return {x, 1 - x};
-    case 2:
-      return random.below(2) != 0 ? Vec2{1, 0} : Vec2{0, 0};
-    default:
-      return uniform_triangle({x, random.uniform()});
+    case 0: return {x, 0};
+    case 1: return {x, 1 - x};
+    case 2: return random.below(2) != 0 ? Vec2{1, 0} : Vec2{0, 0};
+    default: return uniform_triangle({x, random.uniform()});
   }
 }
 
