@@ -27,11 +27,12 @@ TEST(TriangleMesh, SurfacePointInterpolates) {
 // At (0.25, 0.5) the corners weigh 1/4, 1/4, 1/2. Without coordinates of their own corners have (0, 0), (1, 0), (1, 1), as
 // in pbrt.
 TEST(TriangleMesh, EveryCornerHasItsNormalAndCoordinates) {
-  const TriangleMesh mesh({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{1, 0, 1}, {0, 1, 1}, {-1, 0, 2}}, {}, {{0, 1, 2}}});
+  const TriangleMesh mesh(
+      {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0.6f, 0, 0.8f}, {0, 0.6f, 0.8f}, {-0.8f, 0, 0.6f}}, {}, {{0, 1, 2}}});
   const SurfacePoint s = mesh.surface_point(0, {0.25f, 0.5f});
-  EXPECT_LT(length(s.ns - normalize(Vec3{0.25f - 0.5f, 0.25f, 0.25f + 0.25f + 1})), 1e-6f);
+  EXPECT_LT(length(s.ns - normalize(Vec3{0.15f - 0.4f, 0.15f, 0.2f + 0.2f + 0.3f})), 1e-6f);
   EXPECT_EQ(s.uv, (Vec2{0.75f, 0.5f}));
-  EXPECT_LT(length(mesh.surface_point(0, {0, 0}).ns - normalize(Vec3{1, 0, 1})), 1e-6f);
+  EXPECT_LT(length(mesh.surface_point(0, {0, 0}).ns - Vec3{0.6f, 0, 0.8f}), 1e-6f);
 }
 
 TEST(TriangleMesh, NormalsTellTheSide) {
