@@ -1,8 +1,8 @@
 // Integrator "path" "integer maxdepth" 65
 //
 // Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
-// The reference for all others, without bias but for what it cannot find: what a point, spot or distant light sends by way of
-// specular surfaces. An iteration is one path a pixel; frames share paths until they part.
+// The reference for all others. It cannot find what a point, spot or distant light sends by way of specular surfaces;
+// everything else is without bias. An iteration is one path a pixel; frames share paths until they part.
 //
 //   iterations  paths a pixel                     the sampler's pixelsamples, else 256
 //   maxdepth    bounces                           5
