@@ -16,9 +16,9 @@
 #include "bench/report/machine.h"
 #include "bench/report/progress.h"
 #include "bench/sections/section.h"
-#include "core/atomic_file.h"
-#include "core/parallel.h"
-#include "core/read_file.h"
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/read_file.h"
 
 namespace dspm {
 namespace {

@@ -3,11 +3,10 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(cmake/public_headers.cmake)
 
-set(header_folder ${CMAKE_INSTALL_INCLUDEDIR}/dspm)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/dspm)
 
 # What modules inherit: the folder of the headers, and the settings under which frames stay equal to the bit.
-target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${header_folder}>)
+target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(libdspm INTERFACE cxx_std_20)
 target_compile_options(libdspm INTERFACE ${dspm_code_options})
 
@@ -16,7 +15,7 @@ install(TARGETS dspm)
 install(TARGETS libdspm EXPORT dspm LIBRARY NAMELINK_COMPONENT Development)
 foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
   get_filename_component(folder ${header} DIRECTORY)
-  install(FILES ${header} DESTINATION ${header_folder}/${folder} COMPONENT Development)
+  install(FILES dspm/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/${folder} COMPONENT Development)
 endforeach()
 install(EXPORT dspm NAMESPACE dspm:: FILE dspmTargets.cmake DESTINATION ${package_folder} COMPONENT Development)
 configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL_DESTINATION ${package_folder}

@@ -1,36 +1,37 @@
-# What modules outside of the tree may include. The first two lists, for modules and for their tests, are stable within
+# What modules outside of the tree may include, as <dspm/...>. The first two lists, for modules and for their tests, are stable within
 # a minor version; the third is what dspm's own integrators are made of, and may change with any version.
 set(public_headers
   accel/accel.h
   cameras/camera.h
-  core/cancellation.h core/errors.h core/files_read.h core/frame_array.h core/frames.h core/parallel.h core/params.h
-  core/ray.h core/registry.h core/rgb.h core/rng.h core/sampling.h core/spectrum.h core/state_stream.h core/transform.h
-  core/vec.h core/version.h
+  colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
   integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h
   integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/material.h materials/parameters.h materials/shading_frame.h
+  math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
   modules/module.h modules/stamp.h
+  params/errors.h params/params.h params/registry.h
+  scene/scene.h
   shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
-  textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h
-  world/scene.h)
+  system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
+  textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h)
 set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
   accel/box_ray.h accel/meet.h
   cameras/projection.h
-  core/frame_lanes.h core/rgb_lanes.h
-  integrators/direct_light.h integrators/estimator.h integrators/gather.h
-  integrators/hit_point.h integrators/joint_path.h integrators/max_depth.h integrators/memory_needs.h
-  integrators/path_step.h
-  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h
-  integrators/point_grid.h integrators/points_within.h integrators/progressive.h integrators/progressive_settings.h
-  integrators/radiance_estimate.h integrators/refit.h integrators/seen_light.h integrators/strand.h
+  colour/rgb_lanes.h
+  grid/point_grid.h grid/points_within.h grid/refit.h
+  integrators/direct_light.h integrators/estimator.h integrators/gather.h integrators/hit_point.h
+  integrators/joint_path.h integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h
+  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h integrators/progressive.h
+  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/seen_light.h integrators/strand.h
   integrators/summed_iterations.h
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h materials/microfacet.h
+  math/frame_lanes.h
   shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

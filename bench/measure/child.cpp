@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/read_file.h"
+#include "dspm/system/read_file.h"
 
 namespace dspm {
 namespace {

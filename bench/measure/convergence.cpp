@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
 namespace dspm {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "bench/measure/run.h"
+#include "dspm/image/image.h"
+#include "dspm/scene/scene.h"
 
 namespace dspm {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dspm/colour/rgb.h"
+
 namespace dspm {
 
 double relative_square(const Image& a, const Image& b, const Image& truth) {

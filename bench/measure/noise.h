@@ -1,7 +1,7 @@
 // How noisy an image is: its squared distance from another one, relative to what is to be seen there.
 #pragma once
 
-#include "image/image.h"
+#include "dspm/image/image.h"
 
 namespace dspm {
 

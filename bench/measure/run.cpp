@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
 namespace dspm {
 namespace {
 
@@ -38,13 +41,11 @@ std::filesystem::path foreign(const std::string& name) {
   return path;
 }
 
-LoadedScene load(const std::filesystem::path& scene, const Options& given, std::optional<Frame> only) {
+LoadedScene load(const std::filesystem::path& scene, const Choices& choices, std::optional<Frame> only) {
   if (!std::filesystem::exists(scene)) throw Skipped(fmt::format("there is no {}", scene.filename().string()));
-  Options options = given;
-  options.scenes = {scene};
   Messages messages(true);
   try {
-    return LoadedScene(options, messages, only);
+    return LoadedScene({scene.string()}, choices, messages, only);
   } catch (const SceneError& error) {
     if (!lacks_files_only(error)) throw;
     throw Skipped(first_line(error.what()));
@@ -52,9 +53,9 @@ LoadedScene load(const std::filesystem::path& scene, const Options& given, std::
 }
 
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines) {
-  Options options;
-  options.defines = defines;
-  return load(scene, options);
+  Choices choices;
+  choices.defines = defines;
+  return load(scene, choices);
 }
 
 LoadedScene load_sibenik_horse() {

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/load.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/load.h"
 
 namespace dspm {
 
@@ -24,7 +26,7 @@ std::filesystem::path our_scene(const std::string& name);
 std::filesystem::path foreign(const std::string& name);
 
 /// Throws Skipped where the scene is not there or has errors, such as meshes that have not been made.
-LoadedScene load(const std::filesystem::path& scene, const Options& options,
+LoadedScene load(const std::filesystem::path& scene, const Choices& choices,
                  std::optional<Frame> only = std::nullopt);  // as if the file held that frame alone
 /// The scene's text has these values of its names, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});

@@ -2,6 +2,7 @@
 
 #include "bench/measure/work.h"
 #include "bench/report/table.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 

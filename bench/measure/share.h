@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench/measure/rounds.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 

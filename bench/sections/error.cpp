@@ -12,12 +12,12 @@ namespace {
 constexpr double kReference = 8, kSlow = 4;
 
 /// Small images, as references are long; photons for as many of them a pixel as 300,000 on 512 x 512.
-Options small(const Setup& setup, const char* integrator) {
-  Options options;
-  options.defines = setup.defines;
-  options.quick = true;
-  options.integrator = integrator;
-  return options;
+Choices small(const Setup& setup, const char* integrator) {
+  Choices choices;
+  choices.defines = setup.defines;
+  choices.quick = true;
+  choices.integrator = integrator;
+  return choices;
 }
 
 std::vector<Method> photon_methods(const Job& given, int photons) {

@@ -1,13 +1,14 @@
 // Up to 500 fabrics on one chair: the time of one more, and memory.
 #include <algorithm>
 
-#include "app/frame_intervals.h"
 #include "bench/measure/child.h"
 #include "bench/measure/rounds.h"
 #include "bench/plots/plots.h"
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
+#include "dspm/math/frames.h"
+#include "dspm/session/frame_intervals.h"
 
 namespace dspm {
 namespace {

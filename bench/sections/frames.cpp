@@ -1,4 +1,6 @@
 // Time and memory of up to 256 frames, in intervals of 64.
+#include "dspm/math/frames.h"
+
 #include <algorithm>
 
 #include "bench/measure/run.h"

@@ -9,6 +9,9 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
 
 namespace dspm {
 namespace {
@@ -62,8 +65,8 @@ Squares squares(const std::vector<Images>& by_seed, std::size_t frame, const Ima
 }
 
 /// Each variation among all others, and by sppm in a file of its own.
-Noise measure_noise(const Product& product, const Options& options, const NoiseSettings& settings) {
-  const LoadedScene loaded = load(product.file, options);
+Noise measure_noise(const Product& product, const Choices& choices, const NoiseSettings& settings) {
+  const LoadedScene loaded = load(product.file, choices);
   const Job job = with_integer(loaded.job, "photons", kPhotons);
   const std::vector<Frame>& frames = job.frames;
   const std::unique_ptr<Scene> scene = loaded.world->scene(frames);
@@ -74,7 +77,7 @@ Noise measure_noise(const Product& product, const Options& options, const NoiseS
   Noise noise{settings.iterations, {}, {}};
   for (const Frame f : spread_frames(frames, settings.variations)) {
     say("noise: frame {}", f + 1);
-    const LoadedScene file = load(product.file, options, f);
+    const LoadedScene file = load(product.file, choices, f);
     const Job own_job = with_integer(file.job, "photons", kPhotons);
     const std::vector<Images> alone =
         rendered_by_seed(*file.world->scene(file.job.frames), "sppm", own_job, kOwnSeed, settings);
@@ -96,17 +99,17 @@ struct Measured {
 };
 
 Measured measure_one(const Product& product, const Setup& setup) {
-  Options options;
-  options.defines = setup.defines;
+  Choices choices;
+  choices.defines = setup.defines;
   const std::string name = product.file.stem().string();
   say("{}: time", name);
-  const LoadedScene loaded = load(product.file, options);
+  const LoadedScene loaded = load(product.file, choices);
   const Share share = measure_share(loaded, loaded.job.frames, setup.quick ? 2 : 5, setup.quick ? 3 : 12);
-  options.quick = true;
+  choices.quick = true;
   const NoiseSettings settings = setup.quick
                                      ? NoiseSettings{8, 4, 32, 4}
                                      : NoiseSettings{.iterations = 16, .seeds = 8, .reference = 256, .variations = 8};
-  return {name, product, share, measure_noise(product, options, settings)};
+  return {name, product, share, measure_noise(product, choices, settings)};
 }
 
 std::string totals(const std::vector<Measured>& all) {

@@ -8,6 +8,9 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
 
 namespace dspm {
 namespace {
@@ -40,10 +43,10 @@ struct Row {
   double own_in_time = 0;
 };
 
-Options options_of(const Case& c) {
-  Options options;
-  options.quick = c.quick;
-  return options;
+Choices choices_of(const Case& c) {
+  Choices choices;
+  choices.quick = c.quick;
+  return choices;
 }
 
 /// A frame alone in its file.
@@ -51,7 +54,7 @@ class Own {
  public:
   Own(const Case& c, Frame frame, const Effort& effort)
       : effort_(effort),
-        file_(load(c.file, options_of(c), frame)),
+        file_(load(c.file, choices_of(c), frame)),
         job_(with_integer(file_.job, "photons", c.photons)),
         scene_(file_.world->scene(job_.frames)),
         truth_(long_run(*scene_, job_, effort.reference)) {}
@@ -106,7 +109,7 @@ struct Measured {
 };
 
 Measured measure_one(const Case& c, const Effort& effort) {
-  const LoadedScene loaded = load(c.file, options_of(c));
+  const LoadedScene loaded = load(c.file, choices_of(c));
   const Job job = with_integer(loaded.job, "photons", c.photons);
   Measured m{c.file.stem().string(), job.frames.size(), {}, {}};
   for (const std::string& line : loaded.world->explain(job.frames))

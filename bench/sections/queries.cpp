@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "accel/two_level.h"
 #include "bench/measure/cpu_time.h"
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/query_rays.h"
 #include "bench/sections/sections.h"
+#include "dspm/accel/two_level.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
 
 namespace dspm {
 namespace {

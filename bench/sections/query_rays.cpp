@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "core/rng.h"
-#include "core/sampling.h"
+#include "dspm/math/rng.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 namespace {

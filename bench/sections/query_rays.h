@@ -3,8 +3,10 @@
 
 #include <vector>
 
-#include "accel/accel.h"
 #include "bench/sections/query_scenes.h"
+#include "dspm/accel/accel.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
 
 namespace dspm {
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-#include "core/sampling.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 

@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "shapes/placed_shape.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/placed_shape.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
 

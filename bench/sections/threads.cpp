@@ -6,7 +6,8 @@
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
-#include "core/parallel.h"
+#include "dspm/math/frames.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {

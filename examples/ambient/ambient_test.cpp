@@ -1,7 +1,7 @@
 // How much of the sky is seen, where that is known.
-#include "testing/agreement.h"
-#include "testing/checks.h"
-#include "testing/scenes.h"
+#include <dspm/testing/agreement.h>
+#include <dspm/testing/checks.h>
+#include <dspm/testing/scenes.h>
 
 int main(int count, char** arguments) {
   using namespace dspm;

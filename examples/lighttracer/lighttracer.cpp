@@ -4,10 +4,10 @@
 // the pixel that sees the place. [Dutré et al. 1993] All frames at once: a photon path is one path as long as the
 // frames meet the same; where they part, so do copies of it, with disjoint sets of frames. What is seen in a mirror or
 // through glass is left out, as are the lights themselves.
-#include "core/parallel.h"
-#include "integrators/path_step.h"
-#include "integrators/tiles.h"
-#include "modules/module.h"
+#include <dspm/integrators/path_step.h>
+#include <dspm/integrators/tiles.h>
+#include <dspm/modules/module.h>
+#include <dspm/system/parallel.h>
 
 namespace {
 

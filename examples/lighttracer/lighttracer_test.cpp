@@ -1,8 +1,8 @@
 // Light tracing finds what paths from the camera find, in both frames of a room through which a ball of frosted metal
 // moves. The lamp is out of sight, because light tracing does not show lamps.
-#include "testing/agreement.h"
-#include "testing/checks.h"
-#include "testing/promises.h"
+#include <dspm/testing/agreement.h>
+#include <dspm/testing/checks.h>
+#include <dspm/testing/promises.h>
 
 namespace {
 

@@ -8,11 +8,11 @@
 //
 // Rays ask for the surface again by two numbers only, so these have to name a point: the surface is seen whole from the
 // middle, and (u, v) are the angles of the direction in which it lies.
+#include <dspm/modules/module.h>
+#include <dspm/shapes/double_vec.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "modules/module.h"
-#include "shapes/double_vec.h"
 
 namespace {
 

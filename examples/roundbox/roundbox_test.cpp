@@ -1,8 +1,8 @@
 // Closed boxes are furnaces, so no ray leaks out; in glass no light is lost; and a box that is all roundness is a
 // sphere, as a thing and as a lamp.
-#include "testing/agreement.h"
-#include "testing/checks.h"
-#include "testing/scenes.h"
+#include <dspm/testing/agreement.h>
+#include <dspm/testing/checks.h>
+#include <dspm/testing/scenes.h>
 
 namespace {
 

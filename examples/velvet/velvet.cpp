@@ -11,13 +11,13 @@
 //   reflectance  spectrum texture  0.5   share of the light that the ground reflects
 //   rim          spectrum texture  0.5   share that the fibres reflect at grazing angles
 //   falloff      float             4     how narrow the rim is; 1 to 64
+#include <dspm/materials/parameters.h>
+#include <dspm/materials/shading_frame.h>
+#include <dspm/math/sampling.h>
+#include <dspm/modules/module.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/sampling.h"
-#include "materials/parameters.h"
-#include "materials/shading_frame.h"
-#include "modules/module.h"
 
 namespace {
 

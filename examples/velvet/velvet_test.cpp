@@ -1,7 +1,7 @@
 // Velvet scatters as its samples say, and under an even sky it looks as bright as it should.
-#include "testing/checks.h"
-#include "testing/furnace.h"
-#include "testing/scattering.h"
+#include <dspm/testing/checks.h>
+#include <dspm/testing/furnace.h>
+#include <dspm/testing/scattering.h>
 
 int main(int count, char** arguments) {
   using namespace dspm::test;

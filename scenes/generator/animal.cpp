@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-#include "core/parallel.h"
+#include "dspm/math/vec.h"
+#include "dspm/system/parallel.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/math/vec.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/surface.h"
 

@@ -2,8 +2,8 @@
 // the middle of its floor is the origin; the apse is at the end of large x, the rose at the other.
 #pragma once
 
+#include "dspm/shapes/triangle_mesh.h"
 #include "scenes/generator/masonry.h"
-#include "shapes/triangle_mesh.h"
 
 namespace dspm::hall {
 

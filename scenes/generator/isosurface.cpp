@@ -7,7 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "core/parallel.h"
+#include "dspm/math/vec.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {

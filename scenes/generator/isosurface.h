@@ -3,8 +3,9 @@
 
 #include <functional>
 
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "scenes/generator/simplify.h"
-#include "shapes/triangle_mesh.h"
 
 namespace dspm {
 

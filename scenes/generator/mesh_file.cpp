@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/atomic_file.h"
+#include "dspm/math/vec.h"
+#include "dspm/system/atomic_file.h"
 
 namespace dspm {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/rng.h"
+#include "dspm/math/rng.h"
+#include "dspm/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/subjects.h"
 

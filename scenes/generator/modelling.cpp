@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "dspm/math/vec.h"
+
 namespace dspm {
 namespace {
 

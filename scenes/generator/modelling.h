@@ -4,8 +4,9 @@
 
 #include <vector>
 
-#include "core/transform.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
 

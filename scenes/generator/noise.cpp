@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/rng.h"
+#include "dspm/math/rng.h"
 
 namespace dspm {
 

@@ -1,7 +1,8 @@
 // Grey pictures by formulas.
 #pragma once
 
-#include "image/image.h"
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
 
 namespace dspm {
 

@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
-#include "shapes/cgal_mesh.h"
+#include "dspm/shapes/cgal_mesh.h"
 
 namespace dspm {
 namespace {

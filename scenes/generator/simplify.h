@@ -3,7 +3,8 @@
 
 #include <functional>
 
-#include "shapes/triangle_mesh.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/math/vec.h"
+
 namespace dspm {
 namespace {
 

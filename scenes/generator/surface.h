@@ -5,7 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "shapes/triangle_mesh.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
 

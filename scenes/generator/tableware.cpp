@@ -1,5 +1,6 @@
 // What stands around the coffee pot of material.dsc, each on the origin: tumbler.ply, of glass and with a thick bottom,
 // and cup.ply, of china. The unit is 10 cm.
+#include "dspm/math/vec.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/modelling.h"
 #include "scenes/generator/subjects.h"

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/vec.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/png.h"
+#include "dspm/image/png.h"
 #include "scenes/generator/noise.h"
 #include "scenes/generator/picture.h"
 #include "scenes/generator/subjects.h"

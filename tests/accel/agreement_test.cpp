@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "accel/brute_force.h"
-#include "accel/two_level.h"
+#include "dspm/accel/brute_force.h"
+#include "dspm/accel/two_level.h"
 #include "tests/accel/random_scene.h"
 
 namespace dspm {

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "core/errors.h"
-#include "shapes/shape.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/params/errors.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/placed.h"
 
 namespace dspm::test {

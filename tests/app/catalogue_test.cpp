@@ -1,10 +1,12 @@
 // What --list and --describe print: lines in columns.
-#include "app/catalogue.h"
+#include "dspm/app/catalogue.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
+
+#include "dspm/modules/all_plugins.h"
 
 namespace dspm {
 namespace {

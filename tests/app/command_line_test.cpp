@@ -1,10 +1,10 @@
 // What a user meets: exit codes, streams, files.
 #include <gtest/gtest.h>
 
-#include "core/version.h"
-#include "image/exr.h"
-#include "tests/app/json_check.h"
-#include "tests/app/process.h"
+#include "dspm/image/exr.h"
+#include "dspm/system/version.h"
+#include "tests/output/json_check.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

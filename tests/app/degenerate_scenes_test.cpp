@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "image/image.h"
-#include "tests/app/process.h"
+#include "dspm/image/image.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

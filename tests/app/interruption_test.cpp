@@ -1,8 +1,8 @@
 // Signals and limits: a run that is stopped early leaves images.
 #include <gtest/gtest.h>
 
-#include "image/exr.h"
-#include "tests/app/process.h"
+#include "dspm/image/exr.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "image/image.h"
-#include "tests/app/process.h"
+#include "dspm/image/image.h"
+#include "tests/support/process.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define DSPM_MEMORY_OF_ITS_OWN 1  // a sanitizer keeps what is freed

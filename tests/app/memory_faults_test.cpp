@@ -2,8 +2,8 @@
 // signal, and leaves no part of a file.
 #include <gtest/gtest.h>
 
-#include "image/image.h"
-#include "tests/app/process.h"
+#include "dspm/image/image.h"
+#include "tests/support/process.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define DSPM_ADDRESS_SPACE_OF_ITS_OWN 1  // a sanitizer takes more than any limit of these

@@ -1,4 +1,4 @@
-#include "app/options.h"
+#include "dspm/app/options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/progress.h"
+#include "dspm/app/progress.h"
 
 #include <gtest/gtest.h>
 

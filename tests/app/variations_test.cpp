@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/exr.h"
-#include "image/image.h"
-#include "tests/app/json_check.h"
-#include "tests/app/process.h"
+#include "dspm/image/exr.h"
+#include "dspm/image/image.h"
+#include "tests/output/json_check.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "image/encoding.h"
-#include "tests/app/process.h"
+#include "dspm/image/encoding.h"
 #include "tests/support/fake_ffmpeg.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

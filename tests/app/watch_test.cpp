@@ -1,5 +1,5 @@
 // The watch reports a step that does not end after `patience`, and not before.
-#include "app/watch.h"
+#include "dspm/app/watch.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include "image/image.h"
+#include "dspm/image/image.h"
 
 namespace dspm {
 

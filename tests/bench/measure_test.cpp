@@ -37,7 +37,7 @@ TEST(OwnFile, ChoosesTheLampThatIsOn) {
     return all;
   };
   EXPECT_EQ(chances(load(file)), std::vector<float>(8, 0.125f));
-  const LoadedScene own = load(file, Options{}, 2);
+  const LoadedScene own = load(file, Choices{}, 2);
   EXPECT_EQ(own.job.frames, (std::vector<Frame>{0}));
   EXPECT_EQ(own.job.variation(0), "c");
   EXPECT_EQ(chances(own), std::vector<float>{1}) << "it has no other lamp";
@@ -48,8 +48,8 @@ TEST(OwnFile, HasTheSphereOfItsFrame) {
   const std::filesystem::path file = std::filesystem::path(DSPM_SOURCE_DIR) / "bench/rising_ball.dsc";
   const auto radius = [](const LoadedScene& loaded) { return loaded.world->scene(loaded.job.frames)->radius; };
   EXPECT_NEAR(radius(load(file)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
-  EXPECT_NEAR(radius(load(file, Options{}, 0)), 3, 1e-3f);
-  EXPECT_NEAR(radius(load(file, Options{}, 23)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
+  EXPECT_NEAR(radius(load(file, Choices{}, 0)), 3, 1e-3f);
+  EXPECT_NEAR(radius(load(file, Choices{}, 23)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
 }
 
 TEST(Median, IsTheMiddleOrTheMeanOfTwo) {

@@ -1,4 +1,4 @@
-#include "film/film.h"
+#include "dspm/film/film.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Offsets must follow the filters' formulas: chi-square tests at a stated level with fixed seeds, and exact quantiles.
-#include "film/pixel_filter.h"
+#include "dspm/film/pixel_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/rng.h"
-#include "testing/chi2.h"
+#include "dspm/math/rng.h"
+#include "dspm/testing/chi2.h"
 
 namespace dspm {
 namespace {

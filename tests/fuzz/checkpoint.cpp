@@ -3,7 +3,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include "app/checkpoint_file.h"
+#include "dspm/checkpoint/checkpoint_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/idle_integrator.h"
 

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "image/decoders.h"
+#include "dspm/image/decoders.h"
 #include "tests/fuzz/target.h"
 
 namespace dspm::fuzz {

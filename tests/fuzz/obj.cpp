@@ -1,5 +1,5 @@
 // OBJ files and, behind a zero byte, the MTL file that they name.
-#include "shapes/obj.h"
+#include "dspm/shapes/obj.h"
 
 #include "tests/fuzz/target.h"
 

@@ -1,5 +1,5 @@
 // PLY files, to a mesh that is whole.
-#include "shapes/ply.h"
+#include "dspm/shapes/ply.h"
 
 #include "tests/fuzz/target.h"
 

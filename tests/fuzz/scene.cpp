@@ -1,6 +1,6 @@
 // The scene language: text to description, and its canonical form, which must not change when it is formatted again.
-#include "lang/formatter.h"
-#include "lang/parse.h"
+#include "dspm/lang/formatter.h"
+#include "dspm/lang/parse.h"
 #include "tests/fuzz/target.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/app/process.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

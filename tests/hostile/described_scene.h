@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/catalogue.h"
-#include "core/errors.h"
+#include "dspm/modules/all_plugins.h"
+#include "dspm/params/errors.h"
 #include "tests/integrators/scene_files.h"
 
 namespace dspm::test {

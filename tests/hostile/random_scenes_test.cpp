@@ -8,11 +8,11 @@
 #include <regex>
 #include <set>
 
-#include "app/job.h"
-#include "lang/parse.h"
-#include "testing/test_scene.h"
+#include "dspm/lang/parse.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/job.h"
+#include "dspm/world/world.h"
 #include "tests/hostile/described_scene.h"
-#include "world/world.h"
 
 namespace dspm::test {
 namespace {

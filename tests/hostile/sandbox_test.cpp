@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "image/png.h"
-#include "tests/app/process.h"
+#include "dspm/image/png.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "image/encoding.h"
+#include "dspm/image/encoding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // OpenEXR files: what we write comes back, and files put together by hand from the format's description are read.
-#include "image/exr.h"
+#include "dspm/image/exr.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/vec.h"
+#include "dspm/math/vec.h"
 #include "tests/image/exr_by_hand.h"
 #include "tests/support/temporary_directory.h"
 

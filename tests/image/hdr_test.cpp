@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "image/decoders.h"
+#include "dspm/image/decoders.h"
 
 namespace dspm {
 namespace {

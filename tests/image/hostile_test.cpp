@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "image/exr.h"
-#include "image/image.h"
-#include "image/png.h"
+#include "dspm/image/exr.h"
+#include "dspm/image/image.h"
+#include "dspm/image/png.h"
 #include "tests/image/exr_by_hand.h"
 #include "tests/support/temporary_directory.h"
 

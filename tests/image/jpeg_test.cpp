@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "image/decoders.h"
-#include "image/encoding.h"
+#include "dspm/image/decoders.h"
+#include "dspm/image/encoding.h"
 
 namespace dspm {
 namespace {

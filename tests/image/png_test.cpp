@@ -1,5 +1,5 @@
 // PNG in all its colour types, written by libpng itself, against values known from the samples.
-#include "image/png.h"
+#include "dspm/image/png.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/vec.h"
-#include "image/encoding.h"
+#include "dspm/image/encoding.h"
+#include "dspm/math/vec.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {

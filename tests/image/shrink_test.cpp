@@ -1,8 +1,8 @@
-#include "image/shrink.h"
+#include "dspm/image/shrink.h"
 
 #include <gtest/gtest.h>
 
-#include "image/compare.h"
+#include "dspm/testing/compare.h"
 
 namespace dspm {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "testing/agreement.h"
-#include "testing/scenes.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/scenes.h"
 
 namespace dspm::test {
 namespace {

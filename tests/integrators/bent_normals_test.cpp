@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "testing/agreement.h"
+#include "dspm/testing/agreement.h"
 
 namespace dspm::test {
 namespace {

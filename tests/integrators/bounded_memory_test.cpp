@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "app/job.h"
-#include "core/parallel.h"
-#include "integrators/memory_needs.h"
-#include "testing/test_scene.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/system/parallel.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/job.h"
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {

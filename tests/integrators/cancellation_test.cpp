@@ -1,5 +1,5 @@
 // An iteration that is given up has changed nothing: tried again, it gives the same bits.
-#include "core/cancellation.h"
+#include "dspm/system/cancellation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "core/state_in_memory.h"
-#include "integrators/memory_needs.h"
-#include "testing/test_scene.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/system/state_in_memory.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "testing/test_scene.h"
+#include "dspm/testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {
@@ -101,7 +101,7 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
         RandomScene(seed, frames)
             .text(fmt::format(
                 "Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
-                "\"string estimator\" \"{}\" \"bool mixture\" {} \"integer seed\" {}",
+                "\"string estimator\" \"{}\" \"bool sharepaths\" {} \"integer seed\" {}",
                 i % 3 == 2 ? "sampled" : "photons", estimator, i % 5 != 4, i));
     SCOPED_TRACE(text);
     TestScene test(text);

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "testing/agreement.h"
-#include "testing/scenes.h"
-#include "testing/test_scene.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {

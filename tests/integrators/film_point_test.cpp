@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/sampling.h"
-#include "testing/test_scene.h"
+#include "dspm/math/sampling.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

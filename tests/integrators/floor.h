@@ -9,8 +9,8 @@
 #include <functional>
 #include <numbers>
 
-#include "testing/agreement.h"
-#include "testing/test_scene.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 

@@ -1,10 +1,10 @@
 // A closed, evenly glowing, evenly reflecting sphere has radiance 1 / (1 - albedo) everywhere: see furnace() for why.
 // And a sheet under an even sky shows its albedo.
-#include "testing/furnace.h"
+#include "dspm/testing/furnace.h"
 
 #include <gtest/gtest.h>
 
-#include "testing/scattering.h"
+#include "dspm/testing/scattering.h"
 
 namespace dspm::test {
 namespace {

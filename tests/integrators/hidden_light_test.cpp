@@ -14,8 +14,8 @@
 #include <complex>
 #include <numbers>
 
-#include "testing/agreement.h"
-#include "testing/test_scene.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "testing/test_scene.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm {
 namespace {
@@ -14,10 +14,10 @@ using test::TestScene;
 constexpr int kFrames = 6;
 
 /// A ball of a material in a room, and a lamp.
-std::string scene(const std::string& material, const std::string& lamp, const char* mixture, int photons = 2000) {
+std::string scene(const std::string& material, const std::string& lamp, const char* share_paths, int photons = 2000) {
   return fmt::format(
       R"(Frames {}
-Integrator "dsppm" "integer photons" {} "bool mixture" {}
+Integrator "dsppm" "integer photons" {} "bool sharepaths" {}
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40
 Film "rgb" "integer xresolution" 24 "integer yresolution" 24
@@ -29,12 +29,12 @@ Shape "sphere" "float radius" 4.5
 ReverseOrientation
 Material {}
 Shape "sphere" "float radius" 0.8)",
-      kFrames, photons, mixture, lamp, material);
+      kFrames, photons, share_paths, lamp, material);
 }
 
 /// Of one iteration of all frames.
-Statistics work(const std::string& material, const std::string& lamp, const char* mixture) {
-  TestScene test(scene(material, lamp, mixture));
+Statistics work(const std::string& material, const std::string& lamp, const char* share_paths) {
+  TestScene test(scene(material, lamp, share_paths));
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
   integrator->iterate(0);

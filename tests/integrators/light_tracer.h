@@ -15,10 +15,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/parallel.h"
-#include "core/sampling.h"
-#include "image/image.h"
-#include "world/scene.h"
+#include "dspm/image/image.h"
+#include "dspm/math/sampling.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm::test {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/state_in_memory.h"
-#include "testing/test_scene.h"
+#include "dspm/system/state_in_memory.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

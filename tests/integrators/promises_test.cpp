@@ -1,12 +1,12 @@
 // What is promised of every integrator: the same bits with any number of threads and when it is resumed, equal frames
 // where nothing differs, a crop that equals the same pixels of the whole, and memory that does not grow.
-#include "testing/promises.h"
+#include "dspm/testing/promises.h"
 
 #include <gtest/gtest.h>
 
-#include "app/options.h"
-#include "testing/scenes.h"
-#include "testing/test_scene.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
 #include "tests/integrators/random_scene.h"
 
 namespace dspm {
@@ -62,7 +62,7 @@ TEST_P(Promises, ACropEqualsTheSamePixelsOfTheWhole) {
   const std::string text = RandomScene(17, 3).text(integrator());
   SCOPED_TRACE(text);
   TestScene whole(text);
-  Options options;
+  Choices options;
   options.pixel_bounds = {5, 21, 3, 16};  // x0, x1, y0, y1
   TestScene crop(text, options);
   const std::vector<Image> all = whole.render_all(2), part = crop.render_all(2);

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "integrators/estimator.h"
-#include "integrators/memory_needs.h"
-#include "testing/test_scene.h"
+#include "dspm/integrators/estimator.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "core/frames.h"
+#include "dspm/math/frames.h"
 #include "tests/integrators/scene_files.h"
 
 namespace dspm::test {

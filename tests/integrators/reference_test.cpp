@@ -10,9 +10,9 @@
 #include <iterator>
 #include <sstream>
 
-#include "image/compare.h"
-#include "image/shrink.h"
-#include "testing/test_scene.h"
+#include "dspm/image/shrink.h"
+#include "dspm/testing/compare.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm {
 namespace {

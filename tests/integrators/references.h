@@ -9,9 +9,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "app/options.h"
-#include "testing/agreement.h"
-#include "testing/test_scene.h"
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
 #include "tests/integrators/light_tracer.h"
 #include "tests/support/temporary_directory.h"
 
@@ -44,7 +44,7 @@ class Reference {
   Tiles tiles(int seeds, Render&& render) const {
     std::vector<std::vector<Image>> renders;
     for (int seed = 1; seed <= seeds; ++seed) {
-      Options options;
+      Choices options;
       options.seed = static_cast<std::uint64_t>(seed);
       TestScene scene(text_, options, file_);
       renders.push_back({render(scene, *options.seed)});

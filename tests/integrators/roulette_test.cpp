@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "testing/agreement.h"
+#include "dspm/testing/agreement.h"
 
 namespace dspm::test {
 namespace {

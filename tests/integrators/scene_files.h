@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "image/exr.h"
-#include "image/png.h"
+#include "dspm/image/exr.h"
+#include "dspm/image/png.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {

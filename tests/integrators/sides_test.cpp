@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "testing/test_scene.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

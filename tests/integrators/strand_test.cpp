@@ -1,4 +1,4 @@
-#include "integrators/strand.h"
+#include "dspm/integrators/strand.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Which of an animation's changes move paths, and which change only what they carry.
-#include "lang/factors.h"
+#include "dspm/lang/factors.h"
 
 #include <gtest/gtest.h>
 
-#include "lang/parse.h"
+#include "dspm/lang/parse.h"
 
 namespace dspm {
 namespace {

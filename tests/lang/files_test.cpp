@@ -1,7 +1,7 @@
 // Scenes of several files: Include and Import, gzip, -D, and what can be wrong with files.
 #include <zlib.h>
 
-#include "core/read_file.h"
+#include "dspm/system/read_file.h"
 #include "tests/lang/parsing.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,5 +1,5 @@
 // The canonical form. Its properties on real scenes are in corpus_test.cpp.
-#include "lang/formatter.h"
+#include "dspm/lang/formatter.h"
 
 #include "tests/lang/parsing.h"
 

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <random>
 
-#include "lang/formatter.h"
+#include "dspm/lang/formatter.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

@@ -1,5 +1,5 @@
 // Tokens and numbers. Numbers are compared with the C library's.
-#include "lang/lexer.h"
+#include "dspm/lang/lexer.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lang/parse.h"
+#include "dspm/lang/parse.h"
 
 namespace dspm::test {
 

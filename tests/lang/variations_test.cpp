@@ -1,9 +1,9 @@
 // Axes and variations as they are read, their products and names, and which of them patterns choose.
-#include "lang/variations.h"
+#include "dspm/lang/variations.h"
 
 #include <fmt/format.h>
 
-#include "lang/formatter.h"
+#include "dspm/lang/formatter.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/sampling.h"
-#include "testing/chi2.h"
+#include "dspm/math/sampling.h"
+#include "dspm/testing/chi2.h"
 #include "tests/lights/random.h"
 
 namespace dspm::test {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "image/exr.h"
+#include "dspm/image/exr.h"
 #include "tests/lights/random.h"
 
 namespace dspm::test {

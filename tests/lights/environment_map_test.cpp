@@ -1,5 +1,5 @@
 // Mappings of the sphere, and importance sampling of an image on it.
-#include "lights/environment_map.h"
+#include "dspm/lights/environment_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Lights of all kinds, with shapes of all kinds, for tests.
 #pragma once
 
-#include "lights/light.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/lights/light.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "tests/lights/params.h"
 
 namespace dspm::test {

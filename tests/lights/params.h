@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/params.h"
-#include "core/registry.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
 
 namespace dspm::test {
 

@@ -1,7 +1,7 @@
 // Random numbers in sequence, for tests.
 #pragma once
 
-#include "core/rng.h"
+#include "dspm/math/rng.h"
 
 namespace dspm::test {
 

@@ -3,8 +3,8 @@
 // integrals of evaluate, which know nothing of sampling.
 #include <gtest/gtest.h>
 
-#include "materials/fresnel.h"
-#include "testing/scattering.h"
+#include "dspm/materials/fresnel.h"
+#include "dspm/testing/scattering.h"
 #include "tests/materials/materials.h"
 
 namespace dspm::test {

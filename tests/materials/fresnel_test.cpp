@@ -1,5 +1,5 @@
 // Fresnel's equations against values known by heart, and against complex arithmetic in double precision.
-#include "materials/fresnel.h"
+#include "dspm/materials/fresnel.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/material.h"
-#include "testing/scattering_cases.h"
-#include "textures/texture_set.h"
+#include "dspm/materials/material.h"
+#include "dspm/testing/scattering_cases.h"
+#include "dspm/textures/texture_set.h"
 
 namespace dspm::test {
 

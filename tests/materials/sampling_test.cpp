@@ -1,7 +1,7 @@
 // Samples follow the density that pdf_w claims: chi-square at a level of 1% for the whole suite, seeds fixed.
 #include <gtest/gtest.h>
 
-#include "testing/scattering.h"
+#include "dspm/testing/scattering.h"
 #include "tests/materials/materials.h"
 
 namespace dspm::test {

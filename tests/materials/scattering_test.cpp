@@ -1,10 +1,10 @@
 // What sample, pdf_w, evaluate and share of one Bsdf must have to do with each other, for every material.
-#include "testing/scattering.h"
+#include "dspm/testing/scattering.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "materials/fresnel.h"
+#include "dspm/materials/fresnel.h"
 #include "tests/materials/materials.h"
 
 namespace dspm::test {

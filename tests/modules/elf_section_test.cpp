@@ -1,9 +1,9 @@
 // Sections are found in real libraries, and files that are none are told.
-#include "modules/elf_section.h"
+#include "dspm/modules/elf_section.h"
 
 #include <gtest/gtest.h>
 
-#include "modules/stamp.h"
+#include "dspm/modules/stamp.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {

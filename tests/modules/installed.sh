@@ -26,9 +26,9 @@ build() {  # folder: configures, builds and tests it
 headers() {
   local forbidden='#include *[<"](oneapi|tbb|embree|OpenEXR|Imath|Imf|CGAL|fmt|CLI)'
   if grep -rnE "$forbidden" "$include"; then fail "the header of a library is in a public one"; fi
-  local flags="-x c++ -std=c++20 -msse4.2 -mpopcnt -Wall -Wextra -Werror -fsyntax-only -I $include"
+  local flags="-x c++ -std=c++20 -msse4.2 -mpopcnt -Wall -Wextra -Werror -fsyntax-only -I $(dirname "$include")"
   find "$include" -name '*.h' -printf '%P\n' >"$work/headers"
-  xargs -P "$(nproc)" -I {} sh -c "echo '#include \"{}\"' | $compiler $flags -" <"$work/headers" ||
+  xargs -P "$(nproc)" -I {} sh -c "echo '#include <dspm/{}>' | $compiler $flags -" <"$work/headers" ||
     fail "a header does not compile alone"
   (($(wc -l <"$work/headers") > 40)) || fail "too few headers are installed"
 }
@@ -58,8 +58,8 @@ moved() {
     cameras/perspective.cpp accel/brute_force.cpp integrators/dsppm/dsppm.cpp integrators/dsppm/hj09.cpp
     integrators/dsppm/kz11.cpp" file
   for file in $files integrators/dsppm/dsppm.h integrators/dsppm/four_frames.h accel/brute_force.h; do
-    mkdir -p "$folder/$(dirname "$file")"
-    cp "$source_dir/$file" "$folder/$file"
+    mkdir -p "$folder/dspm/$(dirname "$file")"
+    cp "$source_dir/dspm/$file" "$folder/dspm/$file"
   done
   cp "$source_dir/tests/modules/moved/"* "$folder/"
   build "$folder"

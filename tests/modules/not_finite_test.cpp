@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "image/image.h"
-#include "tests/app/process.h"
+#include "dspm/image/image.h"
+#include "tests/support/process.h"
 
 namespace dspm::test {
 namespace {

@@ -13,12 +13,16 @@ class Stale(Exception):
 @dataclasses.dataclass
 class Mutant:
     place: str  # of the record: list:line
-    file: str
+    file: str  # in the folder dspm
     sentence: str  # what goes wrong; of a mutant by rule: the rule
     old: str = ""
     new: str = ""
     tests: list = dataclasses.field(default_factory=list)  # to be tried first, in this order
     equivalent: str = ""  # why no test can see it
+
+    @property
+    def path(self):
+        return f"dspm/{self.file}"
 
     @property
     def key(self):

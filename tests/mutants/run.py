@@ -61,7 +61,7 @@ def stale_ones(mutants, tree):
     stale = {}
     for mutant in mutants:
         try:
-            mutant.applied_to((tree.root / mutant.file).read_text())
+            mutant.applied_to((tree.root / mutant.path).read_text())
         except (lists.Stale, FileNotFoundError) as error:
             stale[mutant.place] = error
         for name in mutant.tests:
@@ -112,7 +112,7 @@ def try_all(tree, mutants, stale, results):
     check_unmutated(tree, tests, named)
     dependents = tree.dependents(tests.values())
     for number, mutant in enumerate(todo, 1):
-        named, others = tests_to_try(mutant, tests, dependents.get(mutant.file, ()))
+        named, others = tests_to_try(mutant, tests, dependents.get(mutant.path, ()))
         outcome = try_mutant(tree, mutant, named, others)
         results.set(mutant.key, outcome)
         say(f"{number}/{len(todo)} {outcome['result']} in {outcome['seconds']} s: {mutant.place} {mutant.file}: "

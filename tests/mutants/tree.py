@@ -17,7 +17,7 @@ import time
 CMAKE_OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -w", "-DDSPM_BENCH=OFF"]
 
 # They take minutes, or look at what no mutant changes.
-LEFT_OUT = re.compile("fuzz/|modules/(?!not_finite)|scenes/|include_directions|app/(kill|disk_faults|memory_faults|long_run)")
+LEFT_OUT = re.compile("fuzz/|modules/(?!not_finite)|scenes/|include_directions|checkpoint/kill|output/disk_faults|app/(memory_faults|long_run)")
 
 MEMORY = 12 << 30  # of address space
 
@@ -139,7 +139,7 @@ class Tree:
     @contextlib.contextmanager
     def mutated(self, mutant):
         """Both changes get the time at which they are made, so that the build after each is right."""
-        path = self.sources / mutant.file
+        path = self.sources / mutant.path
         before = path.read_bytes()
         path.write_text(mutant.applied_to(before.decode()))
         try:

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shapes/mesh_check.h"
+#include "dspm/shapes/mesh_check.h"
 
 namespace dspm::animal {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/shapes/mesh_check.h"
+#include "dspm/shapes/ply.h"
 #include "scenes/generator/mesh_file.h"
 #include "scenes/generator/noise.h"
 #include "scenes/generator/surface.h"
-#include "shapes/mesh_check.h"
-#include "shapes/ply.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {

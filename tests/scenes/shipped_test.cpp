@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/load.h"
+#include "dspm/session/load.h"
 #include "scenes/generator/subjects.h"
 #include "tests/support/temporary_directory.h"
 
@@ -35,12 +35,11 @@ class ShippedScenes : public ::testing::Test {
     return files;
   }
   static void expect_sound(const fs::path& scene, const std::vector<std::string>& defines = {}) {
-    Options options;
-    options.scenes = {scene};
-    options.defines = defines;
+    Choices choices;
+    choices.defines = defines;
     Messages messages(true);
     try {
-      const LoadedScene loaded(options, messages);
+      const LoadedScene loaded({scene.string()}, choices, messages);
     } catch (const SceneError& error) {
       ADD_FAILURE() << scene << "\n" << error.what();
     }

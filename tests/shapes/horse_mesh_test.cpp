@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <iostream>
 
-#include "shapes/mesh_check.h"
-#include "shapes/mesh_repair.h"
-#include "shapes/mesh_topology.h"
-#include "shapes/obj.h"
+#include "dspm/shapes/mesh_check.h"
+#include "dspm/shapes/mesh_repair.h"
+#include "dspm/shapes/mesh_topology.h"
+#include "dspm/shapes/obj.h"
 #include "tests/shapes/meshes.h"
 
 namespace dspm {

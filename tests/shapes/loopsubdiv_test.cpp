@@ -1,8 +1,8 @@
 // Loop subdivision: counts, limits that are known, rims.
 #include <gtest/gtest.h>
 
-#include "shapes/mesh_check.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/mesh_check.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/making.h"
 #include "tests/shapes/meshes.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "shapes/shape.h"
+#include "dspm/shapes/shape.h"
 
 namespace dspm::test {
 

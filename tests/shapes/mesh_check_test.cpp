@@ -1,11 +1,11 @@
 // What is wrong with meshes, and mending them: each fault alone, and all at once.
-#include "shapes/mesh_check.h"
+#include "dspm/shapes/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "shapes/mesh_repair.h"
+#include "dspm/shapes/mesh_repair.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/random.h"
 

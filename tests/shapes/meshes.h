@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm::test {
 

@@ -1,5 +1,5 @@
 // OBJ and MTL files: indices of all forms, groups, materials; and meshes in the scene's text.
-#include "shapes/obj.h"
+#include "dspm/shapes/obj.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Shapes at a place, and directions that leave a surface, for tests.
 #pragma once
 
-#include "shapes/placed_shape.h"
+#include "dspm/shapes/placed_shape.h"
 #include "tests/shapes/random.h"
 
 namespace dspm::test {

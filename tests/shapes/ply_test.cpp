@@ -1,5 +1,5 @@
 // PLY files: the same mesh in all three formats, what properties mean, and files that lie.
-#include "shapes/ply.h"
+#include "dspm/shapes/ply.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Polygons to triangles: fans, concave polygons, polygons that meet themselves.
-#include "shapes/polygons.h"
+#include "dspm/shapes/polygons.h"
 
 #include <gtest/gtest.h>
 
-#include "shapes/triangle.h"
+#include "dspm/shapes/triangle.h"
 #include "tests/shapes/random.h"
 
 namespace dspm {

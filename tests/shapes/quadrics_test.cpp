@@ -1,8 +1,8 @@
 // Sphere, disk and cylinder, whole and in part: what rays meet, areas, uniform samples, parameters.
 #include <gtest/gtest.h>
 
-#include "shapes/placed_shape.h"
-#include "testing/chi2.h"
+#include "dspm/shapes/placed_shape.h"
+#include "dspm/testing/chi2.h"
 #include "tests/shapes/making.h"
 #include "tests/shapes/placed.h"
 

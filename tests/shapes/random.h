@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/vec.h"
+#include "dspm/math/vec.h"
 
 namespace dspm::test {
 

@@ -2,7 +2,7 @@
 // flat.
 #include <gtest/gtest.h>
 
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/making.h"
 #include "tests/shapes/placed.h"
 

@@ -1,9 +1,9 @@
 // Triangle meshes: surface points, sides, sampling, and rays that leave a triangle without meeting it again.
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/triangle_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "core/sampling.h"
+#include "dspm/math/sampling.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/placed.h"
 #include "tests/shapes/random.h"

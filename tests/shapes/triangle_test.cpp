@@ -1,5 +1,5 @@
 // The triangle test: known hits, watertightness on closed meshes, and independence of the order of vertices.
-#include "shapes/triangle.h"
+#include "dspm/shapes/triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "shapes/rounding.h"
-#include "shapes/triangle_mesh.h"
+#include "dspm/shapes/rounding.h"
+#include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/random.h"
 

@@ -1,7 +1,7 @@
 // An integrator that renders nothing, for tests of what holds its state.
 #pragma once
 
-#include "integrators/integrator.h"
+#include "dspm/integrators/integrator.h"
 
 namespace dspm::test {
 

@@ -1,10 +1,10 @@
 // The comparison of renders: it passes what is the same but for noise, and tells what is slightly wrong.
-#include "testing/agreement.h"
+#include "dspm/testing/agreement.h"
 
 #include <gtest/gtest.h>
 
-#include "core/rng.h"
-#include "testing/scenes.h"
+#include "dspm/math/rng.h"
+#include "dspm/testing/scenes.h"
 
 namespace dspm::test {
 namespace {

@@ -1,9 +1,9 @@
 // The chi-square test itself: it must pass what is right and catch what is slightly wrong.
-#include "testing/chi2.h"
+#include "dspm/testing/chi2.h"
 
 #include <gtest/gtest.h>
 
-#include "testing/scattering_cases.h"
+#include "dspm/testing/scattering_cases.h"
 
 namespace dspm::test {
 namespace {

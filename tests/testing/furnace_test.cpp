@@ -1,5 +1,5 @@
 // The furnaces tell what an integrator leaves out.
-#include "testing/furnace.h"
+#include "dspm/testing/furnace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The checks of materials tell what is wrong with one.
-#include "testing/scattering.h"
+#include "dspm/testing/scattering.h"
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
-#include "core/sampling.h"
-#include "materials/shading_frame.h"
+#include "dspm/materials/shading_frame.h"
+#include "dspm/math/sampling.h"
+#include "dspm/params/errors.h"
 
 namespace dspm::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <limits>
 
-#include "image/exr.h"
+#include "dspm/image/exr.h"
 #include "tests/textures/make.h"
 
 namespace dspm {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "textures/plugins.h"
+#include "dspm/textures/plugins.h"
 
 namespace dspm {
 

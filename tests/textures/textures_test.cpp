@@ -1,7 +1,7 @@
 #include <limits>
 
+#include "dspm/textures/mapping.h"
 #include "tests/textures/make.h"
-#include "textures/mapping.h"
 
 namespace dspm {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "testing/test_scene.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm::test {
 namespace {

@@ -1,7 +1,7 @@
 // Where shapes and objects stand in the world, and which side of them is outside.
 #include <gtest/gtest.h>
 
-#include "testing/test_scene.h"
+#include "dspm/testing/test_scene.h"
 
 namespace dspm {
 namespace {

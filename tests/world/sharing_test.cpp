@@ -1,9 +1,9 @@
 // What --explain says of small scenes whose sharing is plain, and what the scenes of frame intervals hold.
 #include <gtest/gtest.h>
 
-#include "testing/scenes.h"
-#include "testing/test_scene.h"
-#include "world/world.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/world.h"
 
 namespace dspm {
 namespace {

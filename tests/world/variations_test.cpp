@@ -1,5 +1,5 @@
 // What variations make of parts, lights and looks; and what of the looks is held where variations are many.
-#include "world/variations.h"
+#include "dspm/world/variations.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,12 +7,12 @@
 #include <numeric>
 #include <set>
 
-#include "image/png.h"
-#include "lang/parse.h"
-#include "testing/scenes.h"
-#include "testing/test_scene.h"
+#include "dspm/image/png.h"
+#include "dspm/lang/parse.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/world.h"
 #include "tests/support/temporary_directory.h"
-#include "world/world.h"
 
 namespace dspm {
 namespace {

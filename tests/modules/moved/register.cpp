@@ -1,6 +1,6 @@
-#include "accel/brute_force.h"
-#include "integrators/dsppm/dsppm.h"
-#include "modules/module.h"
+#include <dspm/accel/brute_force.h>
+#include <dspm/integrators/dsppm/dsppm.h>
+#include <dspm/modules/module.h>
 
 namespace dspm {
 

@@ -1,10 +1,10 @@
 // A material, a light, a camera and a shape that are right in most places, and give NaN in some.
+#include <dspm/materials/shading_frame.h>
+#include <dspm/math/sampling.h>
+#include <dspm/modules/module.h>
+
 #include <cmath>
 #include <limits>
-
-#include "core/sampling.h"
-#include "materials/shading_frame.h"
-#include "modules/module.h"
 
 namespace {
 

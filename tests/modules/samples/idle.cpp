@@ -1,4 +1,4 @@
 // Adds nothing.
-#include "modules/module.h"
+#include <dspm/modules/module.h>
 
 DSPM_MODULE(registry) {}

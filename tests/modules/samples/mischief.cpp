@@ -1,10 +1,10 @@
 // An integrator that does what a bad one may do; without a mood it paints every frame in its own grey.
+#include <dspm/modules/module.h>
+
 #include <list>
 #include <stdexcept>
 #include <thread>
 #include <vector>
-
-#include "modules/module.h"
 
 namespace {
 

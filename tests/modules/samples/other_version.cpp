@@ -1,8 +1,8 @@
 // Built for another version, as its stamp says; its static constructor must not run.
+#include <dspm/modules/module.h>
+
 #include <cstdlib>
 #include <fstream>
-
-#include "modules/module.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
 // Fails while it registers.
-#include "modules/module.h"
+#include <dspm/modules/module.h>
 
 DSPM_MODULE(registry) { throw std::runtime_error("no licence for dspm " + std::string(registry.host_version())); }

@@ -1,5 +1,5 @@
 // Claims a name of dspm's own.
-#include "modules/module.h"
+#include <dspm/modules/module.h>
 
 DSPM_MODULE(registry) {
   using namespace dspm;

@@ -1,0 +1,59 @@
+// Rays against boxes, without losing a hit. A primitive test rounds: it may accept a ray that passes its box by some
+// roundings of the coordinates at hand. So boxes and the ray's origin are given a margin of kBoxMargin times their
+// largest coordinate. And since the arithmetic below is monotonic, a box that contains another is never entered later,
+// bit for bit: a hit that lies not before the entry of its primitive's own box (see meet.h) is never culled by a tree.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// 16 roundings. The watertight triangle test takes 6 for shearing, a plane's distance 3.
+inline constexpr float kBoxMargin = 0x1p-20f;
+
+inline float largest_coordinate(const Bounds3& b) { return max_component(max(abs(b.low), abs(b.high))); }
+
+inline Bounds3 widened(const Bounds3& b, float by) {
+  const Vec3 margin{by, by, by};
+  return {b.low - margin, b.high + margin};
+}
+
+/// The box of a primitive (or of anything in the same space as the ray) that trees work with.
+inline Bounds3 with_margin(const Bounds3& b) { return widened(b, kBoxMargin * largest_coordinate(b)); }
+
+/// A ray prepared for boxes that have their margin. Along each axis, the near plane is the high one where the direction
+/// is negative.
+struct BoxRay {
+  std::array<bool, 3> negative;
+  Vec3 near_origin, far_origin;  // the origin, moved by its margin so that boxes are entered earlier and left later
+  Vec3 inverse;                  // of the direction; infinite along an axis to which the ray is perpendicular
+
+  /// `margins`: how many margins of the origin are needed, see Tree::margins for more than one.
+  explicit BoxRay(const Ray& ray, float margins = 1) {
+    const float margin = margins * kBoxMargin * max_component(abs(ray.origin));
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis], shift = std::copysign(margin, d);
+      negative[static_cast<std::size_t>(axis)] = std::signbit(d);
+      near_origin[axis] = ray.origin[axis] + shift;
+      far_origin[axis] = ray.origin[axis] - shift;
+      inverse[axis] = 1 / d;
+    }
+  }
+
+  /// Where the ray's line enters the box, at least 0. An axis for which 0 is multiplied by infinity does not count.
+  float entry(const Bounds3& box) const {
+    float t = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float plane = negative[static_cast<std::size_t>(axis)] ? box.high[axis] : box.low[axis];
+      const float at = (plane - near_origin[axis]) * inverse[axis];
+      t = at > t ? at : t;
+    }
+    return t;
+  }
+};
+
+}  // namespace dspm

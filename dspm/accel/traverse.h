@@ -1,0 +1,98 @@
+// The traversal of a Bvh, front to back. Who asks what is a Query: anything with
+//   FrameSet frames() const                           the frames that are still asked for
+//   bool reaches(float entry, FrameSet frames) const  something at distance `entry` or later may matter to one of them
+//   float limit() const                               nothing beyond this distance matters (at it, it may)
+//   static constexpr bool kOneFrame                   frames() never holds more than one frame, limit() says it all
+//   static constexpr bool kNearestFirst               the order matters
+#pragma once
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "dspm/accel/box_ray.h"
+#include "dspm/accel/bvh.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+/// Box tests of a node's children, four at a time.
+class NodeTest {
+ public:
+  explicit NodeTest(const BoxRay& ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+      near_plane_[axis] = 2 * axis + (ray.negative[static_cast<std::size_t>(axis)] ? 1 : 0);
+      near_origin_[axis] = _mm_set1_ps(ray.near_origin[axis]);
+      far_origin_[axis] = _mm_set1_ps(ray.far_origin[axis]);
+      inverse_[axis] = _mm_set1_ps(ray.inverse[axis]);
+    }
+  }
+
+  /// Bits of the children whose boxes the ray enters within `limit`, and where it enters them.
+  unsigned operator()(const Bvh::Node& node, float limit, float* entry) const {
+    return half(node, 0, limit, entry) | half(node, 4, limit, entry) << 4;
+  }
+
+ private:
+  unsigned half(const Bvh::Node& node, int first, float limit, float* entry) const {
+    // The order of the operands matters: of a NaN (zero times infinity) min and max yield the second operand.
+    __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const __m128 near = _mm_load_ps(node.planes[near_plane_[axis]] + first);
+      const __m128 far = _mm_load_ps(node.planes[near_plane_[axis] ^ 1] + first);
+      enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(near, near_origin_[axis]), inverse_[axis]), enter);
+      leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(far, far_origin_[axis]), inverse_[axis]), leave);
+    }
+    _mm_store_ps(entry + first, enter);
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
+  }
+
+  int near_plane_[3];
+  __m128 near_origin_[3], far_origin_[3], inverse_[3];
+};
+
+/// Whether the ray enters one of the root's boxes within `limit`.
+inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
+  alignas(16) float entry[Bvh::kWidth];
+  return !bvh.nodes.empty() && test(bvh.nodes.front(), limit, entry) != 0;
+}
+
+/// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
+template <class Query, class Visit>
+void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& visit) {
+  // What is still to be visited: where the ray enters it, its number, its frames. Three arrays without default values,
+  // as they are to cost nothing, and as an entry that is written in parts and read as a whole would stall.
+  constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
+  float at[kMost];
+  std::uint32_t child[kMost];
+  std::uint64_t common[kMost];
+  if (bvh.nodes.empty()) return;
+  const bool frames_differ = !bvh.node_frames.empty();
+  int size = 1;
+  at[0] = 0, child[0] = 0, common[0] = query.frames().bits();
+  while (size > 0) {
+    --size;
+    if (Query::kOneFrame ? at[size] > query.limit() : !query.reaches(at[size], FrameSet(common[size]))) continue;
+    const std::uint32_t top = child[size];
+    if (top >= Bvh::kLeaf) {
+      visit(top - Bvh::kLeaf);
+      continue;
+    }
+    const Bvh::Node& node = bvh.nodes[top];
+    alignas(16) float entry[Bvh::kWidth];
+    const int base = size;
+    for (unsigned hits = test(node, query.limit(), entry); hits != 0; hits &= hits - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+      const FrameSet both = frames_differ ? bvh.node_frames[top][i] & query.frames() : query.frames();
+      if (both.empty()) continue;
+      int place = size++;
+      if constexpr (Query::kNearestFirst)
+        for (; place > base && at[place - 1] < entry[i]; --place)
+          at[place] = at[place - 1], child[place] = child[place - 1], common[place] = common[place - 1];
+      at[place] = entry[i], child[place] = node.child[i], common[place] = both.bits();
+    }
+  }
+}
+
+}  // namespace dspm

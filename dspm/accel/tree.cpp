@@ -1,0 +1,169 @@
+#include "dspm/accel/tree.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "dspm/accel/triangle_pieces.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::uint32_t kPlaced = 1u << 30;
+
+// Norm of a linear map where vectors are measured by their largest component.
+template <class Map>
+float norm(const Map& map) {
+  return max_component(abs(map(Vec3{1, 0, 0})) + abs(map(Vec3{0, 1, 0})) + abs(map(Vec3{0, 0, 1})));
+}
+
+// By how much a rounding in the object's space, or on the way there, can be larger in the world than one that is made
+// there: the condition of the transform. Twice that, as the margins of the object's space come on top of it.
+float stretch_of(const Transform& t) {
+  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) *
+         norm([&](const Vec3& v) { return t.inverse_vector(v); });
+}
+
+bool is_world_mesh(const PlacedShape& s) { return s.shape->triangles() && !s.in_object_space(); }
+
+}  // namespace
+
+class Tree::Builder {
+ public:
+  Builder(Tree& tree, std::span<const PlacedShape> shapes, MeshTrees& meshes)
+      : tree_(tree), shapes_(shapes), meshes_(meshes) {}
+
+  void build(std::span<const int> which, FrameSet all) {
+    std::vector<int> world_meshes;
+    for (const int s : which)
+      if (is_world_mesh(shape(s))) world_meshes.push_back(s);
+    TrianglePieces triangles(shapes_, world_meshes);
+    pieces_ = std::move(triangles.pieces);
+    for (const int s : which)
+      if (!is_world_mesh(shape(s))) place(s);
+
+    tree_.bvh_ = build_bvh(pieces_, TrianglePacket::kSize, all);
+    if (std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); }))
+      tree_.bvh_.node_frames = {};
+    pieces_ = {};                                                       // the packets take their room
+    tree_.packets_.reserve(tree_.bvh_.leaves.size() - placed_.size());  // what is placed fills a leaf each
+    for (Bvh::Node& node : tree_.bvh_.nodes)
+      for (std::uint32_t& child : node.child)
+        if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);
+    tree_.bvh_.forget_pieces();
+  }
+
+ private:
+  const PlacedShape& shape(int s) const { return shapes_[static_cast<std::size_t>(s)]; }
+
+  void place(int s) {
+    const PlacedShape& placed = shape(s);
+    if (placed.shape->triangles()) {
+      const Tree& mesh = meshes_.of(*placed.shape);
+      return add(placed, {s, &placed, &mesh, 0}, mesh.outline());
+    }
+    for (int p = 0; p < placed.shape->primitive_count(); ++p)
+      add(placed, {s, &placed, nullptr, p}, {with_margin(placed.shape->bounds(p))});
+  }
+
+  /// `outline`: in the shape's space. A piece that fills a leaf.
+  void add(const PlacedShape& shape, const Placed& placed, const std::vector<Bounds3>& outline) {
+    Bounds3 world;
+    for (const Bounds3& part : outline) world.add(shape.to_world.bounds(part));
+    const float margins = stretch_of(shape.to_world), origin = max_component(abs(shape.to_world.point({})));
+    tree_.margins_ = std::max(tree_.margins_, margins);
+    world = widened(world, margins * kBoxMargin * (largest_coordinate(world) + origin));
+    placed_.push_back(placed);
+    pieces_.push_back({world, shape.frames, TrianglePacket::kSize});
+  }
+
+  std::uint32_t add_leaf(const Bvh::Leaf& leaf, const TrianglePieces& triangles) {
+    const auto pieces = std::span(tree_.bvh_.order).subspan(leaf.first, leaf.count);
+    if (pieces.front() >= triangles.count()) {
+      tree_.placed_.push_back(placed_[pieces.front() - triangles.count()]);
+      return kPlaced + static_cast<std::uint32_t>(tree_.placed_.size() - 1);
+    }
+    TrianglePacket& packet = tree_.packets_.emplace_back();
+    for (const std::uint32_t piece : pieces) {
+      for (const auto [s, number] : triangles.of_piece(piece)) {
+        const TriangleMesh& mesh = *shape(s).shape->triangles();
+        packet.add(s, number, mesh.vertex(number, 0), mesh.vertex(number, 1), mesh.vertex(number, 2));
+      }
+    }
+    return static_cast<std::uint32_t>(tree_.packets_.size() - 1);
+  }
+
+  Tree& tree_;
+  std::span<const PlacedShape> shapes_;
+  MeshTrees& meshes_;
+  std::vector<Piece> pieces_;  // triangles, then placed_
+  std::vector<Placed> placed_;
+};
+
+Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes) {
+  for (const PlacedShape& placed : shapes) frames_.push_back(placed.frames);
+  Builder(*this, shapes, meshes).build(which, all);
+}
+
+template <class Query>
+void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
+  const FrameSet frames = placed.shape->frames & query.frames();
+  Ray object_ray = placed.shape->in_object_space() ? placed.shape->to_world.inverse_ray(ray) : ray;
+  if (!placed.mesh) {
+    if (const auto hit = meet(*placed.shape->shape, placed.primitive, object_ray))
+      query.offer({hit->t, placed.number, placed.primitive, hit->uv}, frames);
+  } else if constexpr (std::is_same_v<Query, Unblocked> || std::is_same_v<Query, AnyHit>) {
+    AnyHit any(FrameSet::single(0), ray.t_max);
+    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), any);
+    if (any.found()) query.offer({}, frames);
+  } else {
+    NearestHit nearest(FrameSet::single(0), query.limit(frames));
+    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), nearest);
+    RayHit hit = nearest.hit();
+    if (hit.missed()) return;
+    hit.shape = placed.number;
+    query.offer(hit, frames);
+  }
+}
+
+template <class Query>
+void Tree::find(const TreeRay& ray, Query& query) const {
+  const auto frames_of = [&](int shape) { return frames_[static_cast<std::size_t>(shape)]; };
+  traverse(bvh_, ray.test, query, [&](std::uint32_t leaf) {
+    if (leaf < kPlaced)
+      packets_[leaf].find(ray.four, query, frames_of);
+    else
+      find_in(placed_[leaf - kPlaced], ray.ray, query);
+  });
+}
+template void Tree::find(const TreeRay&, NearestHit&) const;
+template void Tree::find(const TreeRay&, NearestHits&) const;
+template void Tree::find(const TreeRay&, AnyHit&) const;
+template void Tree::find(const TreeRay&, Unblocked&) const;
+
+std::size_t Tree::memory() const {
+  return bvh_.memory() + packets_.capacity() * sizeof(TrianglePacket) + placed_.capacity() * sizeof(Placed) +
+         frames_.capacity() * sizeof(FrameSet);
+}
+
+const Tree& MeshTrees::of(const Shape& mesh) {
+  std::unique_ptr<const Tree>& tree = trees_[&mesh];
+  if (!tree) {
+    const FrameSet only = FrameSet::single(0);
+    const PlacedShape placed{.shape = &mesh, .to_world = {}, .frames = only};
+    const int first = 0;
+    tree = std::make_unique<const Tree>(std::span(&placed, 1), std::span(&first, 1), only, *this);
+  }
+  return *tree;
+}
+
+std::size_t MeshTrees::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& [shape, tree] : trees_) bytes += tree->memory();
+  return bytes;
+}
+
+}  // namespace dspm

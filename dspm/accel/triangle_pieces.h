@@ -1,0 +1,31 @@
+// Meshes cut into what a tree is built over: single triangles, or one triangle in several frames.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dspm/accel/triangle_packet.h"
+#include "dspm/shapes/placed_shape.h"
+
+namespace dspm {
+
+struct TrianglePieces {
+  struct Triangle {
+    int shape, primitive;
+  };
+
+  /// Of shapes[i] for all i in `which`: meshes, whose to_world is not looked at.
+  TrianglePieces(std::span<const PlacedShape> shapes, std::span<const int> which);
+
+  std::size_t count() const { return first_triangle.size() - 1; }
+  std::span<const Triangle> of_piece(std::size_t p) const {
+    return std::span(triangles).subspan(first_triangle[p], first_triangle[p + 1] - first_triangle[p]);
+  }
+
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> first_triangle;  // by piece, and one past the last
+  std::vector<Triangle> triangles;
+};
+
+}  // namespace dspm

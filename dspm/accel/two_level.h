@@ -1,0 +1,42 @@
+// Accelerator "two-level"
+//
+// The static tree answers for all frames at once, the dynamic tree for each frame; a ray asks either at most once. It
+// has no parameters. [WG12, section 3; there rays start anew behind every dynamic hit]
+#pragma once
+
+#include "dspm/accel/tree.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+class TwoLevel final : public Accel {
+ public:
+  TwoLevel(std::span<const PlacedShape> shapes, FrameSet all);
+
+  HitPartition partition(const Ray& ray, FrameSet frames) const override;
+  FrameSet occluded(const Ray& ray, FrameSet frames) const override;
+  std::size_t memory() const override;
+
+  const Tree& static_tree() const { return static_; }
+  const Tree& dynamic_tree() const { return dynamic_; }
+
+ private:
+  template <class Query>
+  void find_dynamic(const TreeRay& ray, Query& query) const;
+
+  MeshTrees meshes_;
+  Tree static_, dynamic_;
+  float margins_;  // for all of them
+  // A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over what is there
+  // in its frame alone. Empty where that would hold triangles too often.
+  std::vector<Tree> of_frame_;
+};
+
+/// See AccelPlugin.
+std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all);
+
+std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all);
+
+}  // namespace dspm

@@ -1,0 +1,87 @@
+#include "dspm/app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "dspm/app/catalogue.h"
+#include "dspm/app/new_plugin.h"
+#include "dspm/app/options.h"
+#include "dspm/app/render.h"
+#include "dspm/app/signals.h"
+#include "dspm/modules/all_plugins.h"
+#include "dspm/modules/blame.h"
+#include "dspm/params/errors.h"
+#include "dspm/session/load.h"
+#include "dspm/session/load_modules.h"
+#include "dspm/session/out_of_memory.h"
+#include "dspm/system/file_access.h"
+#include "dspm/system/standard_streams.h"
+
+namespace dspm {
+namespace {
+
+int run(const Options& options) {
+  switch (options.task) {
+    case Task::list: return print_data(list_plugins()), 0;
+    case Task::describe: return print_data(describe_plugins(options.described)), 0;
+    case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
+    case Task::format: return print_data(formatted(options.scenes)), 0;
+    case Task::list_variations: return print_data(variation_names(options.scenes, options)), 0;
+    case Task::check: return check_scene(options);
+    case Task::render: return render_scene(options);
+  }
+  return 0;
+}
+
+void confine(const Options& options) {
+  if (options.sandbox.empty()) return;
+  try {
+    confine_files(options.sandbox);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("--sandbox {}: {}", options.sandbox, error.what()));
+  }
+}
+
+int run_or_inform(const std::vector<std::string>& arguments) {
+  try {
+    const Options options = parse_options(arguments);
+    confine(options);
+    load_modules(options.modules);
+    return run(options);
+  } catch (const Information& information) {
+    print_data(information.text);
+    return 0;
+  }
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  const auto say = [](const std::string& what) {
+    const LoadedModule* const module = module_that_threw();
+    const std::string who = module != nullptr ? in_words(*module) + " threw: " : "";
+    print_message(fmt::format("dspm: {}{}\n", who, what));
+  };
+  try {
+    return run_or_inform(arguments);
+  } catch (const UsageError& error) {
+    say(error.what());
+    return 2;
+  } catch (const SceneError& error) {
+    print_message(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    say(fmt::format("{}: {}", error.path1().string(), error.code().message()));
+  } catch (const std::exception& error) {
+    say(is_out_of_memory(error) ? "out of memory" : error.what());
+  } catch (...) {
+    say("what is no exception of C++");
+  }
+  return InterruptRequests::exit_code(1);
+}
+
+}  // namespace dspm

@@ -1,0 +1,131 @@
+#include "dspm/app/new_plugin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "dspm/app/templates.h"
+#include "dspm/modules/all_plugins.h"
+#include "dspm/params/errors.h"
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/file_access.h"
+#include "dspm/system/version.h"
+#include "dspm/world/integrator_choice.h"
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the scene says of a kind: the usual, and what puts the new plugin in its place.
+struct SceneLine {
+  const char *kind, *usual, *own;
+};
+constexpr SceneLine kSceneLines[] = {
+    {"integrator", "Integrator \"dsppm\" \"string direct\" \"sampled\" \"integer iterations\" 16",
+     "Integrator \"@name@\""},
+    {"accelerator", "", "Accelerator \"@name@\""},
+    {"camera", "Camera \"perspective\" \"float fov\" 40", "Camera \"@name@\" \"float fov\" 100"},
+    {"light", "LightSource \"point\" \"point3 from\" [2 4 -3] \"rgb I\" [60 58 54]",
+     "AttributeBegin Translate 2 4 -3 LightSource \"@name@\" \"rgb I\" [60 58 54] AttributeEnd"},
+    {"texture", "", "Texture \"pattern\" \"spectrum\" \"@name@\" \"rgb light\" [.8 .75 .6] \"rgb dark\" [.15 .2 .35]"},
+    {"material", "Material \"diffuse\" \"rgb reflectance\" [.7 .6 .5]",
+     "Material \"@name@\" \"rgb reflectance\" [.7 .6 .5]"},
+    {"shape", "Shape \"disk\" \"float radius\" 1.5", "Shape \"@name@\" \"float width\" 3 \"float height\" 2"},
+};
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+/// A line that comes to nothing is left out.
+std::string filled(std::string_view text, const Words& words) {
+  std::string result;
+  while (!text.empty()) {
+    std::string line(text.substr(0, text.find('\n')));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const bool was_empty = line.empty();
+    for (const auto& [word, value] : words)
+      for (std::size_t at = 0; (at = line.find("@" + word + "@", at)) != line.npos; at += value.size())
+        line.replace(at, word.size() + 2, value);
+    if (was_empty || line.find_first_not_of(' ') != line.npos) result += line + "\n";
+  }
+  return result;
+}
+
+Words words_of(std::string_view kind, const std::string& name) {
+  Words words;
+  for (const SceneLine& line : kSceneLines)
+    words[line.kind] = filled(line.kind == kind ? line.own : line.usual, {{"name", name}});
+  for (auto& [word, value] : words)
+    if (!value.empty()) value.pop_back();  // the end of the line
+  if (kind == "texture") words["material"] = "Material \"diffuse\" \"texture reflectance\" \"pattern\"";
+  words["name"] = name, words["kind"] = kind, words["version"] = kVersion.substr(0, kVersion.rfind('.'));
+  return words;
+}
+
+std::string_view template_text(std::string_view file) {
+  const auto all = templates();
+  return std::find_if(all.begin(), all.end(), [&](const Template& t) { return t.file == file; })->text;
+}
+
+void check(std::string_view kind, const std::string& name, const fs::path& folder) {
+  std::vector<std::string> kinds;
+  for (const SceneLine& line : kSceneLines) kinds.emplace_back(line.kind);
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw UsageError(
+        fmt::format("--new-plugin {}: there is no such kind; there are: {}", kind, fmt::join(kinds, ", ")));
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || name[0] < 'a' || name == "test")
+    throw UsageError(fmt::format(
+        "--new-plugin {} {}: a name is made of a-z, 0-9 and _, begins with a letter, and is not \"test\"", kind, name));
+  if (kind == "integrator" && is_name_of_path(name))
+    throw UsageError(
+        fmt::format("--new-plugin: scenes of pbrt mean \"path\" by the integrator \"{}\"; take another name", name));
+  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: there is a {} \"{}\" already", kind, name));
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
+    throw UsageError(fmt::format("--new-plugin: {} is there already, and not empty", folder.string()));
+}
+
+/// As it is where it may be, else quoted.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// What CMake must be told to find the package of this very program; nothing where it looks anyway.
+std::string package_place(const fs::path& program) {
+  const fs::path folder = program.parent_path(), prefix = folder.parent_path();
+  if (folder.filename() != "bin" || prefix == "/usr" || prefix == "/usr/local") return {};
+  return " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
+}
+
+/// That build, test and try it.
+std::string commands(const fs::path& folder, const std::string& name) {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  return fmt::format(
+      "cd {}\ncmake -B build{} && cmake --build build && ctest --test-dir build\n"
+      "{} --plugin build/lib{}.so {}.dsc --png\n",
+      shell_word(folder.string()), package_place(program), shell_word(program.string()), name, name);
+}
+
+}  // namespace
+
+std::string new_plugin(std::string_view kind, const std::string& name, const fs::path& folder) {
+  expect_allowed(folder);
+  check(kind, name, folder);
+  fs::create_directories(folder);
+  const Words words = words_of(kind, name);
+  write_file(folder / "CMakeLists.txt", filled(template_text("CMakeLists.txt"), words));
+  write_file(folder / (name + ".cpp"), filled(template_text(std::string(kind) + ".cpp"), words));
+  write_file(folder / (name + "_test.cpp"), filled(template_text(std::string(kind) + "_test.cpp"), words));
+  write_file(folder / (name + ".dsc"), filled(template_text("scene.dsc"), words));
+  return commands(folder, name);
+}
+
+}  // namespace dspm

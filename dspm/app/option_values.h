@@ -1,0 +1,31 @@
+// The values of command line options that are more than a number or a word. All throw UsageError, naming what was
+// given.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/app/options.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+/// "1-8,12,1-32:4" (every fourth from 1 to 32): ascending frames without repetition, counted from 0 where the text
+/// counts from 1.
+std::vector<Frame> parse_frames(std::string_view text);
+/// "30s", "1h30m", "1.5h"; a bare number is seconds.
+double parse_duration(const char* option, std::string_view text);
+/// A duration with a unit, or a bare number of iterations.
+Interval parse_interval(const char* option, std::string_view text);
+/// "2G", "1.5GiB", "800M": bytes. K, M, G and T count in thousands, Ki, Mi, Gi and Ti in 1024s; a bare number is bytes.
+std::size_t parse_bytes(const char* option, std::string_view text);
+std::array<double, 4> parse_crop_window(std::string_view text);
+std::array<int, 4> parse_pixel_bounds(std::string_view text);
+
+/// Options as pbrt lets them be written (one dash or two; letter case, '-' and '_' in the name do not matter) in the
+/// spelling of `names`. What is no option of that list stays as it is.
+std::vector<std::string> canonical_spelling(const std::vector<std::string>& arguments,
+                                            const std::vector<std::string>& names);
+
+}  // namespace dspm

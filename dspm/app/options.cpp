@@ -1,0 +1,195 @@
+#include "dspm/app/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "dspm/app/option_values.h"
+#include "dspm/params/errors.h"
+#include "dspm/system/version.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kMaxCount = 1'000'000'000, kMaxThreads = 1024;
+constexpr const char* kDescription =
+    "dspm renders all frames of a scene together, sharing what does not differ between them.\n"
+    "Exit codes: 0 done, 1 the scene or the render failed, 2 usage, 130 interrupted (images are written).\n";
+
+/// So that "" is no way to leave an option out.
+const CLI::Validator kNamesAFile([](const std::string& name) { return name.empty() ? "a file's name is missing" : ""; },
+                                 "");
+
+using ReadText = std::function<void(const std::string&)>;
+
+void add_text(CLI::App& app, const char* names, const char* value, const char* sentence, const ReadText& read) {
+  app.add_option_function<std::string>(names, read, sentence)->type_name(value);
+}
+
+template <class Count>
+void add_count(CLI::App& app, const char* names, Count& count, int lowest, int highest, const char* sentence) {
+  app.add_option(names, count, sentence)->check(CLI::Range(lowest, highest).description(""))->type_name("N");
+}
+
+void add_scene(CLI::App& app, Options& o) {
+  app.add_option("scene", o.scenes, "scene files (.dsc or .pbrt, perhaps .gz), read in this order; -: standard input")
+      ->type_name("");
+  app.add_option("-D", o.defines, "replace $name in the scene's text")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  app.add_option("--plugin", o.modules, "load the plugins of this module, such as ./libambient.so; may be repeated")
+      ->allow_extra_args(false)
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_option("--sandbox", o.sandbox, "for scenes of strangers: touch no file outside of DIR, load no plugins")
+      ->check(kNamesAFile)
+      ->type_name("DIR");
+  app.add_flag("--lenient", o.lenient, "what dspm lacks of pbrt is a warning, not an error");
+  app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
+  app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")
+      ->type_name("NAME");
+  app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
+}
+
+void add_tasks(CLI::App& app, Options& o) {
+  const auto task = [&](const char* name, Task what, const char* sentence) {
+    app.add_flag_callback(name, [&o, what] { o.task = what; })->description(sentence);
+  };
+  task("--check", Task::check, "do not render, only validate everything: the scene, the files, the video, the memory");
+  task("--format", Task::format, "do not render, print the scene in canonical form");
+  task("--list", Task::list, "print the names of all plugins");
+  task("--list-variations", Task::list_variations, "print the names of the scene's variations");
+  add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, as of material:dielectric",
+           [&](const std::string& name) { o.task = Task::describe, o.described = name; });
+  app.add_option_function<std::vector<std::string>>(
+         "--new-plugin", [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
+         "write a project to start a plugin from: integrator ambient my-folder")
+      ->expected(3)
+      ->type_name("KIND NAME DIR");
+}
+
+void add_work(CLI::App& app, Options& o) {
+  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: as many as there are cores)");
+  // Image headers keep it as a double.
+  app.add_option("--seed", o.seed, "of the random numbers")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53).description(""))
+      ->type_name("N");
+  add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths a pixel; 0: until stopped");
+  add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
+  add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
+           [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
+  add_text(app, "--patience", "TIME", "tell who is at work where a step takes longer than this (default: 1m)",
+           [&](const std::string& text) { o.patience = parse_duration("--patience", text); });
+  add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",
+           [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
+  add_text(app, "--frames", "LIST", "render these frames only: 1-8,12, or every fourth: 1-32:4",
+           [&](const std::string& text) { o.frames = parse_frames(text); });
+  app.add_option("--variation", o.variations, "render these variations only: oak-red, 'oak-*'; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  add_text(app, "--cropwindow", "WINDOW", "render this part of the image only: x0,x1,y0,y1 in 0..1",
+           [&](const std::string& text) { o.crop_window = parse_crop_window(text); });
+  add_text(app, "--pixelbounds", "WINDOW", "likewise, in pixels",
+           [&](const std::string& text) { o.pixel_bounds = parse_pixel_bounds(text); });
+  app.add_flag("--quick", o.quick, "a quarter of the width, of the height and of the iterations");
+}
+
+void add_output(CLI::App& app, Options& o) {
+  app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_flag("--png", o.png, "write tone mapped PNG as well");
+  app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
+  app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
+  app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; takes ffmpeg")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
+           [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });
+  app.add_option("--checkpoint", o.checkpoint, "keep the state of the render in this file, for --resume")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  add_text(app, "--checkpoint-every", "TIME", "how often: every 30s, 10m (the default), or so many iterations",
+           [&](const std::string& text) { o.checkpoint_every = parse_interval("--checkpoint-every", text); });
+  app.add_option("--resume", o.resume, "go on from this checkpoint, and keep it up to date")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_flag("--quiet", o.quiet, "only errors and warnings");
+  app.add_flag("--stats{table}", o.stats, "a table of times and counts at the end; in FILE: for programs");
+}
+
+std::string help_of(const CLI::App& app) {
+  std::string help = app.help();
+  // CLI11 shows an optional value by its default.
+  if (const std::size_t at = help.find("{table}"); at != help.npos) help.replace(at, 7, "[=FILE]");
+  return help;
+}
+
+std::vector<std::string> long_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  return names;
+}
+
+/// The first argument that no option takes, and what was meant.
+std::string unexpected(const CLI::App& app) {
+  const std::string argument = app.remaining().empty() ? "" : app.remaining().front();
+  const std::string guess = did_you_mean(argument.substr(argument.find_first_not_of('-')), long_names(app));
+  return "there is no option " + argument + (guess.empty() ? "" : "; " + guess) + " (dspm --help lists all)";
+}
+
+void check(const Options& o) {
+  const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin;
+  if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
+  if (o.crop_window && o.pixel_bounds) throw UsageError("--cropwindow and --pixelbounds exclude each other");
+  const std::string extension = std::filesystem::path(o.outfile).extension();
+  if (!o.outfile.empty() && extension != ".exr" && extension != ".png")
+    throw UsageError("-o " + o.outfile + ": images are written as .exr or .png");
+  if (!o.contact_sheet.empty() && std::filesystem::path(o.contact_sheet).extension() != ".png")
+    throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
+  if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")
+    throw UsageError("--video " + o.video + ": the video is an .mp4");
+  if (o.checkpoint_every && o.checkpoint.empty() && o.resume.empty())
+    throw UsageError("--checkpoint-every: which file? Give --checkpoint or --resume, too");
+  for (const std::string& define : o.defines)
+    if (define.find('=') == define.npos || define.front() == '=')
+      throw UsageError("-D " + define + ": expected name=value");
+}
+
+}  // namespace
+
+Options parse_options(const std::vector<std::string>& arguments) {
+  Options options;
+  CLI::App app(kDescription, "dspm");
+  app.get_formatter()->column_width(26);
+  app.set_version_flag("--version", fmt::format("dspm {}", kVersion));
+  add_scene(app, options);
+  add_tasks(app, options);
+  add_work(app, options);
+  add_output(app, options);
+
+  std::vector<std::string> words = canonical_spelling(arguments, long_names(app));
+  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  try {
+    app.parse(words);
+  } catch (const CLI::CallForHelp&) {
+    throw Information{help_of(app)};
+  } catch (const CLI::CallForVersion& version) {
+    throw Information{version.what() + std::string("\n")};
+  } catch (const CLI::ExtrasError&) {
+    throw UsageError(unexpected(app));
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  check(options);
+  return options;
+}
+
+}  // namespace dspm

@@ -1,0 +1,41 @@
+// What the command line asks for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/checkpoint/checkpoints.h"
+#include "dspm/output/output.h"
+#include "dspm/params/errors.h"
+#include "dspm/session/write_schedule.h"
+#include "dspm/world/choices.h"
+
+namespace dspm {
+
+enum class Task { render, check, format, list, describe, list_variations, new_plugin };
+
+struct Options : Choices, OutputSettings, CheckpointSettings {
+  Task task = Task::render;
+  std::vector<std::string> scenes;   // "-": standard input
+  std::vector<std::string> modules;  // files that bring plugins along
+  std::string sandbox;               // the directory beyond which no file is touched; empty: there is none
+  std::string described;             // [kind:]name
+  std::vector<std::string> created;  // a new plugin's kind, name and folder
+  bool explain = false, quiet = false;
+
+  Interval write_every;
+  int threads = 0;         // 0: all
+  double time_limit = 0;   // seconds; 0: none
+  double patience = 60;    // seconds, before it is told who does not come back
+  std::size_t memory = 0;  // bytes that a run may take; 0: no bound
+};
+
+/// `--help` and `--version`: text for standard output, and nothing else to do.
+struct Information {
+  std::string text;
+};
+
+/// Throws UsageError or Information.
+Options parse_options(const std::vector<std::string>& arguments);
+
+}  // namespace dspm

@@ -1,0 +1,83 @@
+#include "dspm/app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "dspm/system/readable.h"
+#include "dspm/system/standard_streams.h"
+
+namespace dspm {
+namespace {
+
+constexpr double kSecondsBetweenBars = 0.2, kSecondsBetweenLines = 10;
+constexpr int kBarWidth = 32;
+
+/// A line can be overwritten there.
+bool stderr_is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+std::string bar(double share) {
+  const int filled = std::clamp(static_cast<int>(share * kBarWidth), 0, kBarWidth);
+  return fmt::format("[{:=<{}}{:{}}]", "", filled, "", kBarWidth - filled);
+}
+
+}  // namespace
+
+Progress::Progress(const Extent& extent, bool quiet)
+    : extent_(extent), quiet_(quiet), terminal_(stderr_is_terminal()), next_(terminal_ ? 0 : kSecondsBetweenLines) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
+  if (width_ > 0) print_message(fmt::format("\r{:{}}\r", "", width_));
+  width_ = 0;
+}
+
+void Progress::begin(int interval, int iterations) {
+  before_ += std::max(0.0, share_done(interval, iterations) - share_done(interval, 0));
+}
+
+void Progress::step(int interval, int iterations) {
+  if (quiet_ || elapsed() < next_) return;
+  next_ = elapsed() + (terminal_ ? kSecondsBetweenBars : kSecondsBetweenLines);
+  const std::string line = text(interval, iterations);
+  if (terminal_) {
+    print_message(fmt::format("\r{:{}}", line, width_));
+    width_ = std::max(width_, line.size());
+  } else {
+    print_message(fmt::format("dspm: {}\n", line));
+  }
+}
+
+double Progress::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+/// By iterations or by time, whichever ends first.
+double Progress::share_done(int interval, int iterations) const {
+  double share = 0;
+  if (extent_.iterations > 0) share = (interval + iterations / double(extent_.iterations)) / extent_.intervals;
+  if (extent_.time_limit > 0) share = std::max(share, elapsed() / extent_.time_limit);
+  return std::min(share, 1.0);
+}
+
+std::string Progress::text(int interval, int iterations) const {
+  std::string line = fmt::format("iteration {}", iterations);
+  if (extent_.iterations > 0) line += fmt::format("/{}", extent_.iterations);
+  if (extent_.intervals > 1) line += fmt::format(" of frame interval {}/{}", interval + 1, extent_.intervals);
+  line += fmt::format(", {}", readable_time(elapsed()));
+  const double share = share_done(interval, iterations);
+  if (share == 0) return line;
+  if (share < 1)
+    line += fmt::format(", {} left", readable_time(elapsed() * (1 - share) / std::max(share - before_, 1e-9)));
+  return terminal_ ? bar(share) + " " + line : line;
+}
+
+}  // namespace dspm

@@ -1,0 +1,42 @@
+// How far a run is, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace dspm {
+
+class Progress {
+ public:
+  struct Extent {
+    int iterations = 0;     // in each interval; 0: until stopped
+    double time_limit = 0;  // seconds over all intervals; 0: none
+    int intervals = 1;
+  };
+  Progress(const Extent& extent, bool quiet);
+  /// Leaves the bar's line.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// That many iterations of the interval were done in an earlier run.
+  void begin(int interval, int iterations);
+  /// `iterations` of the interval (counted from 0) are done.
+  void step(int interval, int iterations);
+  /// Other output follows: the bar makes room for it.
+  void clear();
+
+ private:
+  double elapsed() const;
+  std::string text(int interval, int iterations) const;
+  double share_done(int interval, int iterations) const;
+
+  Extent extent_;
+  bool quiet_, terminal_;
+  double before_ = 0;      // the share that earlier runs have done
+  double next_ = 0;        // seconds at which the next line is due
+  std::size_t width_ = 0;  // of the bar's line on the terminal
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace dspm

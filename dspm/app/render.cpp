@@ -1,0 +1,174 @@
+#include "dspm/app/render.h"
+
+#include <chrono>
+#include <memory>
+
+#include "dspm/app/progress.h"
+#include "dspm/app/signals.h"
+#include "dspm/app/watch.h"
+#include "dspm/output/results.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/out_of_memory.h"
+#include "dspm/session/session.h"
+#include "dspm/system/memory_use.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/readable.h"
+#include "dspm/system/standard_streams.h"
+
+namespace dspm {
+namespace {
+
+OtherFiles other_files(const Options& options) {
+  OtherFiles files;
+  for (const std::string& scene : options.scenes)
+    if (scene != "-") files.read.push_back({scene, "the scene"});
+  if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
+    files.read.push_back({options.resume, "the checkpoint to resume"});
+  if (!options.checkpoint.empty()) files.written.push_back({options.checkpoint, "the checkpoint"});
+  return files;
+}
+
+/// Shows a session's progress, saves its checkpoints and writes its images.
+class Render final : public SessionObserver {
+ public:
+  Render(const LoadedScene& loaded, const Options& options, MemoryBound& memory, Messages& messages, Watch& watch)
+      : loaded_(loaded),
+        options_(options),
+        memory_(memory),
+        messages_(messages),
+        watch_(watch),
+        results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages,
+                 [] { return InterruptRequests::signal() != 0; }),
+        checkpoints_(loaded.job, options, messages),
+        intervals_(memory.plan(loaded.job, *loaded.world, results_.bytes_while_writing(), checkpoints_.intervals(),
+                               messages, *this)) {
+    report_.threads = thread_count();
+  }
+
+  /// Returns the exit code.
+  int run();
+  const std::vector<FrameList>& intervals() const { return intervals_; }
+
+  void step_begins(const std::string& step, const std::string& who) override { watch_.begin(step, who); }
+  void ready(const Scene& scene, Integrator& integrator, int iterations) override {
+    announce(scene, integrator, iterations);
+    checkpoints_.begin(intervals_, integrator);
+  }
+  IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
+    const IntervalProgress before = checkpoints_.resume(index, integrator);
+    progress_->begin(static_cast<int>(index), before.iterations);
+    saved_ = before.iterations;
+    return before;
+  }
+  void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
+    progress_->step(static_cast<int>(progress.index), progress.iterations);
+    if (checkpoints_.due(progress.iterations)) save(progress, integrator);
+  }
+  void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
+    if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
+    results_.write(intervals_[progress.index], integrator, progress.seconds, images);
+    if (images == Images::so_far) results_.tell_faults();
+  }
+  void iteration_failed() override { results_.tell_missing(); }
+  void interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) override;
+  bool end_wanted() const override { return InterruptRequests::signal() != 0; }
+  bool images_wanted() override { return ImageRequests::take(); }
+
+ private:
+  void announce(const Scene& scene, const Integrator& integrator, int iterations);
+  void save(const IntervalProgress& progress, Integrator& integrator) {
+    saved_ = progress.iterations;
+    results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(progress, integrator); });
+    results_.tell_faults();
+  }
+
+  const LoadedScene& loaded_;
+  const Options& options_;
+  const MemoryBound& memory_;
+  Messages& messages_;
+  Watch& watch_;
+  Results results_;
+  Checkpoints checkpoints_;
+  std::vector<FrameList> intervals_;
+  int saved_ = 0;  // iterations of the interval that the checkpoint holds
+  RunReport report_;
+  std::unique_ptr<Progress> progress_;
+};
+
+int Render::run() {
+  const auto begin = std::chrono::steady_clock::now();
+  const double seconds_before = checkpoints_.seconds();
+  const SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
+  Session(loaded_, intervals_, memory_, settings, messages_, *this).run();
+  progress_.reset();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  report_.seconds = seconds_before + seconds.count();
+  report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
+  results_.say_end(report_.seconds, end_wanted());
+  if (end_wanted() && !checkpoints_.path().empty())
+    messages_.say("--resume {} goes on from here", checkpoints_.path().string());
+  return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
+}
+
+void Render::interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) {
+  if (progress.index + 1 < intervals_.size()) results_.tell_faults();
+  report_.tree_bytes = std::max(report_.tree_bytes, scene.accel->memory());
+  report_.add(integrator.statistics(), intervals_[progress.index]);
+}
+
+void Render::announce(const Scene& scene, const Integrator& integrator, int iterations) {
+  const Job& job = loaded_.job;
+  const PixelRect& crop = job.settings.crop;
+  const std::string limit =
+      options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
+  messages_.say("{}: {} of {} x {} pixels, {}, {} iterations{}, {} threads", job.scene_file, job.frames_in_words(),
+                crop.width(), crop.height(), job.integrator, iterations > 0 ? std::to_string(iterations) : "endless",
+                limit, thread_count());
+  messages_.say("{}: {}", job.integrator, integrator.settings());
+  messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
+                readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));
+  progress_ = std::make_unique<Progress>(
+      Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
+}
+
+void explain(const World& world, const std::vector<FrameList>& intervals) {
+  for (const FrameList& interval : intervals)
+    for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
+}
+
+/// Calls task(render, loaded scene, messages) once all is ready. `step`: what comes before.
+template <class Task>
+int with_render(const Options& options, const char* step, const Task& task) {
+  const ImageRequests image_requests;
+  const ThreadLimit threads(options.threads);
+  Messages messages(options.quiet);
+  MemoryBound memory(options.memory);
+  Watch watch(options.patience);
+  watch.begin(step, "");
+  return naming_memory_step([&] { return watch.step(); },
+                            [&] {
+                              const LoadedScene loaded(options.scenes, options, messages);
+                              const InterruptRequests interrupts;
+                              Render render(loaded, options, memory, messages, watch);
+                              if (options.explain) explain(*loaded.world, render.intervals());
+                              return task(render, loaded, messages);
+                            });
+}
+
+}  // namespace
+
+int render_scene(const Options& options) {
+  return with_render(options, "reading the scene",
+                     [](Render& render, const LoadedScene&, Messages&) { return render.run(); });
+}
+
+int check_scene(const Options& options) {
+  return with_render(options, "checking the scene", [](Render&, const LoadedScene& loaded, Messages& messages) {
+    const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
+    make_integrator(loaded.job, *scene, messages);
+    messages.say("scene ok: {}", summary_of(loaded));
+    return 0;
+  });
+}
+
+}  // namespace dspm

@@ -1,0 +1,52 @@
+// What signals ask of a run. The first Ctrl-C asks for an end after the iteration, which is given up after ten seconds
+// where it can be (system/cancellation.h); the second ends the program at once. SIGHUP and SIGUSR1 ask for the images so
+// far.
+#pragma once
+
+#include <csignal>
+#include <map>
+
+namespace dspm {
+
+/// Handlers as long as it lives.
+class SignalHandlers {
+ public:
+  SignalHandlers() = default;
+  ~SignalHandlers();
+  SignalHandlers(const SignalHandlers&) = delete;
+  SignalHandlers& operator=(const SignalHandlers&) = delete;
+  void handle(int signal, void (*handler)(int));
+
+ private:
+  std::map<int, struct sigaction> before_;
+};
+
+/// SIGHUP and SIGUSR1, from the moment on where a run begins.
+class ImageRequests {
+ public:
+  ImageRequests();
+  /// Whether images were asked for since the last call.
+  static bool take();
+
+ private:
+  SignalHandlers handlers_;
+};
+
+/// SIGINT and SIGTERM, from the moment on where files are written.
+class InterruptRequests {
+ public:
+  InterruptRequests();
+  ~InterruptRequests();
+  InterruptRequests(const InterruptRequests&) = delete;
+  InterruptRequests& operator=(const InterruptRequests&) = delete;
+
+  /// The signal that came; 0: none. It is remembered.
+  static int signal();
+  /// 128 + the signal that came, 130 for Ctrl-C; `otherwise` where none did.
+  static int exit_code(int otherwise) { return signal() != 0 ? 128 + signal() : otherwise; }
+
+ private:
+  SignalHandlers handlers_;
+};
+
+}  // namespace dspm

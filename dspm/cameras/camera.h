@@ -1,0 +1,43 @@
+// Where camera paths start. Plugins: orthographic.cpp is the shortest to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+
+namespace dspm {
+
+/// How a camera sees a point.
+struct Sighting {
+  Vec2 film;              // in pixels of the full image; may lie beside it
+  Vec3 w;                 // from the point towards the camera, unit length
+  float distance;         // to the lens
+  float pixels_per_area;  // film that an area around the point and perpendicular to w takes
+};
+
+class Camera {
+ public:
+  virtual ~Camera() = default;
+  /// `film` in pixels of the full image from its upper left corner; `lens` in [0,1)^2. Direction of unit length.
+  virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
+  /// The distance between neighbouring pixels' rays, in world units, at a path length from the camera.
+  virtual float pixel_spacing(float path_length) const = 0;
+  /// Where ray(film, lens) goes through p. Nothing where no ray does, or where the camera cannot tell: light that is
+  /// traced towards such a camera does not reach it.
+  virtual std::optional<Sighting> sight(const Vec3& /*p*/, Vec2 /*lens*/) const { return std::nullopt; }
+};
+
+struct CameraContext {
+  Transform to_world;
+  int width = 1, height = 1;  // of the full image
+};
+
+using MakeCamera = std::unique_ptr<Camera>(ParamReader&, const CameraContext&);
+PluginTable<Plugin<MakeCamera>>& camera_plugins();
+
+}  // namespace dspm

@@ -1,0 +1,19 @@
+// The table of cameras: one line for each.
+#include "dspm/cameras/camera.h"
+
+namespace dspm {
+
+MakeCamera make_orthographic, make_perspective;
+
+PluginTable<Plugin<MakeCamera>>& camera_plugins() {
+  static PluginTable<Plugin<MakeCamera>> table(
+      "camera",
+      {
+          {"orthographic", "parallel rays, with an optional thin lens", make_orthographic},
+          {"perspective", "a pinhole or a thin lens", make_perspective},
+      },
+      {"realistic", "spherical"});
+  return table;
+}
+
+}  // namespace dspm

@@ -1,0 +1,65 @@
+// What the projective cameras share: which part of the screen a pixel sees, the thin lens, and their parameters. All in
+// camera space: x to the right, y up, z forward.
+#pragma once
+
+#include "dspm/cameras/camera.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+/// The screen window, and the film's pixels on it.
+struct Screen {
+  float left = -1, right = 1, bottom = -1, top = 1;
+  int width = 1, height = 1;  // of the film, in pixels
+
+  Vec2 at(Vec2 film) const {
+    return {left + film.x / static_cast<float>(width) * (right - left),
+            top - film.y / static_cast<float>(height) * (top - bottom)};
+  }
+  /// Back from at().
+  Vec2 film_at(Vec2 s) const {
+    return {(s.x - left) / (right - left) * static_cast<float>(width),
+            (top - s.y) / (top - bottom) * static_cast<float>(height)};
+  }
+  Vec2 pixel_size() const {
+    return {(right - left) / static_cast<float>(width), (top - bottom) / static_cast<float>(height)};
+  }
+};
+
+/// A disk in the plane z = 0 of the ray's origin; what a pixel sees is sharp in the plane z = focal_distance.
+struct ThinLens {
+  float radius = 0, focal_distance = 1e6f;
+
+  /// The ray through another point of the lens that meets `central` in the plane of focus.
+  Ray through(const Ray& central, Vec2 u) const;
+  /// That point, from the middle of the lens.
+  Vec3 offset(Vec2 u) const;
+};
+
+struct Projection {
+  Screen screen;
+  ThinLens lens;
+};
+
+/// Reads what the projective cameras have in common. Wrong values are errors, and their defaults hold.
+Projection read_projection(ParamReader& reader, const CameraContext& context);
+
+/// A number that must be above 0; else an error, and the fallback holds.
+float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
+                    std::string_view sentence);
+
+/// From camera space to the world; the direction is of unit length again.
+inline Ray carried(const Transform& to_world, const Ray& ray) {
+  return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
+}
+
+/// A sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to z takes `pixels` at p.
+Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
+
+/// The edge of a square as large as the rectangle that the camera-space vectors (size.x, 0, 0) and (0, size.y, 0) span
+/// in the world.
+float mean_spacing(const Transform& to_world, Vec2 size);
+
+}  // namespace dspm

@@ -1,0 +1,241 @@
+#include "dspm/checkpoint/checkpoint_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/file_access.h"
+#include "dspm/system/state_in_memory.h"
+
+namespace dspm {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);  // as numbers are in the file
+constexpr std::string_view kMagic = CheckpointFile::kMagic;
+constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
+constexpr int kMostIterations = 1'000'000'000;
+constexpr std::size_t kBlock = 1 << 20;
+
+[[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
+
+class LoadingStream final : public StateStream {
+ public:
+  /// As many bytes as there may be from where the file stands.
+  LoadingStream(std::istream& file, std::uint64_t left) : file_(file), left_(left) {}
+  std::uint64_t left() const { return left_; }
+
+ protected:
+  void bytes(void* data, std::size_t count) override {
+    expect(count);
+    if (!file_.read(static_cast<char*>(data), static_cast<std::streamsize>(count))) fail("it cannot be read");
+    left_ -= count;
+  }
+  void expect(std::size_t count) override {
+    if (count > left_) fail("it ends too early");
+  }
+
+ private:
+  std::istream& file_;
+  std::uint64_t left_;
+};
+
+void persist(std::string& text, StateStream& state) {
+  std::vector<char> bytes(text.begin(), text.end());
+  state.list(bytes, kMostText);
+  text.assign(bytes.begin(), bytes.end());
+}
+
+void persist(Fact& fact, StateStream& state) {
+  persist(fact.name, state);
+  persist(fact.text, state);
+  std::uint8_t digest = fact.is_digest;
+  state.part(digest);
+  fact.is_digest = digest != 0;
+}
+
+void persist(IntervalState& interval, StateStream& state) {
+  state.list(interval.frames, kMostFrames);
+  state.part(interval.iterations);
+  state.part(interval.seconds);
+  state.part(interval.offset);
+  state.part(interval.size);
+}
+
+/// One by one: a count without contents must cost nothing.
+template <class T>
+void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
+  std::uint64_t count = all.size();
+  state.part(count);
+  if (count > most) fail("it tells of too many things");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i == all.size()) all.emplace_back();
+    persist(all[i], state);
+  }
+}
+
+void persist_head(std::vector<Fact>& facts, std::vector<IntervalState>& intervals, StateStream& state) {
+  persist(facts, kMostFacts, state);
+  persist(intervals, kMostIntervals, state);
+}
+
+std::uint64_t head_bytes(std::vector<Fact>& facts, std::vector<IntervalState>& intervals) {
+  CountingStream counting;
+  persist_head(facts, intervals, counting);
+  return counting.count();
+}
+
+constexpr std::uint64_t kHeadAt = kMagic.size();
+
+/// Calls fn(block) for the next `count` bytes, a block at a time. Whether they could be read.
+template <class Fn>
+bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
+  std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count)));
+  for (std::uint64_t left = count; left > 0;) {
+    const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), left));
+    if (!file.read(block.data(), static_cast<std::streamsize>(now))) return false;
+    fn(std::string_view(block.data(), now));
+    left -= now;
+  }
+  return true;
+}
+
+/// A checksum that grows block by block.
+class Checksum {
+ public:
+  void add(std::string_view block) {
+    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
+    value_ = crc32_z(value_, reinterpret_cast<const Bytef*>(block.data()), block.size());
+  }
+  std::uint32_t value() const { return static_cast<std::uint32_t>(value_); }
+
+ private:
+  uLong value_ = crc32_z(0, nullptr, 0);
+};
+
+}  // namespace
+
+class CheckpointFile::SavingStream final : public StateStream {
+ public:
+  explicit SavingStream(AtomicFile& file) : file_(file) {}
+  std::uint32_t checksum() const { return checksum_.value(); }
+  void append(std::string_view block) {
+    checksum_.add(block);
+    file_.write(block);
+  }
+
+ protected:
+  void bytes(void* data, std::size_t count) override { append({static_cast<const char*>(data), count}); }
+
+ private:
+  AtomicFile& file_;
+  Checksum checksum_;
+};
+
+void CheckpointFile::open(const std::filesystem::path& path) {
+  struct stat status;
+  if (stat(path.c_str(), &status) != 0) fail("there is no such file");
+  if (!S_ISREG(status.st_mode)) fail("it is not a regular file");
+  device_ = status.st_dev, inode_ = status.st_ino;
+  file_.open(path, std::ios::binary);
+  if (!file_) fail(fmt::format("it cannot be read: {}", std::error_code(errno, std::generic_category()).message()));
+}
+
+bool CheckpointFile::is_at(const std::filesystem::path& path) const {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 && status.st_dev == device_ && status.st_ino == inode_;
+}
+
+CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) {
+  try {
+    expect_allowed(path);
+    open(path);
+    const std::uint64_t size = std::filesystem::file_size(path);
+    std::array<char, kMagic.size()> magic{};
+    file_.read(magic.data(), magic.size());
+    if (std::string_view(magic.data(), magic.size()) != kMagic) fail("it is no checkpoint of this version of dspm");
+    std::uint32_t checksum = 0;
+    if (size < kHeadAt + sizeof(checksum)) fail("it ends too early");
+    Checksum actual;
+    const auto add = [&](std::string_view block) { actual.add(block); };
+    if (!for_each_block(file_, size - kHeadAt - sizeof(checksum), add)) fail("it cannot be read");
+    file_.read(reinterpret_cast<char*>(&checksum), sizeof(checksum));
+    if (actual.value() != checksum) fail("it is damaged: its checksum is wrong");
+    file_.seekg(static_cast<std::streamoff>(kHeadAt));
+    LoadingStream head(file_, size - kHeadAt - sizeof(checksum));
+    persist_head(facts_, intervals_, head);
+    for (const IntervalState& interval : intervals_)
+      if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
+          interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))
+        fail("it is damaged");
+  } catch (const std::exception& error) {
+    fail(fmt::format("checkpoint {}: {}", path.string(), error.what()));
+  }
+}
+
+void CheckpointFile::load(std::size_t interval, Integrator& integrator) const {
+  const IntervalState& state = intervals_[interval];
+  try {
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(state.offset));
+    LoadingStream stream(file_, state.size);
+    if (!integrator.persist(stream) || stream.left() != 0) fail("it is of another integrator");
+  } catch (const std::exception& error) {
+    fail(fmt::format("checkpoint {}: {}", path_.string(), error.what()));
+  }
+}
+
+bool CheckpointFile::copy(std::size_t interval, SavingStream& to) const {
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(intervals_[interval].offset));
+  return for_each_block(file_, intervals_[interval].size, [&](std::string_view block) { to.append(block); });
+}
+
+std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path,
+                                                            const std::vector<Fact>& facts,
+                                                            std::vector<IntervalState> intervals, const NewState* state,
+                                                            const CheckpointFile* before) {
+  std::unique_ptr<CheckpointFile> written(new CheckpointFile);
+  written->path_ = path, written->facts_ = facts;
+  std::uint64_t offset = kHeadAt + head_bytes(written->facts_, intervals);
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    if (state != nullptr && i == state->interval) intervals[i].size = *state_bytes(state->integrator);
+    intervals[i].offset = offset;
+    offset += intervals[i].size;
+  }
+  written->intervals_ = std::move(intervals);
+  AtomicFile file(path);
+  file.write(kMagic);
+  SavingStream saving(file);
+  persist_head(written->facts_, written->intervals_, saving);
+  for (std::size_t i = 0; i < written->intervals_.size(); ++i)
+    if (state != nullptr && i == state->interval)
+      state->integrator.persist(saving);
+    else if (written->intervals_[i].size > 0 && !before->copy(i, saving))
+      throw WriteError(path, "the checkpoint before it cannot be read");
+  const std::uint32_t checksum = saving.checksum();
+  file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});
+  try {
+    written->open(file.temporary());  // so that it is this very file, whatever has its name later
+  } catch (const std::runtime_error& error) {
+    throw WriteError(path, error.what());
+  }
+  file.commit();
+  return written;
+}
+
+std::optional<std::uint64_t> state_bytes(Integrator& integrator) {
+  CountingStream counting;
+  if (!integrator.persist(counting)) return std::nullopt;
+  return counting.count();
+}
+
+}  // namespace dspm

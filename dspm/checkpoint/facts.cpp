@@ -1,0 +1,104 @@
+#include "dspm/checkpoint/facts.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "dspm/lang/canonical.h"
+#include "dspm/system/files_read.h"
+#include "dspm/system/version.h"
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& where = {}) {
+  return {std::move(name), fmt::format("{:016x}", digest), true, where};
+}
+
+void add_settings(const Job& job, std::vector<Fact>& facts) {
+  const RenderSettings& s = job.settings;
+  const PixelRect& crop = s.crop;
+  facts.push_back({"the version of dspm", std::string(kVersion)});
+  facts.push_back({"the image", fmt::format("{} x {} pixels", s.width, s.height)});
+  facts.push_back(
+      {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
+  facts.push_back({"the seed", std::to_string(s.seed)});
+  facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
+  facts.push_back(digest_fact("the choice of frames", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
+  facts.push_back({"the integrator", job.integrator});
+  facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
+                              digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
+  static const PluginUse kUsual{kUsualPixelFilter, {}, {}, {}};
+  const PluginUse& filter = job.description->filter ? *job.description->filter : kUsual;
+  facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));
+}
+
+/// By it lights are chosen and ties decided.
+void add_order(const std::vector<ScenePartDigest>& parts, std::vector<Fact>& facts) {
+  std::string names;
+  for (const ScenePartDigest& part : parts) names += part.name + "\n";
+  facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
+}
+
+/// As the scene names it, so that a folder may go elsewhere.
+fs::path short_name(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_relative(folder);
+  return relative.empty() || *relative.begin() == ".." ? file : relative;
+}
+
+/// But for the scene's text, which counts by what it says.
+void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
+  std::set<fs::path> texts;
+  std::error_code ignored;
+  for (const auto& file : description.files) texts.insert(fs::canonical(file->name, ignored));
+  const fs::path folder = fs::weakly_canonical(description.main_directory(), ignored);
+  for (const auto& [path, content] : files_read())
+    if (texts.count(path) == 0)
+      facts.push_back(digest_fact(fmt::format("file {}", short_name(path, folder).string()), content));
+}
+
+/// Facts of the same name, the last one first.
+std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>& facts) {
+  std::map<std::string, std::vector<const Fact*>> map;
+  for (auto fact = facts.rbegin(); fact != facts.rend(); ++fact) map[fact->name].push_back(&*fact);
+  return map;
+}
+
+}  // namespace
+
+std::vector<Fact> facts_of(const Job& job) {
+  std::vector<Fact> facts;
+  add_settings(job, facts);
+  std::vector<ScenePartDigest> parts = digests_of(*job.description);
+  add_order(parts, facts);
+  for (ScenePartDigest& part : parts) facts.push_back(digest_fact(std::move(part.name), part.digest, part.where));
+  add_files(*job.description, facts);
+  return facts;
+}
+
+void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics) {
+  constexpr const char* kWayOut = "a checkpoint goes on with the same scene only; to begin anew, use another one";
+  auto before = by_name(then);
+  for (const Fact& fact : now) {
+    std::vector<const Fact*>& same = before[fact.name];
+    if (same.empty()) {
+      diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", fact.name), kWayOut);
+      continue;
+    }
+    const Fact& old = *same.back();
+    same.pop_back();
+    if (old.text == fact.text) continue;
+    diagnostics.error(fact.where,
+                      fact.is_digest ? fmt::format("{} has changed since the checkpoint", fact.name)
+                                     : fmt::format("{}: {} now, {} in the checkpoint", fact.name, fact.text, old.text),
+                      kWayOut);
+  }
+  for (const auto& [name, left] : before)
+    for (std::size_t i = 0; i < left.size(); ++i)
+      diagnostics.error({}, fmt::format("{} of the checkpoint is not there any more", name), kWayOut);
+}
+
+}  // namespace dspm

@@ -1,0 +1,98 @@
+#include "dspm/film/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace dspm {
+
+namespace {
+
+/// Nothing where the parameter is absent or, after an error, where it has not four values.
+template <class T>
+std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, const std::vector<T>& values) {
+  if (values.empty()) return std::nullopt;
+  if (values.size() != 4) {
+    reader.error(name, std::to_string(values.size()) + " values where four are expected: x0 x1 y0 y1");
+    return std::nullopt;
+  }
+  return std::array<T, 4>{values[0], values[1], values[2], values[3]};
+}
+
+/// A side that is no side becomes `fallback`, so that one error is not followed by others.
+void check_side(ParamReader& reader, const char* name, int& side, int fallback) {
+  constexpr int kMaxSide = 1 << 16;
+  if (side >= 1 && side <= kMaxSide) return;
+  reader.error(name, "the resolution must be between 1 and 65536");
+  side = fallback;
+}
+
+void check(ParamReader& reader, FilmSettings& film) {
+  check_side(reader, "xresolution", film.width, FilmSettings().width);
+  check_side(reader, "yresolution", film.height, FilmSettings().height);
+  const std::string extension = std::filesystem::path(film.filename).extension().string();
+  if (extension != ".exr" && extension != ".png") {
+    reader.error("filename", "images are written as .exr or .png, not as \"" + film.filename + "\"");
+  }
+  if (film.crop_window && film.pixel_bounds) {
+    reader.warning("cropwindow", "the crop window is used, the pixel bounds are not");
+  }
+  if (crop_of(film).empty()) {
+    reader.error(film.crop_window ? "cropwindow" : "pixelbounds", "nothing is left of the image");
+  }
+  if (!(film.iso > 0)) reader.error("iso", "the ISO speed must be above 0");
+  if (!(film.max_component > 0)) reader.error("maxcomponentvalue", "the largest value must be above 0");
+}
+
+std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
+  auto film = std::make_unique<FilmSettings>();
+  film->width = reader.integer("xresolution", film->width, "pixels", "width of the full image");
+  film->height = reader.integer("yresolution", film->height, "pixels", "height of the full image");
+  film->filename = reader.text("filename", film->filename, "the image file, .exr or .png; frames are numbered");
+  film->crop_window =
+      four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the part to render"));
+  film->pixel_bounds = four(reader, "pixelbounds", reader.integers("pixelbounds", "x0 x1 y0 y1 in pixels: likewise"));
+  film->diagonal = reader.number("diagonal", 35, "mm", "diagonal of the film") / 1000;
+  film->iso = reader.number("iso", film->iso, "", "speed of the film: 200 doubles the values of 100");
+  film->max_component = reader.number("maxcomponentvalue", film->max_component, "",
+                                      "colours with a brighter component are scaled down to it");
+  film->save_half = reader.flag("savefp16", film->save_half, "half precision in the EXR file, else single");
+  reader.unsupported("whitebalance", "white balance");
+  if (reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly") != "cie1931") {
+    reader.diagnostics().unsupported(reader.where("sensor"), "sensors other than \"cie1931\" are not built in dspm");
+  }
+  reader.finish();
+  check(reader, *film);
+  return film;
+}
+
+}  // namespace
+
+PluginTable<Plugin<MakeFilm>>& film_plugins() {
+  static PluginTable<Plugin<MakeFilm>> table("film", {{"rgb", "colour images, one a frame", make_rgb}},
+                                             {"gbuffer", "spectral"});
+  return table;
+}
+
+PixelRect crop_of(const FilmSettings& film) {
+  if (film.crop_window) {
+    const auto& [xa, xb, ya, yb] = *film.crop_window;
+    const auto edge = [](int size, float at) {
+      return static_cast<int>(std::ceil(static_cast<float>(size) * std::clamp(at, 0.f, 1.f)));
+    };
+    return {edge(film.width, std::min(xa, xb)), edge(film.height, std::min(ya, yb)), edge(film.width, std::max(xa, xb)),
+            edge(film.height, std::max(ya, yb))};
+  }
+  if (film.pixel_bounds) {
+    const auto& [x0, x1, y0, y1] = *film.pixel_bounds;
+    return {std::max(x0, 0), std::max(y0, 0), std::min(x1, film.width), std::min(y1, film.height)};
+  }
+  return {0, 0, film.width, film.height};
+}
+
+void make_quick(FilmSettings& film) {
+  film.width = std::max(1, film.width / 4);
+  film.height = std::max(1, film.height / 4);
+}
+
+}  // namespace dspm

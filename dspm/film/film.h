@@ -1,0 +1,50 @@
+// What the Film directive says, as plain settings, and the arithmetic that follows from it.
+//   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
+// film.cpp has the table of parameters. pbrt's other films (gbuffer, spectral) and its real sensors are not built.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/film/pixel_rect.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+
+namespace dspm {
+
+struct FilmSettings {
+  int width = 1280, height = 720;                   // of the full image
+  std::string filename = "pbrt.exr";                // .exr or .png; frames are numbered, see image_name.h
+  std::optional<std::array<float, 4>> crop_window;  // x0 x1 y0 y1 in 0..1; goes before pixel_bounds
+  std::optional<std::array<int, 4>> pixel_bounds;   // x0 x1 y0 y1
+  float diagonal = 0.035f;                          // of the film, in metres
+  float iso = 100;
+  float max_component = kInfinity;
+  bool save_half = true;  // else single precision
+};
+
+/// The pixels to render: pbrt's rounding. Empty where nothing of the image is left.
+PixelRect crop_of(const FilmSettings& film);
+/// A quarter of the resolution, for a quick look.
+void make_quick(FilmSettings& film);
+
+/// Values of the image file over radiance, for a shutter that is open that long (pbrt's imaging ratio).
+inline float imaging_ratio(const FilmSettings& film, float exposure_seconds) {
+  return exposure_seconds * film.iso / 100;
+}
+
+/// Scales a colour down until its largest component is at most `limit`; the hue stays.
+inline Rgb limited(const Rgb& color, float limit) {
+  const float largest = max_component(color);
+  return largest > limit ? color * (limit / largest) : color;
+}
+
+using MakeFilm = std::unique_ptr<FilmSettings>(ParamReader&);
+PluginTable<Plugin<MakeFilm>>& film_plugins();
+
+}  // namespace dspm

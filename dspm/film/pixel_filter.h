@@ -1,0 +1,44 @@
+// How a pixel averages the image plane around its centre. Filters are sampled by importance: camera paths are spread
+// around the centre as the filter says and then all count alike. Plugins: box, triangle, gaussian (pixel_filter.cpp).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+
+namespace dspm {
+
+/// An even density on [-radius, radius], linear between equidistant nodes, and drawing from it by inversion.
+class FilterProfile {
+ public:
+  /// `weights` at the nodes from -radius to radius: not negative, not all 0; at least two.
+  FilterProfile(float radius, std::vector<float> weights);
+  float sample(float u) const;
+  float radius() const { return radius_; }
+
+ private:
+  float radius_;
+  std::vector<float> weights_;
+  std::vector<float> cumulative_;  // share of the mass below each node
+};
+
+class PixelFilter {
+ public:
+  PixelFilter(FilterProfile x, FilterProfile y) : x_(std::move(x)), y_(std::move(y)) {}
+  /// The offset from the pixel's centre, in pixels, for two numbers in [0, 1).
+  Vec2 sample(Vec2 u) const { return {x_.sample(u.x), y_.sample(u.y)}; }
+  Vec2 radius() const { return {x_.radius(), y_.radius()}; }
+
+ private:
+  FilterProfile x_, y_;
+};
+
+using MakePixelFilter = std::unique_ptr<PixelFilter>(ParamReader&);
+PluginTable<Plugin<MakePixelFilter>>& pixel_filter_plugins();
+
+}  // namespace dspm

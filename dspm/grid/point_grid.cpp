@@ -1,0 +1,115 @@
+#include "dspm/grid/point_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "dspm/grid/counting_sort.h"
+#include "dspm/grid/refit.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::int64_t kGrain = 1 << 14;
+constexpr double kCellsPerPoint = 8, kLeastCells = 4096;
+
+/// At least 0; NaN, as of huge coordinates, counts as that.
+int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
+
+int cells_along(float extent, float cell) { return truncated(extent / cell, 1e6f) + 1; }
+
+/// Widens the cells until there are at most `most` of them.
+float affordable_cell(const Vec3& extent, float cell, double most) {
+  const float largest = std::max(max_component(extent), 1e-30f);
+  cell = std::max(cell, largest * 1e-4f);
+  while (static_cast<double>(cells_along(extent.x, cell)) * cells_along(extent.y, cell) * cells_along(extent.z, cell) >
+         most)
+    cell *= 1.1f;
+  return cell;
+}
+
+}  // namespace
+
+PointGrid::Cell PointGrid::cell_of(const Vec3& p) const {
+  const Vec3 c = (p - bounds_.low) * inverse_cell_;
+  const auto along = [](float v, int n) { return truncated(v, static_cast<float>(n - 1)); };
+  return {along(c.x, nx_), along(c.y, ny_), along(c.z, nz_)};
+}
+
+void PointGrid::build(std::span<const Vec3> points, float cell_size) {
+  refit(order_, points.size()), refit(by_bucket_, points.size());
+  for (auto* coordinates : {&x_, &y_, &z_}) refit(*coordinates, points.size() + PointsWithin::kPadding);
+  if (points.empty()) return;
+  choose_cells(points, cell_size);
+  const BucketBegins begins = sort_into_buckets(points);
+  parallel_for(kBuckets, 1, [&](std::int64_t bucket) {
+    const auto b = static_cast<std::size_t>(bucket);
+    sort_bucket(b, begins[b], begins[b + 1]);
+    for (std::uint32_t place = begins[b]; place < begins[b + 1]; ++place) {
+      const Vec3& p = points[order_[place]];
+      x_[place] = p.x, y_[place] = p.y, z_[place] = p.z;
+    }
+  });
+}
+
+void PointGrid::choose_cells(std::span<const Vec3> points, float cell_size) {
+  const auto count = static_cast<std::int64_t>(points.size());
+  std::vector<Bounds3> bounds(static_cast<std::size_t>(chunk_count(count, kGrain)));
+  parallel_for(count, kGrain, [&](std::int64_t i) {
+    bounds[static_cast<std::size_t>(i / kGrain)].add(points[static_cast<std::size_t>(i)]);
+  });
+  bounds_ = {};
+  for (const Bounds3& b : bounds) bounds_.add(b);
+
+  const Vec3 extent = bounds_.extent();
+  const float cell =
+      affordable_cell(extent, cell_size, std::max(kLeastCells, kCellsPerPoint * static_cast<double>(count)));
+  inverse_cell_ = 1 / cell;
+  nx_ = cells_along(extent.x, cell), ny_ = cells_along(extent.y, cell), nz_ = cells_along(extent.z, cell);
+  const std::size_t cells = index_of(nx_ - 1, ny_ - 1, nz_ - 1) + 1;
+  refit(begin_, cells + 1);
+  begin_.back() = static_cast<std::uint32_t>(count);
+  bucket_shift_ = std::max(0, static_cast<int>(std::bit_width(cells - 1)) - kBucketBits);
+}
+
+PointGrid::BucketBegins PointGrid::sort_into_buckets(std::span<const Vec3> points) {
+  const auto count = static_cast<std::int64_t>(points.size());
+  const auto for_each_point = [&](const auto& fn) {
+    parallel_for(count, kGrain, [&](std::int64_t i) {
+      const Cell c = cell_of(points[static_cast<std::size_t>(i)]);
+      const auto cell = static_cast<std::uint32_t>(index_of(c.x, c.y, c.z));
+      fn(static_cast<std::size_t>(i / kGrain), cell >> bucket_shift_, Sorted{cell, static_cast<std::uint32_t>(i)});
+    });
+  };
+  // By chunk of points and bucket: how many there are, then where the next one goes.
+  std::vector<std::array<std::uint32_t, kBuckets>> places(static_cast<std::size_t>(chunk_count(count, kGrain)));
+  for_each_point([&](std::size_t chunk, std::uint32_t bucket, Sorted) { ++places[chunk][bucket]; });
+  BucketBegins begins;
+  turn_into_places(places, begins);
+  for_each_point(
+      [&](std::size_t chunk, std::uint32_t bucket, Sorted point) { by_bucket_[places[chunk][bucket]++] = point; });
+  return begins;
+}
+
+void PointGrid::sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32_t end) {
+  const std::size_t cells = begin_.size() - 1, first = std::min(bucket << bucket_shift_, cells),
+                    last = std::min((bucket + 1) << bucket_shift_, cells);
+  const auto points = std::span<const Sorted>(by_bucket_).subspan(begin, end - begin);
+  // Counting sort: begin_[c] first counts the points of cell c, then walks from the cell's begin to its end.
+  std::fill_n(begin_.data() + first, last - first, 0u);
+  for (const Sorted& point : points) ++begin_[point.cell];
+  std::uint32_t sum = begin;
+  for (std::size_t c = first; c < last; ++c) sum += std::exchange(begin_[c], sum);
+  for (const Sorted& point : points) order_[begin_[point.cell]++] = point.number;
+  for (std::size_t c = last; c-- > first + 1;) begin_[c] = begin_[c - 1];
+  if (first < last) begin_[first] = begin;
+}
+
+std::size_t PointGrid::bytes() const {
+  return (begin_.capacity() + order_.capacity()) * sizeof(std::uint32_t) + by_bucket_.capacity() * sizeof(Sorted) +
+         (x_.capacity() + y_.capacity() + z_.capacity()) * sizeof(float);
+}
+
+}  // namespace dspm

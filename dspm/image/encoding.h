@@ -1,0 +1,25 @@
+// Between the numbers of image files and linear light.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+/// [IEC 61966-2-1] Both are odd functions, so that negative values survive a round trip.
+float srgb_to_linear(float encoded);
+float linear_to_srgb(float linear);
+
+/// The linear value of `encoded`; automatic leaves it as it is.
+float decode(ColorEncoding encoding, float encoded);
+
+/// Linear values of the integers 0 .. levels - 1, where levels - 1 stands for 1; automatic is sRGB here.
+std::vector<float> decoding_table(ColorEncoding encoding, int levels);
+
+/// What a screen shows, eight bits a channel in the order of the pixels: 0..1 (linear) as sRGB, the rest is clamped;
+/// NaN is black.
+std::string srgb_bytes(const Image& image);
+
+}  // namespace dspm

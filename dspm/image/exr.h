@@ -1,0 +1,35 @@
+// OpenEXR files; exr.cpp is the only place that knows the library.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+/// What stands in an image file beside the pixels. The names must not be those of OpenEXR's own attributes.
+struct ExrHeader {
+  std::map<std::string, std::string> texts;
+  std::map<std::string, int> integers;
+  std::map<std::string, double> numbers;  // also for counts beyond 32 bits: exact up to 2^53
+  double frames_per_second = 0;           // 0: no animation
+  int x = 0, y = 0;                       // where the pixels (data window) begin in the full image (display window)
+  int full_width = 0, full_height = 0;    // 0: the pixels are the full image
+};
+
+enum class ExrPixels { half, single };
+
+bool is_exr(std::string_view bytes);
+/// The data window of the first part; what is missing of R, G, B is an error unless there is Y. Throws std::exception.
+Image decode_exr(std::string_view bytes);
+
+/// One part with the channels R, G, B, compressed without loss. Halves end at 65504: what is brighter is clamped to
+/// that.
+void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
+               ExrPixels pixels = ExrPixels::half);
+ExrHeader read_exr_header(const std::filesystem::path& path);
+
+}  // namespace dspm

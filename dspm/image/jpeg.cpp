@@ -1,0 +1,99 @@
+// jpeglib.h needs size_t and FILE, jerror.h needs jpeglib.h.
+// clang-format off
+#include <cstddef>
+#include <cstdio>
+#include <jpeglib.h>
+#include <jerror.h>
+// clang-format on
+
+#include <csetjmp>
+#include <stdexcept>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/decoders.h"
+#include "dspm/image/encoding.h"
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+namespace {
+
+/// libjpeg reports errors by a jump, over which no destructor runs: what is allocated lies here, outside of the jump.
+struct JpegReader {
+  JpegReader() {
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg.client_data = this;
+    errors.error_exit = &on_error;
+    errors.emit_message = &on_message;
+  }
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
+
+  [[noreturn]] static void on_error(j_common_ptr jpeg) {
+    auto& reader = *static_cast<JpegReader*>(jpeg->client_data);
+    jpeg->err->format_message(jpeg, reader.message);
+    std::longjmp(reader.jump, 1);
+  }
+  /// Warnings are harmless, but for the one of a file that ends too early: libjpeg would fill the rest with grey.
+  static void on_message(j_common_ptr jpeg, int level) {
+    if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) on_error(jpeg);
+  }
+
+  /// Each scan goes over the whole image, and may take a few bytes of the file. libjpeg itself writes ten.
+  static void on_progress(j_common_ptr jpeg) {
+    constexpr int kMostScans = 100;
+    auto& reader = *static_cast<JpegReader*>(jpeg->client_data);
+    if (reader.jpeg.input_scan_number <= kMostScans) return;
+    std::snprintf(reader.message, sizeof reader.message, "it has more than %d scans", kMostScans);
+    std::longjmp(reader.jump, 1);
+  }
+
+  bool start(std::string_view bytes) {
+    if (setjmp(jump) != 0) return false;
+    jpeg_create_decompress(&jpeg);
+    progress.progress_monitor = &on_progress;
+    jpeg.progress = &progress;
+    jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+    jpeg_read_header(&jpeg, TRUE);
+    jpeg.out_color_space = JCS_RGB;
+    jpeg_calc_output_dimensions(&jpeg);
+    return true;
+  }
+  bool read(Image& image, const std::vector<float>& linear) {
+    if (setjmp(jump) != 0) return false;
+    jpeg_start_decompress(&jpeg);
+    while (jpeg.output_scanline < jpeg.output_height) {
+      Rgb* pixel = &image.at(0, static_cast<int>(jpeg.output_scanline));
+      JSAMPROW to = row.data();
+      jpeg_read_scanlines(&jpeg, &to, 1);
+      for (std::size_t i = 0; i < row.size(); i += 3) {
+        *pixel++ = {linear[row[i]], linear[row[i + 1]], linear[row[i + 2]]};
+      }
+    }
+    jpeg_finish_decompress(&jpeg);
+    return true;
+  }
+
+  jpeg_decompress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
+  std::jmp_buf jump{};
+  std::vector<JSAMPLE> row;
+  char message[JMSG_LENGTH_MAX] = "";
+};
+
+}  // namespace
+
+bool is_jpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); }
+
+Image decode_jpeg(std::string_view bytes, ColorEncoding encoding) {
+  JpegReader reader;
+  if (!reader.start(bytes)) throw std::runtime_error(reader.message);
+  Image image = sized_image(reader.jpeg.output_width, reader.jpeg.output_height, bytes.size());
+  reader.row.resize(static_cast<std::size_t>(image.width) * 3);
+  if (!reader.read(image, decoding_table(encoding, 256))) throw std::runtime_error(reader.message);
+  return image;
+}
+
+}  // namespace dspm

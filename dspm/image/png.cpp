@@ -1,0 +1,116 @@
+#include "dspm/image/png.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/decoders.h"
+#include "dspm/image/encoding.h"
+#include "dspm/system/atomic_file.h"
+
+namespace dspm {
+
+namespace {
+
+/// libpng reports errors by a jump, over which no destructor runs: what is allocated lies here, outside of the jump.
+struct PngReader {
+  explicit PngReader(std::string_view file) : bytes(file) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &on_error, &on_warning);
+    if (png != nullptr) info = png_create_info_struct(png);
+    if (info == nullptr) throw std::bad_alloc();
+    png_set_read_fn(png, this, &on_read);
+  }
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+
+  static PngReader& of(png_const_structp png) { return *static_cast<PngReader*>(png_get_error_ptr(png)); }
+  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
+    std::strncpy(of(png).message, message, sizeof of(png).message - 1);
+    std::longjmp(png_jmpbuf(png), 1);
+  }
+  static void on_warning(png_structp, png_const_charp) {}
+  static void on_read(png_structp png, png_bytep to, std::size_t count) {
+    std::string_view& rest = of(png).bytes;
+    if (count > rest.size()) png_error(png, "the file ends too early");
+    std::memcpy(to, rest.data(), count);
+    rest.remove_prefix(count);
+  }
+
+  /// Everything becomes 16-bit RGB with the most significant byte first; 8-bit values v become 257 v.
+  bool read_size() {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_read_info(png, info);
+    png_set_expand_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_strip_alpha(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    return true;
+  }
+  bool read_rows() {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_read_image(png, rows.data());
+    png_read_end(png, nullptr);
+    return true;
+  }
+
+  std::string_view bytes;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::vector<png_byte> samples;
+  std::vector<png_bytep> rows;
+  char message[128] = "not a PNG file";
+};
+
+}  // namespace
+
+bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
+
+Image decode_png(std::string_view bytes, ColorEncoding encoding) {
+  PngReader reader(bytes);
+  if (!reader.read_size()) throw std::runtime_error(reader.message);
+  Image image = sized_image(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
+                            bytes.size());
+
+  const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
+  reader.samples.resize(row_bytes * static_cast<std::size_t>(image.height));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    reader.rows.push_back(reader.samples.data() + y * row_bytes);
+  }
+  if (!reader.read_rows()) throw std::runtime_error(reader.message);
+
+  const std::vector<float> linear = decoding_table(encoding, 1 << 16);
+  const png_byte* sample = reader.samples.data();
+  const auto next = [&] {
+    const int high = *sample++, low = *sample++;
+    return linear[static_cast<std::size_t>(high << 8 | low)];
+  };
+  for (Rgb& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c) pixel[c] = next();
+  }
+  return image;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  const std::string pixels = srgb_bytes(image);
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw WriteError(path, header.message);
+  }
+  write_file(path, std::string_view(bytes).substr(0, size));
+}
+
+}  // namespace dspm

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/decoders.h"
+#include "dspm/image/encoding.h"
+#include "dspm/image/exr.h"
+#include "dspm/image/image.h"
+#include "dspm/image/png.h"
+#include "dspm/system/read_file.h"
+
+namespace dspm {
+
+Image decode_image(std::string_view bytes, ColorEncoding encoding) {
+  if (is_png(bytes)) return decode_png(bytes, encoding);
+  if (is_jpeg(bytes)) return decode_jpeg(bytes, encoding);
+  if (!is_exr(bytes) && !is_hdr(bytes)) {
+    throw std::runtime_error("it is neither a PNG, JPEG, OpenEXR nor Radiance HDR file");
+  }
+  Image image = is_exr(bytes) ? decode_exr(bytes) : decode_hdr(bytes);
+  for (Rgb& pixel : image.pixels)
+    pixel = {decode(encoding, pixel.r), decode(encoding, pixel.g), decode(encoding, pixel.b)};
+  return image;
+}
+
+Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_bytes) {
+#ifdef DSPM_FUZZ  // millions of inputs are to be tried, and large images take long
+  constexpr std::size_t kPixelsPerByte = 8, kOnTrust = std::size_t{1} << 12;
+#else
+  // Pictures of something hold far less than 256 pixels a byte, but an image of one colour may reach thousands. Up to
+  // 16 million are taken on trust, so that a file below 200 kB never takes more than a gigabyte.
+  constexpr std::size_t kPixelsPerByte = 256, kOnTrust = std::size_t{1} << 24;
+#endif
+  const std::size_t most = std::min(kMaxPixels, std::max(kOnTrust, kPixelsPerByte * file_bytes));
+  if (width < 1 || height < 1) throw std::runtime_error("it has no size");
+  if (static_cast<std::size_t>(width) > most / static_cast<std::size_t>(height)) {
+    throw std::runtime_error(
+        fmt::format("{} x {} pixels are too many for {} bytes: at most {} million are read; make it "
+                    "smaller",
+                    width, height, file_bytes, most / 1'000'000));
+  }
+  return Image(static_cast<int>(width), static_cast<int>(height));
+}
+
+Image read_image(const std::filesystem::path& path, ColorEncoding encoding) {
+  try {
+    return decode_image(read_bytes(path), encoding);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("cannot read the image " + path.string() + ": it does not fit into memory");
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot read the image " + path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace dspm

@@ -1,0 +1,54 @@
+// Direct light at a surface by one shadow ray, for all frames of a path at once.
+#pragma once
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// A shadow ray ends short of the light's own surface.
+inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
+  constexpr float kShort = 1 - 1e-4f;
+  Ray ray = point.spawn(light.wi);
+  if (!std::isfinite(light.distance)) return ray;
+  // Aimed anew from the offset origin: a grazing ray would miss the light's point otherwise.
+  const Vec3 to_light = point.p + light.wi * light.distance - ray.origin;
+  const float distance = length(to_light);
+  if (distance > 0) ray.direction = to_light / distance, ray.t_max = distance * kShort;
+  return ray;
+}
+
+/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&, giver) with the
+/// radiance that the surface (`point`, of `hit`) sends towards wo by it, for the frames in which nothing lies between.
+/// `weight(wi, pdf_w)` multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for
+/// delta lights. Radiance that is not finite is handed on; giver() is then who gave it.
+template <class Weight, class Fn>
+void sample_direct_light(const Scene& scene, FrameSet frames, const RayHit& hit, const SurfacePoint& point,
+                         const Bsdf& bsdf, const Vec3& wo, LobeSet lobes, const PathRandom& random, int bounce,
+                         std::uint64_t& shadow_rays, Weight&& weight, Fn&& fn) {
+  const ChosenLight chosen = scene.choose_light(random.number(bounce, kLightChoice));
+  if (chosen.probability == 0) return;
+  const Vec2 u = random.pair(bounce, kLightPoint);
+  scene.lights[static_cast<std::size_t>(chosen.index)].states.for_each(
+      frames, [&](FrameSet common, const Light& light) {
+        const auto lit = light.illuminate(point.p, u);
+        if (!lit) return;
+        const float pdf_w = chosen.probability * lit->pdf_w;
+        const Rgb f = bsdf.evaluate(wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
+        const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
+        if (is_black(radiance)) return;
+        const auto giver = [&] {
+          return is_finite(f) ? ScenePart{ScenePart::Kind::light, chosen.index} : material_part(scene, hit);
+        };
+        if (!is_finite(radiance)) return fn(common, radiance, giver);
+        ++shadow_rays;
+        const FrameSet free = common - scene.accel->occluded(shadow_ray(point, *lit), common);
+        if (!free.empty()) fn(free, radiance, giver);
+      });
+}
+
+}  // namespace dspm

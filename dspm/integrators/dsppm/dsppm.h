@@ -1,0 +1,17 @@
+// Dynamic stochastic progressive photon mapping.
+#pragma once
+
+#include "dspm/integrators/estimator.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// Every pixel and frame shrinks its own radius [HJ09, WG12]; what frames share is gathered once.
+EstimatorKind shared_hj09();
+/// The radius depends on the iteration alone [KZ11]; what all frames share is summed once.
+EstimatorKind shared_kz11();
+
+std::unique_ptr<Integrator> make_dsppm(ParamReader& params, const Scene& scene, const RenderSettings& render);
+
+}  // namespace dspm

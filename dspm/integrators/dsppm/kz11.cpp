@@ -1,0 +1,104 @@
+// Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is
+// then linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums
+// of those frames that have them.
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/dsppm/dsppm.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+namespace {
+
+class Kz11 final : public PixelEstimator {
+ public:
+  explicit Kz11(const EstimatorSettings& of)
+      : of_(of), shared_(static_cast<std::size_t>(of.pixels)), own_(of.pixel_frames()) {}
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return (static_cast<std::size_t>(of.pixels) + of.pixel_frames()) * sizeof(Rgb);
+  }
+
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const float radius2 = radius_.squared(hit);
+    const Rgb per_area = hit.throughput / (kPi * radius2);
+    RgbLanes shared;
+    FewListSums<RgbLanes> lists;
+    __m128 own[kMaxFrames];  // only those of the frames in with_own are there
+    FrameSet with_own;
+    const auto add_own = [&](FrameSet frames, RgbLanes flux) {
+      (frames - with_own).for_each([&](Frame f) { own[f] = _mm_setzero_ps(); });
+      with_own |= frames;
+      frames.for_each([&](Frame f) {
+        auto& sum = own[f];
+        sum = _mm_add_ps(sum, flux.lanes);
+      });
+    };
+    const auto add_strands = [&](const Strand* strands, FrameSet frames, RgbLanes flux) {
+      for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
+        add_own(alike, RgbLanes(_mm_mul_ps(flux.lanes, RgbLanes(weight).lanes)));
+      });
+    };
+    gather(hit, tile.scattering_of(hit), map, radius2, counts,
+           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float) {
+             if (strands == nullptr && frames == hit.frames)
+               shared += flux;
+             else if (strands == nullptr)
+               add_own(frames, flux);
+             else if (RgbLanes* sum = frames == hit.frames && map.is_of_light(strands) ? lists.of(strands) : nullptr)
+               *sum += flux;
+             else
+               add_strands(strands, frames, flux);
+           });
+    lists.for_each([&](const Strand* list, RgbLanes flux) { add_strands(list, hit.frames, flux); });
+    for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
+      const Rgb times = per_area * weight;
+      add(hit.pixel, frames, shared.rgb() * times);
+      (frames & with_own).for_each([&](Frame f) { own_[index(hit.pixel, f)] += RgbLanes(own[f]).rgb() * times; });
+    });
+  }
+
+  // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.
+  void see(const SeenLight& light) override {
+    add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
+  }
+
+  void end_iteration() override { radius_.end_iteration(of_.alpha); }
+
+  void persist(StateStream& state) override {
+    radius_.persist(state);
+    state.part(shared_);
+    state.part(own_);
+  }
+
+  Rgb radiance(int pixel, Frame frame) const override {
+    if (radius_.iterations() == 0) return {};
+    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
+    return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
+  }
+
+ private:
+  void add(int pixel, FrameSet frames, const Rgb& radiance_times_photons) {
+    if (frames == FrameSet::first(of_.frames)) {
+      shared_[static_cast<std::size_t>(pixel)] += radiance_times_photons;
+    } else {
+      frames.for_each([&](Frame f) { own_[index(pixel, f)] += radiance_times_photons; });
+    }
+  }
+
+  std::size_t index(int pixel, Frame frame) const {
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(of_.frames) + static_cast<std::size_t>(frame);
+  }
+
+  EstimatorSettings of_;
+  IterationRadius radius_;
+  std::vector<Rgb> shared_;  // by pixel: radiance times photons, what counts in all frames
+  std::vector<Rgb> own_;     // by pixel and frame: the rest
+};
+
+}  // namespace
+
+EstimatorKind shared_kz11() { return estimator_kind<Kz11>(); }
+
+}  // namespace dspm

@@ -1,0 +1,83 @@
+// How gathered photons and what camera paths saw themselves become a pixel's radiance, in each of the frames rendered
+// together. Two ways: hj09 (each pixel and frame shrinks its own radius) and kz11 (the radius depends on the iteration
+// alone).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/gather.h"
+#include "dspm/math/frames.h"
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+class PixelEstimator {
+ public:
+  virtual ~PixelEstimator() = default;
+  /// The square of the radius within which gather_at would look: the largest of the frames'.
+  virtual float search_radius2(const HitPoint& hit) const = 0;
+  /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
+  /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
+  virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
+  /// Light that needs no photons. Likewise for different pixels at the same time.
+  virtual void see(const SeenLight& light) = 0;
+  /// Once an iteration, after all gathers.
+  virtual void end_iteration() = 0;
+  /// All that lasts beyond an iteration; see Integrator::persist. Loads in the midst of one, too, where it is given up.
+  virtual void persist(StateStream& state) = 0;
+  /// Radiance after the iterations so far.
+  virtual Rgb radiance(int pixel, Frame frame) const = 0;
+  /// Nothing where only sums are kept.
+  virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
+  /// Behind persist(), where an iteration is given up: what is kept for its end alone is as it was at its start.
+  virtual void forget_iteration() {}
+};
+
+/// kz11's radius, the same for all pixels and frames but for where it starts.
+class IterationRadius {
+ public:
+  float squared(const HitPoint& hit) const {
+    const float radius = hit.radius * static_cast<float>(scale_);
+    return radius * radius;
+  }
+  /// Behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+  void end_iteration(float alpha) {
+    const auto i = static_cast<double>(++iterations_);
+    scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
+  }
+  int iterations() const { return iterations_; }
+  void persist(StateStream& state) {
+    state.part(iterations_);
+    state.part(scale_);
+  }
+
+ private:
+  int iterations_ = 0;
+  double scale_ = 1;
+};
+
+struct EstimatorSettings {
+  int pixels = 0, frames = 1;
+  std::int64_t photons = 1;  // paths emitted an iteration in each frame
+  float alpha = 0.7f;
+  bool batched = false;  // an iteration's photons come in several batches
+
+  std::size_t pixel_frames() const { return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames); }
+};
+
+struct EstimatorKind {
+  std::unique_ptr<PixelEstimator> (*make)(const EstimatorSettings&);
+  std::size_t (*bytes)(const EstimatorSettings&);  // that it will hold; those that last, where it is not batched
+};
+template <class Estimator>
+EstimatorKind estimator_kind() {
+  return {
+      [](const EstimatorSettings& of) -> std::unique_ptr<PixelEstimator> { return std::make_unique<Estimator>(of); },
+      Estimator::bytes};
+}
+
+}  // namespace dspm

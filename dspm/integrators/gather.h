@@ -1,0 +1,61 @@
+// What one photon gives one hit point: the inner loop of every photon gather. The order of tests: distance (the
+// grid's), frames, side of the surface, then the scattering function.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/colour/rgb_lanes.h"
+#include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/photon_map.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+/// Work of a gather.
+struct GatherCounts {
+  SharedCount gathers, found;
+  std::uint64_t tests = 0;
+  Rejections rejections;
+};
+
+/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that
+/// counts for the hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let
+/// light pass. Throughput is left to the caller, and so are the photon's strands, mostly null.
+template <class Fn>
+void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+            GatherCounts& counts, Fn&& fn) {
+  counts.gathers.add(hit.frames.count());
+  SharedCount within;
+  if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
+    const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
+    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
+      const FrameSet frames = photon.frames & hit.frames;
+      within.add(frames.count());
+      if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
+        fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
+    });
+  } else {
+    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
+      const FrameSet frames = photon.frames & hit.frames;
+      within.add(frames.count());
+      if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
+      const Rgb flux =
+          photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
+      if (!is_finite(flux)) counts.rejections.add({ScenePart::Kind::material, scattering->material}, frames, hit.pixel);
+      fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
+    });
+  }
+  counts.found += within;
+}
+
+/// Takes the counts of all tiles into `statistics`.
+inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
+  for (const GatherCounts& c : tiles) {
+    statistics.gathers += c.gathers, statistics.photon_tests += c.tests, statistics.photons_found += c.found;
+    statistics.rejections += c.rejections;
+  }
+}
+
+}  // namespace dspm

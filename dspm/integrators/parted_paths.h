@@ -1,0 +1,46 @@
+// Camera paths at whose ends frames part, put off until a tile is traced: what is dynamic has its own vertices and tree
+// in each frame, and paths that are followed frame by frame find them in the cache.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "dspm/integrators/path_step.h"
+#include "dspm/math/rng.h"
+
+namespace dspm {
+
+struct PartedPath {
+  PathState path;
+  PathRandom random;
+  const Camera* camera;
+  int pixel;
+};
+
+class PartedPaths {
+ public:
+  void add(const PartedPath& path, const HitPartition& parts) {
+    for (const FrameHit& part : parts) waiting_.push_back({part, static_cast<std::uint32_t>(paths_.size())});
+    paths_.push_back(path);
+  }
+
+  /// Calls fn(const PartedPath&, const FrameHit&) for each part, in the order of their lowest frames.
+  template <class Fn>
+  void for_each(Fn&& fn) {
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
+      return a.part.frames.lowest() < b.part.frames.lowest();
+    });
+    for (const Waiting& w : waiting_) fn(paths_[w.path], w.part);
+  }
+
+ private:
+  struct Waiting {
+    FrameHit part;
+    std::uint32_t path;
+  };
+  std::vector<PartedPath> paths_;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace dspm

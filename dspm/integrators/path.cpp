@@ -1,0 +1,224 @@
+// Integrator "path" "integer maxdepth" 65
+//
+// Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
+// The reference for all others. It cannot find what a point, spot or distant light sends by way of specular surfaces;
+// everything else is without bias. An iteration is one path a pixel; frames share paths until they part.
+//
+//   iterations  paths a pixel                     the sampler's pixelsamples, else 256
+//   maxdepth    bounces                           5
+#include "dspm/integrators/path.h"
+
+#include <fmt/format.h>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/max_depth.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/integrators/summed_iterations.h"
+#include "dspm/integrators/tiles.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kTileSide = 16;
+
+struct TracedPath : PathState {
+  Vec3 from;  // where the segment starts: the last surface's point
+  // Of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes.
+  float pdf_w = 0;
+};
+
+/// The balance heuristic's share of a technique with density `own` against one with `other`.
+float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
+
+class PixelTracer {
+ public:
+  PixelTracer(const Scene& scene, const RenderSettings& render, int max_depth, SeenLightSums& out)
+      : scene_(scene), render_(render), max_depth_(max_depth), out_(out) {}
+
+  void trace(int x, int y, std::uint64_t iteration) {
+    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
+    pixel_ = pixel_in_crop(render_.crop, x, y);
+    const Vec2 film = film_point(render_, x, y, random);
+    scene_.camera.for_each(scene_.frames(), [&](FrameSet frames, const Camera& camera) {
+      TracedPath path;
+      path.ray = camera.ray(film, random.pair(0, kLightDirection));
+      path.throughput = Rgb(1), path.frames = frames;
+      if (is_finite(path.ray))
+        stack_.push(path);
+      else
+        reject(frames, {ScenePart::Kind::camera});
+    });
+    run(random);
+    ++counts_.paths;
+    counts_.dynamic_paths += met_dynamic_;
+    met_dynamic_ = false;
+  }
+
+  const PathCounts& counts() const { return counts_; }
+  const Rejections& rejections() const { return rejections_; }
+
+ private:
+  void run(const PathRandom& random) {
+    while (!stack_.empty()) {
+      const TracedPath path = stack_.pop();
+      met_dynamic_ |= path.frames != scene_.frames();
+      counts_.segments.add(path.frames.count());
+      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) follow(path, part, random);
+    }
+  }
+
+  void follow(const TracedPath& path, const FrameHit& part, const PathRandom& random) {
+    if (part.hit.missed()) return escape(path, part.frames);
+    const Vec3 wo = -path.ray.direction;
+    const SurfacePoint point = scene_.surface_point(part.hit);
+    if (!is_finite(point)) return reject(part.frames, shape_part(part.hit));
+    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+      met_dynamic_ |= frames != scene_.frames();
+      add_emission(path, {frames, part.hit}, point, wo);
+      if (path.bounces >= max_depth_) return;
+      sample_direct_light(
+          scene_, frames, part.hit, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
+          [&](const Vec3& wi, float pdf_w) {
+            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
+          },
+          [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(lit, path.throughput * radiance, giver); });
+      TracedPath branch = path;
+      branch.frames = frames;
+      scatter(branch, part.hit, point, bsdf, wo, random);
+    });
+  }
+
+  void escape(const TracedPath& path, FrameSet frames) {
+    for_each_escape(scene_, frames, path.ray.direction,
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
+                      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+                          [&] { return light_part(scene_, scene_light); });
+                    });
+  }
+
+  void add_emission(const TracedPath& path, const FrameHit& part, const SurfacePoint& point, const Vec3& wo) {
+    for_each_emission(scene_, part, point, wo, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      const PlacedShape& shape = scene_.shapes[static_cast<std::size_t>(part.hit.shape)];
+      const float other = scene_.lights[static_cast<std::size_t>(shape.light)].probability *
+                          light.pdf_w(path.from, point, part.hit.primitive);
+      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+          [&] { return emitter_part(scene_, part.hit); });
+    });
+  }
+
+  void scatter(TracedPath& path, const RayHit& hit, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
+               const PathRandom& random) {
+    const int bounce = path.bounces;
+    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, bsdf.all_lobes());
+    if (!sample) return;
+    extend(path, point, *sample);
+    if (!is_finite(path.ray) || !is_finite(path.throughput)) return reject(path.frames, material_part(scene_, hit));
+    path.from = point.p;
+    path.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    if (!is_black(path.throughput) &&
+        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), random.number(bounce, kRoulette)))
+      stack_.push(path);
+  }
+
+  /// `giver`: who is at fault where it is not finite.
+  template <class WhoGave>
+  void add(FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+    if (is_finite(radiance)) return out_.add({pixel_, frames, radiance});
+    reject(frames, giver());
+  }
+  void reject(FrameSet frames, const ScenePart& giver) { rejections_.add(giver, frames, pixel_); }
+
+  const Scene& scene_;
+  const RenderSettings& render_;
+  int max_depth_;
+  SeenLightSums& out_;
+  PathStack<TracedPath> stack_;
+  int pixel_ = 0;
+  bool met_dynamic_ = false;
+  PathCounts counts_;
+  Rejections rejections_;
+};
+
+class Path final : public Integrator {
+ public:
+  Path(int iterations, int max_depth, const Scene& scene, const RenderSettings& render)
+      : iterations_(iterations),
+        max_depth_(max_depth),
+        scene_(scene),
+        render_(render),
+        done_(render.crop, scene.frame_count(), statistics_at_start()) {}
+
+  int iterations() const override { return iterations_; }
+  std::string settings() const override {
+    return fmt::format("one path a pixel and iteration, maxdepth {}", max_depth_);
+  }
+
+  void iterate(int iteration) override {
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      trace_paths(static_cast<std::uint64_t>(iteration), sums, statistics);
+    });
+  }
+
+  Image estimate(Frame frame) const override { return done_.mean(frame); }
+
+  Statistics statistics() const override { return done_.statistics(); }
+
+  bool persist(StateStream& state) override {
+    done_.persist(state);
+    return true;
+  }
+
+ private:
+  static Statistics statistics_at_start() {
+    Statistics statistics;
+    statistics.steps = {{"paths"}};
+    return statistics;
+  }
+
+  void trace_paths(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
+    const StepTimer timer(statistics.steps[0]);
+    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
+    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
+      PixelTracer tracer(scene_, render_, max_depth_, sums);
+      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
+                             [&](int x, int y) { tracer.trace(x, y, iteration); });
+      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
+      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
+    });
+    for (const Statistics& c : counts) statistics.camera += c.camera, statistics.rejections += c.rejections;
+  }
+
+  int iterations_, max_depth_;
+  const Scene& scene_;
+  RenderSettings render_;
+  SummedIterations done_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  const int iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  const int max_depth = params.integer("maxdepth", 5, "", "bounces of a path");
+  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+  params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
+                "accepted for pbrt's sake: lights are chosen by power");
+  params.unsupported("regularize", "path regularisation");
+  check_max_depth(params, max_depth, 0);
+  if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
+  params.finish();
+  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});
+  return std::make_unique<Path>(iterations, max_depth, scene, render);
+}
+
+}  // namespace dspm

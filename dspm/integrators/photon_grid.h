@@ -1,0 +1,81 @@
+// Photons sorted by place, ready to be gathered.
+#pragma once
+
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/colour/rgb_lanes.h"
+#include "dspm/grid/point_grid.h"
+#include "dspm/grid/refit.h"
+#include "dspm/integrators/photon.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+
+/// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant;
+/// nobody looks at the fourth, bytes of the next member.
+struct alignas(32) GatheredPhoton {
+  Vec3 wi;
+  Rgb flux;
+  FrameSet frames;
+
+  __m128 wi_lanes() const { return _mm_load_ps(&wi.x); }
+  RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
+};
+
+/// One whose flux differs between its frames.
+struct GatheredStrands : GatheredPhoton {
+  const Strand* strands;
+};
+
+inline const Strand* strands_of(const GatheredPhoton&) { return nullptr; }
+inline const Strand* strands_of(const GatheredStrands& photon) { return photon.strands; }
+
+/// Photons of a cell keep the order in which they are given.
+template <class Gathered>
+class PhotonGrid {
+ public:
+  /// Of `count` photons: photon(i) is the i-th, gathered(i) what is kept of it. `cell_size` suits a typical search
+  /// radius.
+  template <class PhotonOf, class GatheredOf>
+  void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered);
+
+  std::size_t bytes() const {
+    return grid_.bytes() + photons_.capacity() * sizeof(Gathered) + points_.capacity() * sizeof(Vec3);
+  }
+  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were
+  /// tested.
+  template <class Fn>
+  std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
+    const Gathered* photons = photons_.data();
+    return grid_.for_each_within(p, radius2,
+                                 [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
+  }
+
+ private:
+  PointGrid grid_;
+  std::vector<Gathered> photons_;
+  std::vector<Vec3> points_;
+};
+
+template <class Gathered>
+template <class PhotonOf, class GatheredOf>
+void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered) {
+  constexpr std::int64_t kGrain = 1 << 14;
+  const auto photons = static_cast<std::int64_t>(count);
+  refit(points_, count);
+  parallel_for(photons, kGrain, [&](std::int64_t number) {
+    const auto i = static_cast<std::size_t>(number);
+    points_[i] = photon(i).p;
+  });
+  grid_.build(points_, cell_size);
+  refit(photons_, count);
+  parallel_for(photons, kGrain, [&](std::int64_t place) {
+    const auto i = static_cast<std::size_t>(place);
+    photons_[i] = gathered(grid_.order()[i]);
+  });
+}
+
+}  // namespace dspm

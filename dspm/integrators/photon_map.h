@@ -1,0 +1,59 @@
+// The photons of one iteration by frame and place: a hit point meets those of its own frames, not those of all others.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "dspm/integrators/photon_grid.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// Photons that frames have in common lie in one grid. Those of a single frame lie in a grid of that frame, and once
+/// more in a grid of all such photons, for hit points that many frames share. Where most photons are common ones, all
+/// lie in the first grid. Photons with strands have a grid of their own. The order of photons does not depend on
+/// threads.
+class PhotonMap {
+ public:
+  /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` suits a typical search radius.
+  /// The traces' strands must stay. `which`: the photons, or those that are hidden.
+  void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
+             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
+
+  /// A list of a light's strands: many photons have it.
+  bool is_of_light(const Strand* strands) const {
+    return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
+  }
+  std::size_t size() const { return photons_.size(); }
+  std::size_t bytes() const;
+  /// Calls fn(const GatheredPhoton&, distance squared) or fn(const GatheredStrands&, distance squared) for all photons
+  /// within sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many were tested.
+  template <class Fn>
+  std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
+    std::array<const PhotonGrid<GatheredPhoton>*, kFewFrames + 1> grids{&common_};
+    std::size_t count = 1;
+    if (frames.count() > kFewFrames)
+      grids[count++] = &single_;
+    else if (!of_frame_.empty())
+      frames.for_each([&](Frame f) { grids[count++] = &of_frame_[static_cast<std::size_t>(f)]; });
+    std::uint64_t tested = 0;
+    for (std::size_t i = 0; i < count; ++i) tested += grids[i]->for_each_within(p, radius2, fn);
+    return tested + with_strands_.for_each_within(p, radius2, fn);
+  }
+
+ private:
+  void build_with_strands(std::size_t first, float cell_size);
+
+  static constexpr int kFewFrames = 3;  // so many are asked in grids of their own, one by one
+
+  std::vector<const Photon*> photons_;  // common ones, those of each frame, those with strands
+  std::vector<const Strand*> strands_;  // of the latter
+  std::span<const Strand> of_lights_;
+  PhotonGrid<GatheredPhoton> common_, single_;
+  std::vector<PhotonGrid<GatheredPhoton>> of_frame_;  // what is in single_, frame by frame; empty where common_ has all
+  PhotonGrid<GatheredStrands> with_strands_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,38 @@
+// How photon paths leave the lights: in all frames at once that get the same but for colour.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/strand.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// A path that starts for every choice of the light.
+struct PhotonStart {
+  const Light* light;
+  FrameSet frames;
+  Rgb factor;  // of the light's flux
+  StrandList strands;
+  const SceneLight::Alike* varied = nullptr;  // whose weights depend on where the photon goes
+};
+
+class PhotonStarts {
+ public:
+  /// share_paths: frames that differ in strength or colour only start together.
+  PhotonStarts(const Scene& scene, bool share_paths);
+  const std::vector<PhotonStart>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
+  /// What paths start with: the first lists of every trace.
+  const StrandTable& strands() const { return strands_; }
+
+ private:
+  void add(const Light& light, std::span<const FrameFactor> factors, std::vector<PhotonStart>& starts);
+
+  std::vector<std::vector<PhotonStart>> of_light_;
+  StrandTable strands_;
+};
+
+}  // namespace dspm

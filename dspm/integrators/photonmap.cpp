@@ -1,0 +1,295 @@
+// Integrator "photonmap" "integer photons" 1000000 "integer causticphotons" 1000000 "integer nearest" 100
+//
+// Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
+// lobe) and a global one are made once; every iteration then takes one more camera path a pixel, with direct light by
+// shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
+// through final gather rays, which follow at most four smooth lobes. Biased: the maps' blur stays. Parameters: see
+// make_photonmap below.
+#include "dspm/integrators/photonmap.h"
+
+#include <fmt/format.h>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/integrators/max_depth.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/integrators/radiance_estimate.h"
+#include "dspm/integrators/summed_iterations.h"
+#include "dspm/integrators/tiles.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+enum Step { kPhotonMaps, kHitPoints, kGather };
+
+struct PhotonMapSettings {
+  int iterations = 256;
+  int photons = 300000, caustic_photons = 300000;  // paths
+  int nearest = 100;
+  float radius = 0, caustic_radius = 0;  // 0: a share of the scene
+  int final_gather = 0;                  // rays a hit point; 0: none
+  int max_depth = 8;
+  float least_alpha = 0.25f;
+};
+
+constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
+constexpr int kGatherBounces = 4;  // smooth lobes that a final gather ray follows
+
+HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
+  return {
+      .max_depth = s.max_depth, .least_alpha = s.least_alpha, .sample_direct = true, .keep_bsdf = s.final_gather > 0};
+}
+
+/// A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
+PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+  return {render.seed, Stream::photon, s.max_depth, s.least_alpha, s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
+}
+PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings& render) {
+  return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
+}
+
+MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
+  const double photons = bytes_a_photon_path(scene, global_settings(s, render)) * s.photons +
+                         bytes_a_photon_path(scene, caustic_settings(s, render)) * s.caustic_photons;
+  return {SummedIterations::bytes(render.crop.count(), scene.frame_count()),
+          hit_point_bytes(scene, render, hit_point_settings(s)), static_cast<std::size_t>(photons)};
+}
+
+class PhotonMapper final : public Integrator {
+ public:
+  PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
+      : settings_(settings),
+        scene_(scene),
+        render_(render),
+        done_(render.crop, scene.frame_count(), statistics_at_start(scene.frame_count())) {
+    const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
+    global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
+    caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene),
+                    settings.caustic_photons};
+  }
+
+  int iterations() const override { return settings_.iterations; }
+  std::string settings() const override {
+    return fmt::format("{} photons in the global map, {} in the caustic map, {} final gather rays", settings_.photons,
+                       settings_.caustic_photons, settings_.final_gather);
+  }
+
+  void iterate(int iteration) override {
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      if (!has_maps_) make_maps(statistics);
+      trace_camera_paths(static_cast<std::uint64_t>(iteration), statistics);
+      gather_tiles(static_cast<std::uint64_t>(iteration), sums, statistics);
+    });
+    has_maps_ = true;
+  }
+
+  Image estimate(Frame frame) const override { return done_.mean(frame); }
+
+  Statistics statistics() const override { return done_.statistics(); }
+
+  bool persist(StateStream& state) override {
+    done_.persist(state);
+    return true;
+  }
+
+ private:
+  static Statistics statistics_at_start(int frames) {
+    Statistics statistics;
+    statistics.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
+    statistics.energy.resize(static_cast<std::size_t>(frames));
+    return statistics;
+  }
+
+  struct TileCounts {
+    GatherCounts gather;
+    PathCounts paths;
+  };
+
+  void make_maps(Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kPhotonMaps]);
+    const auto trace = [&](const PhotonSettings& settings, int photons) {
+      auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
+      if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
+      return traces;
+    };
+    const auto build = [&](PhotonMap& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how,
+                           std::vector<Photon> PhotonTrace::*which) {
+      map.build(traces, scene_.frame_count(), how.radius / 4, which);
+    };
+    build(global_, trace(global_settings(settings_, render_), settings_.photons), global_how_, &PhotonTrace::photons);
+    const auto caustic = trace(caustic_settings(settings_, render_), settings_.caustic_photons);
+    build(caustic_, caustic, caustic_how_, &PhotonTrace::photons);
+    build(hidden_, caustic, caustic_how_, &PhotonTrace::hidden);
+  }
+
+  void trace_camera_paths(std::uint64_t iteration, Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kHitPoints]);
+    tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), iteration, std::move(tiles_));
+    account(tiles_, statistics);
+  }
+
+  void gather_tiles(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
+    const StepTimer timer(statistics.steps[kGather]);
+    std::vector<TileCounts> counts(tiles_.size());
+    parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
+      const auto tile = static_cast<std::size_t>(t);
+      const auto add_to = [&sums](const HitPoint& hit) {
+        return [&sums, &hit](FrameSet frames, const Rgb& radiance) { sums.add({hit.pixel, frames, radiance}); };
+      };
+      for (const SeenLight& light : tiles_[tile].seen) sums.add(light);
+      for (const HitPoint& hit : tiles_[tile].glossy)
+        estimate_radiance(hit, tiles_[tile].scattering_of(hit), hidden_, caustic_how_, counts[tile].gather,
+                          add_to(hit));
+      for (const HitPoint& hit : tiles_[tile].hit_points) {
+        const auto add = add_to(hit);
+        const Scattering* scattering = tiles_[tile].scattering_of(hit);
+        estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
+        if (settings_.final_gather == 0)
+          estimate_radiance(hit, scattering, global_, global_how_, counts[tile].gather, add);
+        else
+          final_gather(hit, *scattering, iteration, counts[tile], add);
+      }
+    });
+    std::vector<GatherCounts> gathers;
+    for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
+    account(gathers, statistics);
+    statistics.bytes = std::max(
+        statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() + done_.bytes() + bytes_of(tiles_));
+  }
+
+  /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
+  template <class Add>
+  void final_gather(const HitPoint& hit, const Scattering& scattering, std::uint64_t iteration, TileCounts& counts,
+                    Add&& add) const {
+    SurfacePoint point;
+    point.p = hit.p, point.p_error = scattering.p_error, point.ng = point.ns = hit.ng;
+    const int x = render_.crop.x0 + hit.pixel % render_.crop.width(),
+              y = render_.crop.y0 + hit.pixel / render_.crop.width();
+    for (int ray = 0; ray < settings_.final_gather; ++ray) {
+      const PathRandom random(
+          render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
+          iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
+      const auto sample =
+          sample_bsdf(*scattering.bsdf, scattering.wo, random, 0, Transport::radiance, scattering.lobes);
+      if (!sample) continue;
+      PathState path;
+      path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
+      path.frames = hit.frames;
+      extend(path, point, *sample);
+      if (!is_valid(path, hit, scattering.material, counts)) continue;
+      follow_gather_ray(path, hit, random, counts, add);
+    }
+  }
+
+  template <class Add>
+  void follow_gather_ray(const PathState& start, const HitPoint& from, const PathRandom& random, TileCounts& counts,
+                         Add&& add) const {
+    PathStack<> stack;
+    stack.push(start);
+    while (!stack.empty()) {
+      const PathState path = stack.pop();
+      counts.paths.segments.add(path.frames.count());
+      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) {
+        if (part.hit.missed()) continue;
+        const SurfacePoint point = scene_.surface_point(part.hit);
+        if (!is_finite(point)) {
+          counts.gather.rejections.add(shape_part(part.hit), part.frames, from.pixel);
+          continue;
+        }
+        const int material = material_part(scene_, part.hit).index;
+        for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+          PathState branch = path;
+          branch.frames = frames;
+          end_or_follow(branch, point, bsdf, material, from, random, stack, counts, add);
+        });
+      }
+    }
+  }
+
+  template <class Add>
+  void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, int material, const HitPoint& from,
+                     const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
+    const Vec3 wo = -path.ray.direction;
+    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
+    path.throughput *= 1 / choice.chance;
+    if (choice.rough) {
+      HitPoint hit = from;
+      hit.p = point.p, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
+      hit.throughput = path.throughput, hit.frames = path.frames;
+      const Scattering scattering{BsdfSlot::copy_of(bsdf),      wo,      point.p_error, choice.lobes,
+                                  bsdf.transmits(choice.lobes), material};
+      estimate_radiance(hit, &scattering, global_, global_how_, counts.gather, add);
+      return;
+    }
+    if (path.bounces >= kGatherBounces) return;
+    const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
+    if (!sample) return;
+    extend(path, point, *sample);
+    if (!is_black(path.throughput) && is_valid(path, from, material, counts)) stack.push(path);
+  }
+
+  static bool is_valid(const PathState& path, const HitPoint& from, int material, TileCounts& counts) {
+    const bool valid = is_finite(path.throughput) && is_finite(path.ray);
+    if (!valid) counts.gather.rejections.add({ScenePart::Kind::material, material}, path.frames, from.pixel);
+    return valid;
+  }
+
+  PhotonMapSettings settings_;
+  const Scene& scene_;
+  RenderSettings render_;
+  PhotonMap global_, caustic_;
+  PhotonMap hidden_;  // photons on glossy lobes
+  bool has_maps_ = false;
+  RadianceEstimate global_how_, caustic_how_;
+  std::vector<HitPointTile> tiles_;
+  SummedIterations done_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  PhotonMapSettings s;
+  params.alias("photonsperiteration", "photons");
+  s.iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "camera paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons = params.integer("photons", s.photons, "", "photon paths of the global map, traced once");
+  s.caustic_photons =
+      params.integer("causticphotons", s.caustic_photons, "", "photon paths of the caustic map, traced once");
+  s.nearest = params.integer("nearest", s.nearest, "", "photons of an estimate; 0: all within the radius");
+  s.radius =
+      params.number("radius", 0, "world units",
+                    "the largest search radius in the global map, or the fixed one; 0: 5% of the scene's radius");
+  s.caustic_radius =
+      params.number("causticradius", 0, "world units", "the same for the caustic map; 0: 1.25% of the scene's radius");
+  s.final_gather = params.integer("finalgather", 0, "",
+                                  "final gather rays for each camera path; 0: the global map is seen directly");
+  s.max_depth = params.integer("maxdepth", s.max_depth, "", "bounces, of camera paths and of photon paths each");
+  s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
+                                "lobes at least this rough gather photons; smoother ones are followed");
+  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+  const auto demand = [&](bool holds, std::string_view name, const char* what) {
+    if (!holds) params.error(name, what);
+  };
+  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
+  demand(s.photons > 0, "photons", "there must be at least one photon");
+  demand(s.caustic_photons > 0, "causticphotons", "there must be at least one photon");
+  demand(s.nearest == 0 || s.nearest >= 2, "nearest",
+         "an estimate takes 0 (all within the radius) or at least 2 photons");
+  demand(s.radius >= 0, "radius", "the radius must not be negative");
+  demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
+  demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");
+  demand(s.least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
+  check_max_depth(params, s.max_depth, 1);
+  params.finish();
+  if (render.memory > 0) expect_enough(render.memory, needs_of(s, scene, render));
+  return std::make_unique<PhotonMapper>(s, scene, render);
+}
+
+}  // namespace dspm

@@ -1,0 +1,56 @@
+// What a pixel remembers of all photons so far, in one frame, and how an iteration changes it.
+#pragma once
+
+#include <cstdint>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// What one iteration gathered at one hit point: dies with the iteration.
+struct PassSums {
+  std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
+  Rgb phi;              // their flux times f and the camera path's throughput
+
+  PassSums& operator+=(const PassSums& o) {
+    M += o.M, phi += o.phi;
+    return *this;
+  }
+};
+
+/// Survives iterations. [HJ09, WG12 (1)-(5)]
+struct PixelStatistics {
+  double N = 0;  // photons accepted; a share alpha of those found
+  float R2 = 0;  // search radius squared; 0: no hit point yet
+  Rgb tau;       // flux within the search radius, weighted as phi; where there is no radius yet, as within one of 1
+
+  /// The first hit point's radius.
+  void begin(float radius2) {
+    if (R2 == 0) R2 = radius2, tau = tau * radius2;
+  }
+
+  /// Light that needs no photons, as the flux that gives its radiance: shrinking discs keep that. `emitted`: paths in
+  /// this iteration.
+  void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * disc()); }
+
+  /// Accepts a share alpha of the M new photons and shrinks the disc so that their density stays. [WG12 (1), (2), (4)]
+  void absorb(const PassSums& sums, float alpha) {
+    if (sums.M == 0) return;
+    const double M = sums.M, accepted = N + static_cast<double>(alpha) * M;
+    const auto shrink = static_cast<float>(accepted / (N + M));  // (R'/R)^2
+    tau = (tau + sums.phi) * shrink;
+    R2 *= shrink;
+    N = accepted;
+  }
+
+  /// [WG12 (5)]
+  Rgb radiance(double emitted) const {
+    return emitted == 0 ? Rgb() : tau * static_cast<float>(1 / (emitted * static_cast<double>(disc())));
+  }
+
+ private:
+  float disc() const { return kPi * (R2 == 0 ? 1 : R2); }
+};
+
+}  // namespace dspm

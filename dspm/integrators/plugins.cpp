@@ -1,0 +1,22 @@
+// The table of integrators.
+#include "dspm/integrators/dsppm/dsppm.h"
+#include "dspm/integrators/path.h"
+#include "dspm/integrators/photonmap.h"
+#include "dspm/integrators/sppm.h"
+
+namespace dspm {
+
+PluginTable<IntegratorPlugin>& integrator_plugins() {
+  static PluginTable<IntegratorPlugin> table(
+      "integrator",
+      {
+          {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
+          {{"path", "path tracing, the unbiased reference", make_path}},
+          {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
+          {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
+      },
+      {"lightpath", "randomwalk", "bdpt", "mlt", "ambientocclusion", "function"});
+  return table;
+}
+
+}  // namespace dspm

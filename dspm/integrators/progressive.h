@@ -1,0 +1,13 @@
+// The loop of dsppm and sppm: hit points, photons, photon map, statistics. They differ in their estimators.
+#pragma once
+
+#include "dspm/integrators/estimator.h"
+#include "dspm/integrators/progressive_settings.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+std::unique_ptr<Integrator> make_progressive(const ProgressiveSettings& settings, const Scene& scene,
+                                             const RenderSettings& render, const EstimatorKind& estimator);
+
+}  // namespace dspm

@@ -1,0 +1,64 @@
+#include "dspm/integrators/progressive_settings.h"
+
+#include <fmt/format.h>
+
+#include "dspm/integrators/max_depth.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render) {
+  ProgressiveSettings s;
+  params.alias("photonsperiteration", "photons");
+  params.former_name("mixture", "sharepaths");
+  s.iterations =
+      params.integer("iterations", render.default_iterations, "",
+                     "iterations to go; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons =
+      params.integer("photons", s.photons, "", "photon paths an iteration; photonsperiteration is another name");
+  s.hit_point.radius =
+      params.number("radius", 0, "world units",
+                    "initial search radius; 0: four pixel spacings at the hit point, at most 5% of the scene's radius");
+  s.alpha =
+      params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
+  const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
+  s.kz11 = params.choice("estimator", "kz11", {"hj09", "kz11"},
+                         "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") ==
+           "kz11";
+  const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
+                                     "direct light by photons, or by shadow rays from the hit points") == "sampled";
+  const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
+                                          "lobes at least this rough gather photons; smoother ones are followed");
+  const bool share_paths =
+      params.flag("sharepaths", true,
+                  "frames that differ in looks or light only share paths, with a weight each; false: they part");
+  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+  const auto demand = [&](bool holds, std::string_view name, const char* what) {
+    if (!holds) params.error(name, what);
+  };
+  demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one photon an iteration");
+  demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
+  demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
+  demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
+  demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
+  check_max_depth(params, max_depth, 1);
+  params.finish();
+  if (s.photons == -1) s.photons = std::max(1, render.width * render.height);  // pbrt's default
+  s.photon.seed = render.seed;
+  s.photon.max_depth = s.hit_point.max_depth = max_depth;
+  s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
+  s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
+  s.photon.share_paths = s.hit_point.share_paths = share_paths;
+  s.hit_point.sample_direct = sampled;
+  s.photon.hidden = true;
+  return s;
+}
+
+std::string in_words(const ProgressiveSettings& s) {
+  const float radius = s.hit_point.radius;
+  return fmt::format("{} photons an iteration, initial radius {}, estimator {}, gathering from GGX alpha {} on",
+                     s.photons, radius > 0 ? fmt::format("{}", radius) : "by the pixels' footprint",
+                     s.kz11 ? "kz11" : "hj09", s.photon.least_alpha);
+}
+
+}  // namespace dspm

@@ -1,0 +1,25 @@
+// The parameters that dsppm and sppm have in common, read in one place.
+#pragma once
+
+#include "dspm/integrators/estimator.h"
+#include "dspm/integrators/photon.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+struct ProgressiveSettings {
+  int iterations = 256;  // 0: until stopped
+  int photons = 300000;  // paths an iteration, in each frame
+  float alpha = 0.7f;
+  bool kz11 = true;  // the estimator; else hj09
+  PhotonSettings photon;
+  HitPointSettings hit_point;
+};
+
+/// For the log.
+std::string in_words(const ProgressiveSettings& settings);
+
+/// Reads them and calls finish().
+ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
+
+}  // namespace dspm

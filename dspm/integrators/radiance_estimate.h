@@ -1,0 +1,62 @@
+// The radiance that photons around a point make, frame by frame: from the nearest of them, or from all within a radius.
+#pragma once
+
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/gather.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+struct RadianceEstimate {
+  int nearest = 100;         // photons; 0: all within the radius
+  float radius = 0;          // the largest to look in, or the fixed one; world units
+  std::int64_t emitted = 0;  // photon paths in each frame
+};
+
+/// Calls fn(FrameSet, radiance times the hit point's throughput); the sets are disjoint and leave out frames without
+/// photons. Frames for which the same photons count share one call.
+template <class Fn>
+void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                       const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
+
+/// A photon found around a hit point.
+struct NearPhoton {
+  float distance2;
+  FrameSet frames;
+  Rgb flux;  // times f
+};
+
+/// The photons around `hit`, nearest first, out to where every frame has `how.nearest` of them or the radius ends.
+std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                                     const RadianceEstimate& how, GatherCounts& counts, float& radius);
+
+template <class Fn>
+void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
+                       const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
+  float radius = how.radius;
+  const std::vector<NearPhoton> photons = near_photons(hit, scattering, map, how, counts, radius);
+  const auto sum = [&](FrameSet frames) {
+    Rgb flux;
+    int found = 0;
+    float radius2 = radius * radius;
+    for (const NearPhoton& photon : photons) {
+      if (!photon.frames.contains(frames)) continue;
+      // The k-th photon only tells how large the disc is. [Jensen 1996 counts it; without it the mean is unbiased]
+      if (how.nearest > 0 && ++found == how.nearest) {
+        radius2 = photon.distance2;
+        break;
+      }
+      flux += photon.flux;
+    }
+    if (is_black(flux) || radius2 == 0) return;
+    fn(frames, hit.throughput * flux / (static_cast<float>(how.emitted) * kPi * radius2));
+  };
+  FrameSet alike = hit.frames;
+  for (const NearPhoton& photon : photons) alike &= photon.frames;
+  if (alike == hit.frames) return sum(hit.frames);
+  hit.frames.for_each([&](Frame f) { sum(FrameSet::single(f)); });
+}
+
+}  // namespace dspm

@@ -1,0 +1,43 @@
+// What an integrator left out because it was not finite, by the part of the scene that gave it: nothing of it reaches a
+// pixel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+class Rejections {
+ public:
+  struct Entry {
+    ScenePart part;
+    std::uint64_t count;  // contributions, in each frame
+    Frame frame;          // the first one's
+    int pixel;            // the first one's, within the crop; kNoPixel: a photon's
+  };
+  static constexpr int kNoPixel = -1;
+
+  void add(const ScenePart& part, FrameSet frames, int pixel = kNoPixel) {
+    add({part, static_cast<std::uint64_t>(frames.count()), frames.lowest(), pixel});
+  }
+  Rejections& operator+=(const Rejections& other);
+
+  /// The count: which parts they came from has been told by then.
+  void persist(StateStream& state);
+
+  /// Of all parts; `entries` tells of the first few only.
+  std::uint64_t count() const { return count_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  void add(const Entry& entry);
+
+  std::uint64_t count_ = 0;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,134 @@
+// Integrator "sppm" "integer iterations" 64 "integer photons" 300000
+//
+// Stochastic progressive photon mapping of a single frame, as [HJ09] or with [KZ11]'s radii: the honest baseline. It
+// knows nothing of sharing: the driver gives it a scene of one frame at a time, and every pixel has one radius and one
+// hit point. Parameters: see progressive_settings.cpp.
+#include "dspm/integrators/sppm.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/progressive.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+PassSums gather_at_one(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                       GatherCounts& counts) {
+  PassSums sums;
+  RgbLanes phi;
+  gather(hit, scattering, map, radius2, counts,
+         [&](const Strand*, FrameSet, RgbLanes flux, float) { ++sums.M, phi += flux; });
+  sums.phi = phi.rgb() * hit.throughput;
+  return sums;
+}
+
+class Hj09 final : public PixelEstimator {
+ public:
+  explicit Hj09(const EstimatorSettings& of)
+      : of_(of), pixels_(of.pixel_frames()), passes_(of.batched ? of.pixel_frames() : 0) {
+    assert(of.frames == 1);
+  }
+  static std::size_t bytes(const EstimatorSettings& of) {
+    return of.pixel_frames() * (sizeof(PixelStatistics) + (of.batched ? sizeof(PassSums) : 0));
+  }
+
+  float search_radius2(const HitPoint& hit) const override {
+    const float R2 = pixels_[static_cast<std::size_t>(hit.pixel)].R2;
+    return R2 > 0 ? R2 : hit.radius * hit.radius;
+  }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const auto at = static_cast<std::size_t>(hit.pixel);
+    pixels_[at].begin(hit.radius * hit.radius);
+    const PassSums sums = gather_at_one(hit, tile.scattering_of(hit), map, pixels_[at].R2, counts);
+    if (of_.batched)
+      passes_[at] += sums;
+    else
+      pixels_[at].absorb(sums, of_.alpha);
+  }
+
+  void see(const SeenLight& light) override {
+    pixels_[static_cast<std::size_t>(light.pixel)].see(light.radiance, static_cast<float>(of_.photons));
+  }
+
+  void end_iteration() override {
+    parallel_for(static_cast<std::int64_t>(passes_.size()), 1 << 14, [&](std::int64_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      pixels_[at].absorb(std::exchange(passes_[at], {}), of_.alpha);
+    });
+    ++iterations_;
+  }
+
+  void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
+
+  void persist(StateStream& state) override {
+    state.part(iterations_);
+    state.part(pixels_);
+  }
+
+  Rgb radiance(int pixel, Frame) const override {
+    return statistics(pixel, 0)->radiance(static_cast<double>(iterations_ * of_.photons));
+  }
+  std::optional<PixelStatistics> statistics(int pixel, Frame) const override {
+    return pixels_[static_cast<std::size_t>(pixel)];
+  }
+
+ private:
+  EstimatorSettings of_;
+  int iterations_ = 0;
+  std::vector<PixelStatistics> pixels_;
+  std::vector<PassSums> passes_;  // of the iteration so far, where its photons come in batches
+};
+
+class Kz11 final : public PixelEstimator {
+ public:
+  explicit Kz11(const EstimatorSettings& of) : of_(of), sums_(of.pixel_frames()) { assert(of.frames == 1); }
+  static std::size_t bytes(const EstimatorSettings& of) { return of.pixel_frames() * sizeof(Rgb); }
+
+  float search_radius2(const HitPoint& hit) const override { return radius_.squared(hit); }
+
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
+    const float radius2 = radius_.squared(hit);
+    sums_[static_cast<std::size_t>(hit.pixel)] +=
+        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / (kPi * radius2);
+  }
+
+  // Every iteration emits as many photons, so what was seen is weighted by them and needs no sums of its own.
+  void see(const SeenLight& light) override {
+    sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
+  }
+
+  void end_iteration() override { radius_.end_iteration(of_.alpha); }
+
+  void persist(StateStream& state) override {
+    radius_.persist(state);
+    state.part(sums_);
+  }
+
+  Rgb radiance(int pixel, Frame) const override {
+    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
+    return emitted > 0 ? sums_[static_cast<std::size_t>(pixel)] * static_cast<float>(1 / emitted) : Rgb();
+  }
+
+ private:
+  EstimatorSettings of_;
+  IterationRadius radius_;
+  std::vector<Rgb> sums_;  // radiance times photons
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_sppm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
+  const ProgressiveSettings settings = read_progressive_settings(params, render);
+  return make_progressive(settings, scene, render, settings.kz11 ? estimator_kind<Kz11>() : estimator_kind<Hj09>());
+}
+
+}  // namespace dspm

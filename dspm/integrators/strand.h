@@ -1,0 +1,109 @@
+// Frames that differ in looks or in light only share a path, each with a throughput of its own: the strands of a path.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/frame_array.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+/// Frames of a path that carry the same. The strands of a list lie behind one another and have disjoint sets; they may
+/// hold frames that the path has left.
+struct Strand {
+  FrameSet frames;
+  Rgb weight;              // times the path's throughput
+  std::uint16_t rest = 0;  // strands that follow in the list
+  bool grey = false;       // all weights of the list are: what depends on colour alone is the same for all frames
+};
+
+/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list that is one of weight 1.
+template <class Fn>
+void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
+  if (list == nullptr) return fn(frames, Rgb(1));
+  for (;; ++list) {
+    if (const FrameSet common = list->frames & frames; !common.empty()) fn(common, list->weight);
+    if (list->rest == 0) return;
+  }
+}
+
+/// A number of a list in its table; 0: none, all frames carry the path's throughput.
+using StrandList = std::uint32_t;
+
+/// What the frames of a path carry, before it becomes a list.
+class Strands {
+ public:
+  void add(FrameSet frames, const Rgb& weight) {
+    strands_.add({frames, weight});
+    frames_ |= frames;
+  }
+  FrameSet frames() const { return frames_; }
+  std::span<const Strand> strands() const { return strands_; }
+  /// Divides out what all have in common, and returns it: a colour of which all weights are multiples; 1 if there is
+  /// none. Weights that are one and the same become a single strand.
+  Rgb take_common();
+
+ private:
+  FrameArray<Strand> strands_;
+  FrameSet frames_;
+};
+
+/// The lists of many paths.
+class StrandTable {
+ public:
+  StrandTable() : strands_(1) {}  // list 0 is none
+  void clear() { strands_.resize(1); }
+  const Strand* of(StrandList list) const { return list == 0 ? nullptr : &strands_[list]; }
+  std::span<const Strand> lists_before(StrandList list) const { return std::span(strands_).first(list); }
+  /// The number of the next list to be added.
+  StrandList end() const { return static_cast<StrandList>(strands_.size()); }
+  /// The list of what the frames carry times `common`, which is taken out of them; 0 where that is all there is.
+  StrandList add(Strands& strands, Rgb& common);
+  /// The list that `frames` need: where one strand holds all of them, its weight goes into `carried`, and it is none.
+  StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const {
+    for (const Strand* strand = of(list); strand != nullptr; ++strand) {
+      if (!(strand->frames & frames).empty()) {
+        if (!strand->frames.contains(frames)) return list;
+        carried *= strand->weight;
+        return 0;
+      }
+      if (strand->rest == 0) break;
+    }
+    return list;
+  }
+  std::size_t bytes() const { return strands_.capacity() * sizeof(Strand); }
+
+ private:
+  std::vector<Strand> strands_;
+};
+
+/// A sum for each of a few lists.
+template <class Sum>
+class FewListSums {
+ public:
+  /// Null where there are too many lists already.
+  Sum* of(const Strand* list) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (lists_[i] == list) return &sums_[i];
+    if (count_ == lists_.size()) return nullptr;
+    lists_[count_] = list, sums_[count_] = {};
+    return &sums_[count_++];
+  }
+  /// Calls fn(list, sum).
+  template <class Fn>
+  void for_each(Fn&& fn) const {
+    for (std::size_t i = 0; i < count_; ++i) fn(lists_[i], sums_[i]);
+  }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+  std::array<const Strand*, kMost> lists_;
+  std::array<Sum, kMost> sums_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace dspm

@@ -1,0 +1,58 @@
+// Where an integrator stands that keeps nothing but sums. An iteration works on a copy, so that it may be given up halfway
+// and leaves no trace.
+#pragma once
+
+#include <utility>
+
+#include "dspm/film/pixel_rect.h"
+#include "dspm/image/image.h"
+#include "dspm/integrators/seen_light.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/math/frames.h"
+#include "dspm/system/cancellation.h"
+
+namespace dspm {
+
+class SummedIterations {
+ public:
+  /// `begin`: the statistics before the first iteration, but for bytes.
+  SummedIterations(const PixelRect& crop, int frames, Statistics begin)
+      : crop_(crop), done_{SeenLightSums(crop.count(), frames), std::move(begin)}, next_(done_) {
+    done_.statistics.bytes = bytes();
+  }
+  static std::size_t bytes(int pixels, int frames) { return 2 * SeenLightSums::bytes(pixels, frames); }
+  std::size_t bytes() const { return done_.sums.bytes() + next_.sums.bytes(); }
+
+  /// One more iteration: calls work(sums, statistics) with what it is to add to.
+  template <class Work>
+  void advance(Work&& work) {
+    const Cancellable nothing_is_lost;
+    next_ = done_;
+    work(next_.sums, next_.statistics);
+    ++next_.statistics.iterations;
+    std::swap(done_, next_);
+  }
+
+  const Statistics& statistics() const { return done_.statistics; }
+  Image mean(Frame frame) const {
+    Image image(crop_.width(), crop_.height());
+    for (int pixel = 0; pixel < crop_.count(); ++pixel)
+      image.pixels[static_cast<std::size_t>(pixel)] = done_.sums.mean(pixel, frame, done_.statistics.iterations);
+    return image;
+  }
+  void persist(StateStream& state) {
+    done_.statistics.persist(state);
+    done_.sums.persist(state);
+  }
+
+ private:
+  struct Sums {
+    SeenLightSums sums;
+    Statistics statistics;
+  };
+
+  PixelRect crop_;
+  Sums done_, next_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,126 @@
+// What stands before WorldBegin: frames, camera, film and their like; options and colour space may come later, too.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "dspm/lang/scene_builder.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+using enum DirectiveKind;
+
+constexpr std::string_view kOptionsOfPbrt[] = {"disabletexturefiltering",
+                                               "disablewavelengthjitter",
+                                               "displacementedgescale",
+                                               "msereferenceimage",
+                                               "msereferenceout",
+                                               "rendercoordsys",
+                                               "forcediffuse",
+                                               "pixelstats",
+                                               "wavefront"};
+
+/// pbrt ignores case, dashes and underscores in the names of options.
+std::string normalized(std::string_view name) {
+  std::string result;
+  for (const char c : name)
+    if (c != '-' && c != '_') result.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+  return result;
+}
+
+}  // namespace
+
+bool SceneBuilder::apply_option(Directive& directive) {
+  switch (directive.info->kind) {
+    case film: set_plugin(scene_.film, directive); return true;
+    case sampler: set_plugin(scene_.sampler, directive); return true;
+    case pixel_filter: set_plugin(scene_.filter, directive); return true;
+    case integrator: set_plugin(scene_.integrator, directive); return true;
+    case accelerator: set_plugin(scene_.accelerator, directive); return true;
+    case DirectiveKind::camera: camera(directive); return true;
+    case DirectiveKind::frames: frames(directive); return true;
+    case DirectiveKind::option: option(directive); return true;
+    case DirectiveKind::color_space: color_space(directive); return true;
+    case DirectiveKind::world_begin: world_begin(directive.where); return true;
+    case DirectiveKind::plugin:
+      scene_.modules.push_back({directive.words[0].text, directive.words[0].where});
+      return true;
+    case transform_times:
+      diagnostics_.note(directive.where, "TransformTimes has no effect: there is no motion blur for now");
+      return true;
+    default: return false;
+  }
+}
+
+void SceneBuilder::warn_of_second(const Directive& directive, const PluginUse* first) {
+  if (first == nullptr) return;
+  diagnostics_.warning(directive.where,
+                       fmt::format("this {} replaces the one of line {}", directive.info->name, first->where.line));
+}
+
+void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directive) {
+  warn_of_second(directive, slot ? &*slot : nullptr);
+  slot = plugin_use(directive);
+}
+
+void SceneBuilder::camera(Directive& directive) {
+  warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
+  scene_.camera = CameraUse{plugin_use(directive), state_.ctm};
+  scene_.coordinate_systems["camera"] = state_.ctm.inverse();
+}
+
+void SceneBuilder::frames(const Directive& directive) {
+  if (scene_.frames_where.file != nullptr) {
+    diagnostics_.error(directive.where, "a second Frames",
+                       fmt::format("the first is in line {}", scene_.frames_where.line));
+    return;
+  }
+  scene_.frames_where = directive.where;
+  const double count = directive.numbers[0];
+  if (count >= 1 && count <= kMostFrames && count == std::floor(count))
+    scene_.moments = static_cast<int>(count);
+  else
+    diagnostics_.error(directive.where, fmt::format("expected a number of frames from 1 to {}", kMostFrames));
+  ParamReader reader(directive.params, "Frames", directive.where, diagnostics_);
+  const float fps = reader.number("fps", 0, "1/s", "frames a second");
+  reader.finish();
+  if (!reader.has("fps")) return;
+  if (!(fps > 0)) reader.error("fps", "the frames a second must be more than 0");
+  scene_.fps = fps;
+}
+
+void SceneBuilder::option(const Directive& directive) {
+  const Argument &name = directive.words[0], &value = directive.words[1];
+  const std::string known = normalized(name.text);
+  if (known == "seed") {
+    int seed = 0;
+    const char* const end = value.text.data() + value.text.size();
+    const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
+    if (error != std::errc() || stop != end) diagnostics_.error(value.where, "expected an integer");
+    scene_.options.seed = seed;
+  } else if (known == "disablepixeljitter") {
+    if (value.text != "true" && value.text != "false") diagnostics_.error(value.where, "expected true or false");
+    scene_.options.disable_pixel_jitter = value.text == "true";
+  } else if (std::find(std::begin(kOptionsOfPbrt), std::end(kOptionsOfPbrt), known) != std::end(kOptionsOfPbrt)) {
+    diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text));
+  } else {
+    const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter"});
+    diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),
+                       guess.empty() ? "there are: seed, disablepixeljitter" : guess);
+  }
+}
+
+void SceneBuilder::color_space(const Directive& directive) {
+  const Argument& name = directive.words[0];
+  const std::vector<std::string> others{"rec2020", "aces2065-1", "dci-p3"};
+  if (name.text == "srgb") return;
+  if (std::find(others.begin(), others.end(), name.text) != others.end())
+    diagnostics_.unsupported(name.where, fmt::format("dspm has no ColorSpace \"{}\"", name.text), "there is: srgb");
+  else
+    diagnostics_.error(name.where, fmt::format("unknown ColorSpace \"{}\"", name.text), "there is: srgb");
+}
+
+}  // namespace dspm

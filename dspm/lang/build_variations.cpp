@@ -1,0 +1,211 @@
+// Axes and variations: what may stand in them, and what they replace.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "dspm/lang/scene_builder.h"
+#include "dspm/lang/source_text.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+using enum DirectiveKind;
+using Kind = Block::Kind;
+
+constexpr std::size_t kNamesListed = 20, kMostAxes = 64;
+constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
+
+/// On every common system, and without meaning in patterns.
+bool can_be_in_file_name(std::string_view name) {
+  constexpr std::string_view kRefused = "/\\:*?\"<>|";
+  return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
+         std::none_of(name.begin(), name.end(),
+                      [&](char c) { return (c >= 0 && c < ' ') || c == '\x7f' || kRefused.find(c) != kRefused.npos; });
+}
+
+std::string listed(const std::set<std::string>& names) {
+  std::string list;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    if (count++ == kNamesListed) return list + fmt::format(" and {} more", names.size() - kNamesListed);
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+
+template <class Places>
+std::set<std::string> names_of_places(const Places& places) {
+  std::set<std::string> names;
+  for (const auto& [name, where] : places) names.insert(name);
+  return names;
+}
+
+/// Says which names there are where the scene has none of that name.
+void expect_name(const std::string& name, const char* thing, const std::set<std::string>& names,
+                 const SourceLocation& where, const std::string& if_none, Diagnostics& diagnostics) {
+  if (names.count(name) > 0) return;
+  const std::string guess = did_you_mean(name, {names.begin(), names.end()});
+  const std::string known = names.empty() ? if_none : "there are: " + listed(names);
+  diagnostics.error(where, fmt::format("the scene has no {} named \"{}\"", thing, name),
+                    guess.empty() ? known : guess + " " + known);
+}
+
+}  // namespace
+
+bool SceneBuilder::apply_variation(const Directive& directive) {
+  const DirectiveKind kind = directive.info->kind;
+  switch (kind) {
+    case DirectiveKind::axis_begin: axis_begin(directive); return true;
+    case DirectiveKind::axis_end: axis_end(directive); return true;
+    case DirectiveKind::variation_begin: variation_begin(directive); return true;
+    case DirectiveKind::variation_end: variation_end(directive); return true;
+    case light:
+    case show:
+    case hide: in_variation(directive); return true;
+    default: return is_out_of_place(directive);
+  }
+}
+
+bool SceneBuilder::is_out_of_place(const Directive& directive) {
+  const DirectiveKind kind = directive.info->kind;
+  const bool in_axis = blocks_.innermost_is(Kind::axis), in_variation = blocks_.innermost_is(Kind::variation);
+  if (!in_axis && !in_variation) return false;
+  ++directives_in_variation_;
+  if (in_variation && (kind == DirectiveKind::make_named_material || kind == DirectiveKind::texture)) return false;
+  diagnostics_.error(directive.where,
+                     fmt::format("{} cannot stand in {} of {}", directive.info->name, begin_of(blocks_.innermost()),
+                                 place_of(blocks_.innermost().where, directive.where)),
+                     in_axis ? "an axis holds VariationBegin .. VariationEnd"
+                             : "a variation holds MakeNamedMaterial, Texture, Light, Show and Hide");
+  return true;
+}
+
+/// Axes and variations stand in no other block.
+void SceneBuilder::expect_top_level(const Directive& directive) {
+  const bool variation = directive.info->kind == DirectiveKind::variation_begin;
+  const Block* outer = variation && blocks_.innermost_is(Kind::axis) ? nullptr : blocks_.find_other({Kind::import});
+  if (outer == nullptr) return;
+  diagnostics_.error(directive.where,
+                     fmt::format("{} inside {} of {}", directive.info->name, begin_of(*outer),
+                                 place_of(outer->where, directive.where)),
+                     fmt::format("{} must stand before it", end_of(outer->kind)));
+}
+
+void SceneBuilder::axis_begin(const Directive& directive) {
+  const Argument& name = directive.words[0];
+  expect_top_level(directive);
+  if (name.text.empty()) diagnostics_.error(name.where, "an axis needs a name");
+  if (scene_.axes.size() >= kMostAxes)
+    throw SyntaxError(directive.where, fmt::format("there are more than {} axes", kMostAxes));
+  define(axes_, directive);
+  open_block(Kind::axis, directive, name.text);
+  scene_.axes.push_back({name.text, directive.where, {}});
+}
+
+void SceneBuilder::axis_end(const Directive& directive) {
+  if (blocks_.innermost_is(Kind::axis) && scene_.axes.back().variations.empty())
+    diagnostics_.error(blocks_.innermost().where, fmt::format("{} holds no variation", begin_of(blocks_.innermost())),
+                       "VariationBegin \"a name\" .. VariationEnd makes one");
+  close_block(Kind::axis, directive);
+}
+
+void SceneBuilder::variation_begin(const Directive& directive) {
+  const Argument& name = directive.words[0];
+  expect_top_level(directive);
+  if (!can_be_in_file_name(name.text))
+    diagnostics_.error(
+        name.where, fmt::format("\"{}\" cannot be part of a file's name", name.text),
+        fmt::format("images are named after variations: up to {} characters, none of / \\ : * ? \" < > |",
+                    kLongestName));
+  auto axis = scene_.axes.empty() ? scene_.axes.end() : scene_.axes.end() - 1;
+  if (!blocks_.find(Kind::axis)) {
+    axis = std::find_if(scene_.axes.begin(), scene_.axes.end(), [](const auto& each) { return each.name.empty(); });
+    if (axis == scene_.axes.end()) axis = scene_.axes.insert(axis, {{}, directive.where, {}});
+  }
+  axis_of_variation_ = static_cast<std::size_t>(axis - scene_.axes.begin());
+  variations_.resize(scene_.axes.size());
+  define(variations_[axis_of_variation_], directive);
+  open_block(Kind::variation, directive, name.text);
+  axis->variations.push_back({name.text, name.where, {}, {}, {}, {}});
+  directives_in_variation_ = 0;
+  replaced_ = {};
+}
+
+void SceneBuilder::variation_end(const Directive& directive) {
+  if (blocks_.innermost_is(Kind::variation) && directives_in_variation_ == 0)
+    diagnostics_.error(blocks_.innermost().where, fmt::format("{} replaces nothing", begin_of(blocks_.innermost())),
+                       "a variation holds MakeNamedMaterial, Texture, Light, Show or Hide; what shall stay as it is "
+                       "is defined again");
+  close_block(Kind::variation, directive);
+}
+
+Variation* SceneBuilder::variation_in_force() {
+  return blocks_.innermost_is(Kind::variation) ? &scene_.axes[axis_of_variation_].variations.back() : nullptr;
+}
+
+void SceneBuilder::in_variation(const Directive& directive) {
+  Variation* const variation = variation_in_force();
+  const Argument& name = directive.words[0];
+  const bool is_light = directive.info->kind == DirectiveKind::light;
+  if (variation == nullptr)
+    return diagnostics_.error(directive.where, fmt::format("{} must stand in a variation", directive.info->name),
+                              is_light ? "LightSource makes a light; VariationBegin \"a name\" begins a variation"
+                                       : "VariationBegin \"a name\" begins one");
+  ++directives_in_variation_;
+  define(is_light ? replaced_.lights : replaced_.parts, directive);
+  if (is_light)
+    scale_light(directive, *variation);
+  else
+    variation->parts.push_back({name.text, directive.info->kind == DirectiveKind::show, name.where});
+}
+
+void SceneBuilder::scale_light(const Directive& directive, Variation& variation) {
+  const Argument& name = directive.words[0];
+  const int errors = diagnostics_.error_count();
+  ParamList unkeyed = directive.params;
+  for (Param& param : unkeyed.params) param.key = 0;
+  for (const Param& param : unkeyed.params) {
+    const ParamList one{{param}};
+    ParamReader reader(one, "Light", directive.where, diagnostics_);
+    if (!(reader.number("scale", 1, "", "multiplies the light") >= 0))
+      reader.error("scale", "\"scale\" of Light must not be below 0");
+    reader.finish();
+  }
+  if (unkeyed.params.empty())
+    diagnostics_.error(directive.where, fmt::format("Light \"{}\" changes nothing", name.text),
+                       "\"float scale\" 0.5 halves its strength");
+  if (diagnostics_.error_count() == errors) variation.lights.push_back({name.text, directive.params, name.where});
+}
+
+void SceneBuilder::check_replacements() {
+  const std::set<std::string> materials = names_of_places(materials_), colours = names_of_places(spectrum_textures_),
+                              numbers = names_of_places(float_textures_);
+  std::set<std::string> lights, parts;
+  for (const LightUse& use : scene_.lights) lights.insert(use.name);
+  for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
+  lights.erase("");
+  for (const DynamicBlock& block : scene_.dynamic_blocks) parts.insert(block.name);
+  const auto expect = [&](const char* thing, const std::string& name, const std::set<std::string>& names,
+                          const SourceLocation& where, const std::string& if_none) {
+    if (diagnostics_.error_count() < kErrorsShown) expect_name(name, thing, names, where, if_none, diagnostics_);
+  };
+  for (const VariationAxis& axis : scene_.axes)
+    for (const Variation& variation : axis.variations) {
+      for (const MaterialUse& use : variation.materials)
+        expect("material", use.name, materials, use.where, "MakeNamedMaterial names materials");
+      for (const TextureUse& use : variation.textures)
+        expect(use.is_spectrum ? "spectrum texture" : "float texture", use.name, use.is_spectrum ? colours : numbers,
+               use.where, "Texture defines one");
+      for (const LightScale& scale : variation.lights)
+        expect("light", scale.light, lights, scale.where,
+               fmt::format("\"string name\" \"{}\" among its parameters names a light", scale.light));
+      for (const PartSwitch& part : variation.parts)
+        expect("Dynamic block", part.part, parts, part.where,
+               fmt::format("DynamicBegin \"{}\" .. DynamicEnd makes a part", part.part));
+    }
+}
+
+}  // namespace dspm

@@ -1,0 +1,179 @@
+// What a scene's text says, as plain data with source locations: no plugin is known here, no name is looked up. Frames
+// count from 0. Lists are in the order of the text. Keys and motions depend on the moment of the animation alone.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/lang/file_frames.h"
+#include "dspm/lang/motion.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/errors.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+/// `"diffuse" "rgb reflectance" .5`: a plugin's name and what it is given. Defaults of `Attribute` are among the
+/// parameters already (Param::is_default).
+struct PluginUse {
+  std::string type;
+  ParamList params;
+  SourceLocation where;       // of the directive's word
+  SourceLocation type_where;  // of the quoted type
+};
+
+struct CameraUse : PluginUse {
+  Motion camera_from_world;  // what pbrt's LookAt gives: takes points of the world to the camera's space
+};
+
+/// `Option "seed" 7` and its like; the only ones that dspm has.
+struct SceneOptions {
+  std::optional<int> seed;
+  bool disable_pixel_jitter = false;
+};
+
+struct MaterialUse : PluginUse {
+  std::string name;  // of MakeNamedMaterial; empty for `Material`
+};
+
+/// The material in force: `Material` (an index), `NamedMaterial` (a name, perhaps of none that exists) or neither,
+/// which means pbrt's default, "diffuse".
+struct MaterialRef {
+  int index = -1;    // into SceneDescription::materials
+  std::string name;  // of a NamedMaterial directive
+  SourceLocation where;
+};
+
+struct TextureUse : PluginUse {  // `type` is the texture's class
+  std::string name;
+  bool is_spectrum = false;  // else float
+  Motion world_from_texture;
+};
+
+struct LightUse : PluginUse {
+  std::string name;  // of `"string name"`, taken out of the parameters; empty: none was given
+  Motion world_from_light;
+  int dynamic_block = -1;
+};
+
+struct AreaLightUse : PluginUse {
+  std::string name;
+};
+
+struct ShapeUse : PluginUse {
+  Motion world_from_object;
+  bool reverse_orientation = false;
+  MaterialRef material;
+  int area_light = -1;     // into SceneDescription::area_lights; -1: none
+  int dynamic_block = -1;  // into SceneDescription::dynamic_blocks; -1: static
+};
+
+/// DynamicBegin .. DynamicEnd. Blocks inside one another: the shape belongs to the inner one.
+struct DynamicBlock {
+  std::string name;
+  FrameInterval moments;  // those in which its shapes exist, within the enclosing block's
+  SourceLocation where;
+  int outer = -1;  // the block around it, into SceneDescription::dynamic_blocks
+};
+
+/// ObjectBegin .. ObjectEnd.
+struct ObjectDefinition {
+  std::string name;
+  std::vector<ShapeUse> shapes;
+  SourceLocation where;
+};
+
+/// Puts every shape of the definition at world_from_instance * shape.world_from_object, as pbrt does.
+struct ObjectUse {
+  std::string name;
+  Motion world_from_instance;
+  bool reverse_orientation = false;
+  int dynamic_block = -1;
+  SourceLocation where;
+};
+
+/// Media are read and kept, so that what lacks can be said at the right place.
+struct MediumUse : PluginUse {
+  std::string name;
+};
+
+struct MediumInterfaceUse {
+  std::string inside, outside;  // empty: vacuum
+  SourceLocation where;
+};
+
+/// `Light "key" "float scale" .5`: multiplies the strength of the lights of that name.
+struct LightScale {
+  std::string light;
+  ParamList params;  // "scale", perhaps keyed
+  SourceLocation where;
+};
+
+/// `Show "part"` or `Hide "part"`: what becomes of the Dynamic blocks of that name.
+struct PartSwitch {
+  std::string part;
+  bool shown;
+  SourceLocation where;
+};
+
+/// VariationBegin .. VariationEnd. Its definitions take the place of the scene's.
+struct Variation {
+  std::string name;
+  SourceLocation where;  // of the quoted name
+  std::vector<MaterialUse> materials;
+  std::vector<TextureUse> textures;
+  std::vector<LightScale> lights;
+  std::vector<PartSwitch> parts;
+};
+
+/// AxisBegin .. AxisEnd, or all variations outside of such blocks.
+struct VariationAxis {
+  std::string name;  // empty: of the variations outside
+  SourceLocation where;
+  std::vector<Variation> variations;
+};
+
+/// `Plugin "libvelvet.so"`: a module that brings plugins along.
+struct ModuleUse {
+  std::string file;
+  SourceLocation where;
+};
+
+enum class Dialect { pbrt, dsc };  // by the main file's name; standard input counts as dsc
+
+struct SceneDescription {
+  std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
+  Dialect dialect = Dialect::dsc;
+  /// Where files are looked for that are not beside the file which names them.
+  std::filesystem::path main_directory() const {
+    return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
+  }
+
+  int moments = 1;              // what `Frames` says
+  FileFrames frames;            // the product of moments and variations: what is rendered
+  std::optional<double> fps;    // frames a second, if given
+  SourceLocation frames_where;  // of the Frames directive; no file: there is none
+  SceneOptions options;
+  std::vector<ModuleUse> modules;
+  std::optional<PluginUse> film, sampler, filter, integrator, accelerator;
+  std::optional<CameraUse> camera;
+  std::map<std::string, Motion> coordinate_systems;  // world from named system; "camera" and "world" among them
+
+  std::vector<MaterialUse> materials;  // inline and named ones
+  std::vector<TextureUse> textures;
+  std::vector<LightUse> lights;
+  std::vector<AreaLightUse> area_lights;
+  std::vector<ShapeUse> shapes;
+  std::vector<DynamicBlock> dynamic_blocks;
+  std::vector<ObjectDefinition> objects;
+  std::vector<ObjectUse> instances;
+  std::vector<MediumUse> media;
+  std::vector<MediumInterfaceUse> medium_interfaces;
+  std::vector<VariationAxis> axes;
+};
+
+}  // namespace dspm

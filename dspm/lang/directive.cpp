@@ -1,0 +1,92 @@
+#include "dspm/lang/directive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/lang/old_pbrt.h"
+#include "dspm/lang/param_grammar.h"
+
+namespace dspm {
+namespace {
+
+using Kind = Token::Kind;
+
+/// Hostile files have words of megabytes.
+std::string shortened(std::string_view word) {
+  return word.size() <= 40 ? std::string(word) : std::string(word.substr(0, 37)) + "...";
+}
+
+[[noreturn]] void fail_unknown(const Lexer& lexer, const Token& token) {
+  if (token.kind != Kind::word)
+    lexer.fail(token.text, fmt::format("expected a directive, not {}", shortened(token.text)));
+  const std::string message = fmt::format("unknown directive {}", shortened(token.text));
+  if (is_old_directive(token.text))
+    throw SyntaxError(lexer.locate(token.text), message, "pbrt-v4 has no such directive any more",
+                      std::string(token.text));
+  lexer.fail(token.text, message, did_you_mean(token.text, directive_names()));
+}
+
+void read_number(Lexer& lexer, const Token& word, Directive& directive) {
+  const Token& next = lexer.peek();
+  const bool is_bare = next.kind == Kind::number || next.kind == Kind::word;
+  if (!is_bare || find_directive(next.text) != nullptr) {
+    const auto expected = std::count(directive.info->arguments.begin(), directive.info->arguments.end(), 'n');
+    lexer.fail(word.text,
+               fmt::format("{} takes {} number{}, but {} follow{}", word.text, expected, expected == 1 ? "" : "s",
+                           directive.numbers.size(), directive.numbers.size() == 1 ? "s" : ""));
+  }
+  directive.numbers.push_back(lexer.number<double>());
+}
+
+void read_matrix(Lexer& lexer, const Token& word, Directive& directive) {
+  if (lexer.peek().kind != Kind::open) lexer.fail(word.text, fmt::format("{} takes 16 numbers in brackets", word.text));
+  const Token open = lexer.next();
+  lexer.numbers_to_bracket(directive.numbers);
+  if (directive.numbers.size() != 16)
+    lexer.fail(open.text, fmt::format("{} takes 16 numbers, but {} stand here", word.text, directive.numbers.size()));
+}
+
+void read_word(Lexer& lexer, const Token& word, char kind, Directive& directive) {
+  const Token& next = lexer.peek();
+  const bool is_string = next.kind == Kind::string;
+  if (kind == 'S' && !is_string) return;
+  if ((kind == 's' || kind == 'S') && !is_string)
+    lexer.fail(word.text, fmt::format("{} must be followed by a name in quotes", word.text));
+  if (!is_string && next.kind != Kind::word && next.kind != Kind::number)
+    lexer.fail(word.text, fmt::format("{} must be followed by a value", word.text));
+  const Token token = lexer.next();
+  directive.words.push_back({is_string ? lexer.unquoted(token) : std::string(token.text), lexer.locate(token.text)});
+}
+
+void expect_end(Lexer& lexer, const Directive& directive) {
+  const Token& next = lexer.peek();
+  if (next.kind == Kind::word || next.kind == Kind::end) return;
+  if (directive.params.params.empty())
+    lexer.fail(next.text, fmt::format("{} takes no {} here", directive.info->name, shortened(next.text)));
+  lexer.fail(next.text, fmt::format("expected a parameter or a directive, not {}", shortened(next.text)),
+             next.kind == Kind::number ? "several numbers stand in brackets" : "");
+}
+
+}  // namespace
+
+std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types) {
+  const Token word = lexer.next();
+  if (word.kind == Kind::end) return std::nullopt;
+  Directive directive;
+  directive.info = find_directive(word.text);
+  if (directive.info == nullptr) fail_unknown(lexer, word);
+  directive.where = lexer.locate(word.text);
+  for (const char argument : directive.info->arguments) {
+    switch (argument) {
+      case 'n': read_number(lexer, word, directive); break;
+      case 'm': read_matrix(lexer, word, directive); break;
+      case 'P': directive.params = read_params(lexer, accept_old_types); break;
+      default: read_word(lexer, word, argument, directive); break;
+    }
+  }
+  expect_end(lexer, directive);
+  return directive;
+}
+
+}  // namespace dspm

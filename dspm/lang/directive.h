@@ -1,0 +1,33 @@
+// One directive as read, before anything is made of it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/lang/directives.h"
+#include "dspm/lang/lexer.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+/// A quoted argument, or a bare word.
+struct Argument {
+  std::string text;
+  SourceLocation where;
+};
+
+struct Directive {
+  const DirectiveInfo* info = nullptr;
+  SourceLocation where;
+  std::vector<Argument> words;
+  std::vector<double> numbers;
+  ParamList params;
+};
+
+/// The next directive, or nothing at the end of the text. After a SyntaxError and Lexer::skip_to_directive reading can
+/// go on. `accept_old_types`: see read_params.
+std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types);
+
+}  // namespace dspm

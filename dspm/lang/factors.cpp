@@ -1,0 +1,49 @@
+#include "dspm/lang/factors.h"
+
+#include <algorithm>
+
+#include "dspm/math/frames.h"
+
+namespace dspm {
+namespace {
+
+template <class Things, class Moves>
+bool any_moves(const Things& things, Moves&& moves) {
+  return std::any_of(things.begin(), things.end(), moves);
+}
+
+bool shape_moves(const ShapeUse& use) { return use.world_from_object.is_keyed() || use.params.is_keyed(); }
+
+/// All else that can be keyed tells how strong a light is, and where to.
+bool places_a_light(const Param& param) { return param.key != 0 && (param.name == "from" || param.name == "to"); }
+
+bool moments_move_paths(const SceneDescription& scene) {
+  const FrameInterval all{0, scene.moments};
+  return (scene.camera && (scene.camera->camera_from_world.is_keyed() || scene.camera->params.is_keyed())) ||
+         any_moves(scene.dynamic_blocks, [&](const DynamicBlock& block) { return !(block.moments == all); }) ||
+         any_moves(scene.shapes, shape_moves) ||
+         any_moves(scene.objects,
+                   [](const ObjectDefinition& object) { return any_moves(object.shapes, shape_moves); }) ||
+         any_moves(scene.instances, [](const ObjectUse& use) { return use.world_from_instance.is_keyed(); }) ||
+         any_moves(scene.lights, [](const LightUse& use) {
+           return use.world_from_light.is_keyed() || any_moves(use.params.params, places_a_light);
+         });
+}
+
+}  // namespace
+
+std::vector<Factor> factors_of(const SceneDescription& scene) {
+  std::vector<Factor> factors{{Factor::kMoments, moments_move_paths(scene)}};
+  for (std::size_t axis = 0; axis < scene.axes.size(); ++axis)
+    factors.push_back({static_cast<int>(axis), any_moves(scene.axes[axis].variations, [](const Variation& variation) {
+                         return !variation.parts.empty();
+                       })});
+  return factors;
+}
+
+int place_along(const Factor& factor, const FileFrames& frames, Frame frame) {
+  return factor.axis == Factor::kMoments ? frames.moment(frame)
+                                         : frames.choice(frame, static_cast<std::size_t>(factor.axis));
+}
+
+}  // namespace dspm

@@ -1,0 +1,26 @@
+// What is in force while a scene's text is read; saved and restored by blocks.
+#pragma once
+
+#include <array>
+
+#include "dspm/lang/description.h"
+#include "dspm/lang/motion.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+/// What `Attribute` can give defaults to.
+enum class AttributeTarget { shape, light, material, medium, texture };
+inline constexpr int kAttributeTargets = 5;
+
+struct GraphicsState {
+  Motion ctm;  // current transform: world from local, before WorldBegin camera from world
+  enum class Active { both, start, end } active = Active::both;  // the end of the shutter's time to which transforms go
+  bool reverse_orientation = false;
+  MaterialRef material;
+  int area_light = -1;
+  int dynamic_block = -1;
+  std::array<ParamList, kAttributeTargets> attributes;
+};
+
+}  // namespace dspm

@@ -1,0 +1,80 @@
+#include "dspm/lang/keyframe_group.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "dspm/math/frames.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kMostKeyed = 32;  // nested; each shape inside has a motion of so many parts
+
+}  // namespace
+
+TransformOp matrix_op(const Matrix4& matrix) {
+  TransformOp op{TransformOp::Kind::matrix, {}};
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = 0; column < 4; ++column) op.arguments[4 * column + row] = matrix.m[row][column];
+  return op;
+}
+
+bool fits_float(const Matrix4& matrix) {
+  for (const auto& row : matrix.m)
+    for (const double v : row)
+      if (!(std::abs(v) <= std::numeric_limits<float>::max())) return false;
+  return true;
+}
+
+bool is_regular(const Matrix4& matrix) { return fits_float(matrix) && matrix.inverse().has_value(); }
+
+void KeyframeGroup::begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics) {
+  if (!keys_.empty() && frame <= keys_.back().frame) {
+    diagnostics.error(where, fmt::format("Keyframe {} stands after Keyframe {}", frame + 1, keys_.back().frame + 1),
+                      "keys are written in ascending order");
+    frame = keys_.back().frame + 1;
+  }
+  keys_.push_back({frame, ease, {}});
+  replaces_.push_back(false);
+}
+
+void KeyframeGroup::multiply(const TransformOp& op) { keys_.back().ops.push_back(op); }
+
+void KeyframeGroup::replace(const TransformOp& op) {
+  keys_.back().ops = {op};
+  replaces_.back() = true;
+}
+
+Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
+  const bool any_replaces = std::find(replaces_.begin(), replaces_.end(), true) != replaces_.end();
+  const bool all_replace = std::find(replaces_.begin(), replaces_.end(), false) == replaces_.end();
+  if (any_replaces && !all_replace) {
+    if (before.is_keyed())
+      diagnostics.error(where_, "some of these keys replace the transform that stood before, others do not",
+                        "inside another keyed transform, all or none may use Transform or Identity");
+    for (std::size_t i = 0; i < keys_.size(); ++i)
+      if (!replaces_[i]) keys_[i].ops.insert(keys_[i].ops.begin(), matrix_op(before.at(0)));
+  }
+  KeyedTransform keyed(std::move(keys_));
+  check_regular(keyed, diagnostics);
+  Motion motion = any_replaces ? Motion() : before;
+  if (motion.keyed_count() < kMostKeyed)
+    motion.multiply(std::move(keyed));
+  else
+    diagnostics.error(where_, fmt::format("keyed transforms are nested more than {} deep", kMostKeyed));
+  return motion;
+}
+
+void KeyframeGroup::check_regular(const KeyedTransform& keyed, Diagnostics& diagnostics) const {
+  for (Frame frame = keyed.keys().front().frame; frame <= keyed.keys().back().frame; ++frame) {
+    if (is_regular(keyed.at(frame))) continue;
+    diagnostics.error(where_, fmt::format("the transform between these keys is singular at frame {}", frame + 1));
+    return;
+  }
+}
+
+}  // namespace dspm

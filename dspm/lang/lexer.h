@@ -1,0 +1,61 @@
+// From text to tokens. Tokens are views of the text; lists of numbers, which are most of a scene file, go straight into
+// vectors without any token.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/lang/source_text.h"
+
+namespace dspm {
+
+struct Token {
+  enum class Kind { word, number, string, open, close, comment, end };  // open and close: the brackets of a list
+  Kind kind = Kind::end;
+  std::string_view text;  // as written: strings with their quotes, comments from # to the end of the line
+};
+
+/// Throws SyntaxError for what is no token.
+class Lexer {
+ public:
+  /// Keeps a reference to `source`.
+  explicit Lexer(const SourceText& source);
+
+  Token next();
+  Token next_or_comment();
+  const Token& peek();
+
+  /// One number, of type float, double or int; finite and within the type's range.
+  template <class Number>
+  Number number();
+  /// The numbers up to the closing bracket, which is read as well. The opening one has been read.
+  template <class Number>
+  void numbers_to_bracket(std::vector<Number>& values);
+  /// What stands between the quotes, escapes resolved.
+  std::string unquoted(const Token& string) const;
+
+  /// Recovery: goes to the next word that could be a directive.
+  void skip_to_directive();
+
+  SourceLocation locate(std::string_view part) const { return source_.locate(part); }
+  [[noreturn]] void fail(std::string_view part, const std::string& message, std::string hint = {}) const;
+
+ private:
+  void skip_blank();
+  void take_back_peeked();
+  std::string_view word_at(const char* begin) const;
+  Token read_string();
+  template <class Number>
+  Number read_number();
+  template <class Number>
+  [[noreturn]] void fail_number(std::string_view word) const;
+
+  const SourceText& source_;
+  const char* at_;
+  const char* end_;
+  std::optional<Token> peeked_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,72 @@
+// How a thing is placed in each frame: a product of fixed matrices and keyed transforms.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/math/transform.h"
+
+namespace dspm {
+
+/// One transform directive with its arguments, so that keys can be interpolated argument by argument.
+struct TransformOp {
+  enum class Kind { translate, rotate, scale, look_at, matrix };  // matrix: 16 values, column by column
+  Kind kind;
+  std::array<double, 16> arguments{};
+
+  /// All zeros where the arguments describe no transform (a zero axis, a view without direction).
+  Matrix4 matrix() const;
+};
+
+enum class Ease { linear, smooth, step };
+
+struct TransformKey {
+  Frame frame = 0;           // from 0
+  Ease ease = Ease::linear;  // how this key is left
+  std::vector<TransformOp> ops;
+};
+
+/// Between two keys of equal directive sequence the arguments are interpolated one by one (matrices as a whole),
+/// between others the products. A matrix or product is interpolated by decomposition into translation, rotation (slerp)
+/// and stretch (scale and shear). The first and the last key hold outside.
+class KeyedTransform {
+ public:
+  /// At least one key, frames strictly ascending.
+  explicit KeyedTransform(std::vector<TransformKey> keys) : keys_(std::move(keys)) {}
+  Matrix4 at(Frame frame) const;
+  const std::vector<TransformKey>& keys() const { return keys_; }
+
+ private:
+  std::vector<TransformKey> keys_;
+};
+
+/// The placement of a shape, light or camera over all frames of the file.
+class Motion {
+ public:
+  Motion() = default;
+  explicit Motion(const Matrix4& fixed) : parts_{{fixed, {}, false}} {}
+
+  /// Multiplies on from the right, as directives in a scene file do.
+  void multiply(const Matrix4& matrix);
+  void multiply(KeyedTransform keyed);
+
+  /// All zeros where no inverse exists in that frame.
+  Matrix4 at(Frame frame) const;
+  bool is_keyed() const;
+  /// How many keyed transforms follow upon one another.
+  int keyed_count() const;
+  /// The motion that undoes this one in every frame.
+  Motion inverse() const;
+
+ private:
+  struct Part {
+    Matrix4 fixed;                                // applied to the left of `keyed`
+    std::shared_ptr<const KeyedTransform> keyed;  // perhaps none; all that stands in a block shares it
+    bool inverted = false;                        // stands for the inverse of `keyed`
+  };
+  std::vector<Part> parts_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,28 @@
+// The entrance to the language: scene files in, SceneDescription and diagnostics out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/lang/source_text.h"
+#include "dspm/params/errors.h"
+
+namespace dspm {
+
+struct ParseOptions {
+  Defines defines = {};                      // of -D name=value
+  std::vector<std::string> variations = {};  // patterns of those that are wanted, where they are too many
+};
+
+/// Reads the files one after the other as if they were one; "-" is standard input. What is wrong goes to `diagnostics`,
+/// up to kErrorsShown errors; after an error the description is what could be read. It owns the files' texts, to which
+/// the diagnostics refer: keep it while they are printed.
+SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
+                             Diagnostics& diagnostics);
+
+/// The same for a text in memory. Included files are looked for beside `name`, which need not exist.
+SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,
+                            Diagnostics& diagnostics);
+
+}  // namespace dspm

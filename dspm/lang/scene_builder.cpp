@@ -1,0 +1,130 @@
+#include "dspm/lang/scene_builder.h"
+
+#include <fmt/format.h>
+
+namespace dspm {
+namespace {
+
+using enum DirectiveKind;
+
+bool may_stand_between_keys(DirectiveKind kind) {
+  switch (kind) {
+    case keyframe:
+    case keyframe_end:
+    case translate:
+    case rotate:
+    case scale:
+    case look_at:
+    case transform:
+    case concat_transform:
+    case identity:
+    case coord_sys_transform: return true;
+    default: return false;
+  }
+}
+
+bool takes_keys(DirectiveKind kind) {
+  switch (kind) {
+    case camera:
+    case material:
+    case make_named_material:
+    case texture:
+    case light_source:
+    case area_light_source:
+    case light:
+    case shape:
+    case attribute: return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+void SceneBuilder::apply(Directive directive) {
+  if (group_ && !may_stand_between_keys(directive.info->kind)) close_forgotten_group(directive);
+  if (!check_section(directive)) return;
+  check_keys(directive);
+  apply_variation(directive) || apply_option(directive) || apply_transform(directive) || apply_block(directive) ||
+      apply_look(directive) || apply_thing(directive);
+}
+
+void SceneBuilder::close_forgotten_group(const Directive& directive) {
+  diagnostics_.error(directive.where, fmt::format("only transforms stand between keys, no {}", directive.info->name),
+                     fmt::format("KeyframeEnd is missing: the keys began in line {}", group_->where().line));
+  finish_group();
+}
+
+bool SceneBuilder::check_section(const Directive& directive) {
+  if (directive.info->section == Section::options && world_where_) {
+    diagnostics_.error(directive.where, fmt::format("{} must stand before WorldBegin", directive.info->name),
+                       fmt::format("the world begins in line {}", world_where_->line));
+    return false;
+  }
+  if (directive.info->section == Section::world && !world_where_) {
+    diagnostics_.error(directive.where, fmt::format("{} must stand after WorldBegin", directive.info->name),
+                       "WorldBegin is missing before it, unless this file is a part for another one to Include");
+    world_begin(directive.where);  // one such error is enough
+  }
+  return true;
+}
+
+void SceneBuilder::check_keys(const Directive& directive) {
+  for (const Param& param : directive.params.params) {
+    if (param.key == 0) continue;
+    if (takes_keys(directive.info->kind))
+      check_frame(param.key, param.where);
+    else
+      diagnostics_.error(param.where,
+                         fmt::format("parameters of {} cannot change between frames", directive.info->name),
+                         "those of Camera, materials, textures, lights and shapes in Dynamic blocks can");
+  }
+}
+
+void SceneBuilder::check_frame(int key, const SourceLocation& where) {
+  if (!world_where_)
+    keys_before_world_.emplace_back(key, where);
+  else if (key > scene_.moments)
+    diagnostics_.warning(where, fmt::format("this key for frame {} lies outside: the scene has {} frame{}", key,
+                                            scene_.moments, scene_.moments == 1 ? "" : "s"));
+}
+
+void SceneBuilder::world_begin(const SourceLocation& where) {
+  if (world_where_) {
+    diagnostics_.error(where, "a second WorldBegin", fmt::format("the first is in line {}", world_where_->line));
+    return;
+  }
+  world_where_ = where;
+  state_.ctm = {};
+  state_.active = GraphicsState::Active::both;
+  scene_.coordinate_systems["world"] = {};
+  scene_.coordinate_systems.try_emplace("camera");  // a scene without Camera has one at the origin
+  for (const auto& [key, place] : keys_before_world_) check_frame(key, place);
+}
+
+void SceneBuilder::begin_import(const Directive& directive) {
+  if (group_) close_forgotten_group(directive);
+  check_section(directive);
+  is_out_of_place(directive);
+  open_block(Block::Kind::import, directive, directive.words[0].text);
+  outer_coordinate_systems_.push_back(scene_.coordinate_systems);
+}
+
+void SceneBuilder::end_import() {
+  if (group_) {
+    diagnostics_.error(group_->where(), "these keys are not closed", "KeyframeEnd is missing");
+    finish_group();
+  }
+  state_ = blocks_.close_import();
+  scene_.coordinate_systems = std::move(outer_coordinate_systems_.back());
+  outer_coordinate_systems_.pop_back();
+}
+
+void SceneBuilder::finish() {
+  if (group_) diagnostics_.error(group_->where(), "these keys are not closed", "KeyframeEnd is missing");
+  blocks_.check_all_closed();
+  check_replacements();
+  if (!world_where_ && diagnostics_.error_count() == 0)
+    diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, and so nothing to render");
+}
+
+}  // namespace dspm

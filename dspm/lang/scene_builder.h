@@ -1,0 +1,120 @@
+// From directives to the SceneDescription: keeps the state that is in force, and says what stands in the wrong place.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dspm/lang/blocks.h"
+#include "dspm/lang/description.h"
+#include "dspm/lang/directive.h"
+#include "dspm/lang/graphics_state.h"
+#include "dspm/lang/keyframe_group.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+class SceneBuilder {
+ public:
+  SceneBuilder(SceneDescription& scene, Diagnostics& diagnostics)
+      : scene_(scene), diagnostics_(diagnostics), blocks_(diagnostics) {}
+
+  /// Everything but Include and Import, which the reader carries out; may throw SyntaxError.
+  void apply(Directive directive);
+  /// What an imported file does to the state ends with it.
+  void begin_import(const Directive& directive);
+  void end_import();
+  /// To be called behind the last file.
+  void finish();
+
+ private:
+  using Places = std::map<std::string, SourceLocation>;
+
+  void close_forgotten_group(const Directive& directive);
+  bool check_section(const Directive& directive);
+  void check_keys(const Directive& directive);
+  void check_frame(int key, const SourceLocation& where);
+
+  // Each carries the directive out if it is one of its own (build_variations.cpp, build_options.cpp, ...).
+  bool apply_variation(const Directive& directive);
+  bool apply_option(Directive& directive);
+  bool apply_transform(const Directive& directive);
+  bool apply_block(const Directive& directive);
+  bool apply_look(Directive& directive);
+  bool apply_thing(Directive& directive);
+
+  void camera(Directive& directive);
+  void frames(const Directive& directive);
+  void option(const Directive& directive);
+  void color_space(const Directive& directive);
+  void world_begin(const SourceLocation& where);
+  void set_plugin(std::optional<PluginUse>& slot, Directive& directive);
+  void warn_of_second(const Directive& directive, const PluginUse* first);
+
+  void multiply(const Directive& directive, const TransformOp& op);
+  void replace(const Directive& directive, const TransformOp& op);
+  bool is_usable(const Directive& directive, const Matrix4& matrix);
+  bool is_blurred(const Directive& directive);
+  void active_transform(const Directive& directive);
+  void coordinate_system(const Directive& directive);
+  void keyframe(const Directive& directive);
+  void keyframe_end(const Directive& directive);
+  void finish_group();
+
+  bool is_out_of_place(const Directive& directive);
+  void expect_top_level(const Directive& directive);
+  void axis_begin(const Directive& directive);
+  void axis_end(const Directive& directive);
+  void variation_begin(const Directive& directive);
+  void variation_end(const Directive& directive);
+  void in_variation(const Directive& directive);
+  void scale_light(const Directive& directive, Variation& variation);
+  /// The variation that is being read; null outside.
+  Variation* variation_in_force();
+  void check_replacements();
+
+  void open_block(Block::Kind kind, const Directive& directive, std::string name);
+  void close_block(Block::Kind kind, const Directive& directive);
+  void dynamic_begin(const Directive& directive);
+  void object_begin(const Directive& directive);
+  void attribute(Directive& directive);
+  void material(Directive& directive);
+  void make_named_material(Directive& directive);
+  void make_named_medium(Directive& directive);
+  void medium_interface(const Directive& directive);
+  void texture(Directive& directive);
+  void area_light_source(Directive& directive);
+  void light_source(Directive& directive);
+  void shape(Directive& directive);
+  void object_instance(const Directive& directive);
+
+  /// The type is the directive's last word.
+  static PluginUse plugin_use(Directive& directive);
+  PluginUse plugin_use(Directive& directive, AttributeTarget target) const;
+  /// The type is what "string type" says; nothing, after an error, where that lacks.
+  std::optional<PluginUse> named_plugin_use(Directive& directive, AttributeTarget target);
+  void define(Places& names, const Directive& directive);
+  std::string take_light_name(ParamList& params);
+
+  SceneDescription& scene_;
+  Diagnostics& diagnostics_;
+  GraphicsState state_;
+  BlockStack blocks_;
+  std::optional<SourceLocation> world_where_;  // of WorldBegin
+  std::optional<KeyframeGroup> group_;         // the keys that are being read
+  bool options_have_keys_ = false;
+  bool blur_told_ = false;                                               // since the last ActiveTransform
+  std::vector<std::pair<int, SourceLocation>> keys_before_world_;        // checked when the number of frames is known
+  std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files that are being imported
+  Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
+  struct {
+    Places float_textures, spectrum_textures, materials, lights, parts;
+  } replaced_;                      // by the variation in force
+  std::vector<Places> variations_;  // by axis
+  std::size_t axis_of_variation_ = 0;
+  int directives_in_variation_ = 0;
+};
+
+}  // namespace dspm

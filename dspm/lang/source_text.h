@@ -1,0 +1,63 @@
+// A scene file's text as the lexer reads it: `$name` replaced by what -D says, and every place in it traced back to
+// line and column of the file as it was written.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/params/errors.h"
+
+namespace dspm {
+
+using Defines = std::map<std::string, std::string, std::less<>>;
+
+/// What is wrong at a place of the text; caught where reading can go on.
+class SyntaxError : public std::runtime_error {
+ public:
+  SyntaxError(const SourceLocation& place, const std::string& message, std::string a_hint = {}, std::string old = {})
+      : std::runtime_error(message), where(place), hint(std::move(a_hint)), old_word(std::move(old)) {}
+
+  SourceLocation where;
+  std::string hint;
+  std::string old_word;  // what older versions of pbrt know instead, see old_pbrt.h; mostly empty
+};
+
+/// The text has $define somewhere.
+bool refers_to(std::string_view text, std::string_view define);
+
+class SourceText {
+ public:
+  /// Keeps a reference to `file`. Every undefined `$name` is an error.
+  SourceText(const SourceFile& file, const Defines& defines, Diagnostics& diagnostics);
+  /// `$name` stays as it is.
+  explicit SourceText(const SourceFile& file);
+
+  SourceText(const SourceText&) = delete;
+  SourceText& operator=(const SourceText&) = delete;
+
+  std::string_view text() const { return text_; }
+  const SourceFile& file() const { return file_; }
+  /// `part` is a part of text().
+  SourceLocation locate(std::string_view part) const;
+
+ private:
+  struct Replacement {
+    std::size_t begin, end;                    // in text()
+    std::size_t original_begin, original_end;  // in the file
+  };
+
+  void replace(const Defines& defines, Diagnostics& diagnostics);
+  std::size_t original(std::size_t offset, bool is_end) const;
+  SourceLocation locate_original(std::size_t begin, std::size_t end) const;
+
+  const SourceFile& file_;
+  std::string replaced_;
+  std::string_view text_;
+  std::vector<Replacement> replacements_;
+  std::vector<std::size_t> line_starts_;
+};
+
+}  // namespace dspm

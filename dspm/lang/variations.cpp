@@ -1,0 +1,143 @@
+#include "dspm/lang/variations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "dspm/lang/glob.h"
+#include "dspm/lang/keyframe_group.h"
+
+namespace dspm {
+namespace {
+
+/// What an axis's variation adds to the combination's name.
+std::string part_of_name(std::size_t axis, const Variation& variation) {
+  return axis == 0 ? variation.name : "-" + variation.name;
+}
+
+/// Walks down the axes, choice by choice, and never where no pattern can still match.
+class Search {
+ public:
+  Search(const std::vector<VariationAxis>& axes, const std::vector<std::string>& patterns, std::size_t most)
+      : axes_(axes), most_(most) {
+    for (const std::string& pattern : patterns) globs_.emplace_back(pattern);
+    learn_ends();
+  }
+
+  std::vector<Combination> find() {
+    std::vector<Glob::State> states;
+    for (const Glob& glob : globs_) states.push_back(glob.start());
+    descend(states);
+    return std::move(found_);
+  }
+
+ private:
+  bool can_end(std::size_t axis, std::size_t glob, const Glob::State& state) const {
+    for (std::size_t i = 0; i < state.size(); ++i)
+      if (state[i] && ends_[axis][glob][i]) return true;
+    return false;
+  }
+
+  /// From the last axis to the first: the places in a pattern from which some choices lead to its end.
+  void learn_ends() {
+    ends_.resize(axes_.size() + 1);
+    for (const Glob& glob : globs_) {
+      Glob::State& all = ends_.back().emplace_back(glob.places());
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] = glob.accepts(glob.at(i));
+    }
+    for (std::size_t axis = axes_.size(); axis-- > 0;)
+      for (std::size_t g = 0; g < globs_.size(); ++g) {
+        Glob::State& ends = ends_[axis].emplace_back(globs_[g].places());
+        for (std::size_t i = 0; i < ends.size(); ++i)
+          ends[i] = std::any_of(axes_[axis].variations.begin(), axes_[axis].variations.end(), [&](const Variation& v) {
+            return can_end(axis + 1, g, globs_[g].after(globs_[g].at(i), part_of_name(axis, v)));
+          });
+      }
+  }
+
+  void descend(const std::vector<Glob::State>& states) {
+    const std::size_t axis = path_.choices.size();
+    bool goes_on = false;
+    for (std::size_t g = 0; g < globs_.size(); ++g) goes_on = goes_on || can_end(axis, g, states[g]);
+    if (!goes_on || found_.size() == most_) return;
+    if (axis == axes_.size()) return found_.push_back(path_);
+    const std::size_t length = path_.name.size();
+    for (std::size_t v = 0; v < axes_[axis].variations.size(); ++v) {
+      const std::string part = part_of_name(axis, axes_[axis].variations[v]);
+      std::vector<Glob::State> next;
+      for (std::size_t g = 0; g < globs_.size(); ++g) next.push_back(globs_[g].after(states[g], part));
+      path_.name += part;
+      path_.choices.push_back(static_cast<int>(v));
+      descend(next);
+      path_.choices.pop_back();
+      path_.name.resize(length);
+    }
+  }
+
+  const std::vector<VariationAxis>& axes_;
+  const std::size_t most_;
+  std::vector<Glob> globs_;
+  std::vector<std::vector<Glob::State>> ends_;  // by axis and pattern
+  Combination path_;
+  std::vector<Combination> found_;
+};
+
+/// "2 x 3 x 500 = 3000"; where the axes are many, the product alone.
+std::string product_in_words(const std::vector<VariationAxis>& axes) {
+  double product = 1;
+  std::string factors;
+  for (const VariationAxis& axis : axes) {
+    product *= static_cast<double>(axis.variations.size());
+    factors += fmt::format("{}{}", factors.empty() ? "" : " x ", axis.variations.size());
+  }
+  const std::string number = product < 1e15 ? fmt::format("{:.0f}", product) : fmt::format("{:.0e}", product);
+  return axes.size() > 1 && axes.size() <= 8 ? factors + " = " + number : number;
+}
+
+void refuse_equal_names(const SceneDescription& scene, const std::vector<Combination>& combinations,
+                        Diagnostics& diagnostics) {
+  std::map<std::string_view, const Combination*> seen;
+  for (const Combination& each : combinations) {
+    const auto [first, is_new] = seen.emplace(each.name, &each);
+    if (is_new || diagnostics.error_count() >= kErrorsShown) continue;
+    std::size_t axis = 0;  // where the two part
+    while (axis + 1 < scene.axes.size() && first->second->choices[axis] == each.choices[axis]) ++axis;
+    const auto choice = [&](const Combination& c) -> const Variation& {
+      return scene.axes[axis].variations[static_cast<std::size_t>(c.choices[axis])];
+    };
+    diagnostics.error(choice(each).where, fmt::format("two variations of the product are named \"{}\"", each.name),
+                      fmt::format("one of them with \"{}\", one with \"{}\": give one of these another name",
+                                  choice(*first->second).name, choice(each).name));
+  }
+}
+
+}  // namespace
+
+std::vector<Combination> matching_combinations(const std::vector<VariationAxis>& axes,
+                                               const std::vector<std::string>& patterns, std::size_t most) {
+  return Search(axes, patterns, most).find();
+}
+
+FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
+                     Diagnostics& diagnostics) {
+  const int most = std::clamp(kMostFrames / scene.moments, 1, kMostCombinations);
+  const std::size_t one_more = static_cast<std::size_t>(most) + 1;
+  std::vector<Combination> combinations = matching_combinations(scene.axes, {"*"}, one_more);
+  const auto too_many = [&] { return combinations.size() == one_more; };
+  if (too_many() && !patterns.empty()) combinations = matching_combinations(scene.axes, patterns, one_more);
+  if (too_many()) {
+    const std::string product = product_in_words(scene.axes),
+                      limit = fmt::format("more than {}{}", most,
+                                          most == kMostCombinations ? "" : fmt::format(" of {} frames", scene.moments));
+    diagnostics.error(scene.axes.front().where,
+                      patterns.empty() ? fmt::format("the axes make {} variations, {}", product, limit)
+                                       : fmt::format("--variation chooses {} of the {} variations", limit, product),
+                      "--variation 'oak-*' chooses some by their names");
+    combinations.clear();
+  }
+  if (diagnostics.error_count() == 0) refuse_equal_names(scene, combinations, diagnostics);
+  return {scene.moments, std::move(combinations)};
+}
+
+}  // namespace dspm

@@ -1,0 +1,135 @@
+// AreaLightSource "diffuse" "rgb L" [40 38 34] "bool twosided" true
+//
+// Makes every point of a shape shine, with equal radiance in all directions: on the side of its geometric normal, or on
+// both. Primitives are chosen by their area in the world, points uniformly within one.
+//
+// | parameter | default | meaning |
+// | --------- | ------- | ------- |
+// | L         | 1       | radiance |
+// | twosided  | false   | shines on both sides |
+// | scale     | 1       | multiplies L |
+// | power     | -1      | where above 0: lumen that the whole shape is scaled to emit were L's luminance 1 |
+//
+// (pbrt-v4 gives "power" to each triangle of a mesh.)
+//
+// [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.4]
+#include "dspm/colour/rgb.h"
+#include "dspm/lights/light.h"
+#include "dspm/lights/strength.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+// Where a transform stretches a curved primitive, its area is the mean over a grid of samples.
+float world_area(const PlacedShape& placed, int primitive) {
+  const float area = placed.shape->area(primitive);
+  if (!(area > 0)) return 0;
+  if (!placed.in_object_space()) return area;
+  const int n = placed.shape->triangles() ? 1 : 16;
+  double sum = 0;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const Vec2 u{(static_cast<float>(x) + 0.5f) / static_cast<float>(n),
+                   (static_cast<float>(y) + 0.5f) / static_cast<float>(n)};
+      sum += 1 / static_cast<double>(placed.sample_area(primitive, u).pdf_a);
+    }
+  return static_cast<float>(sum / (n * n));
+}
+
+Distribution1D primitives_by_area(const PlacedShape& placed) {
+  std::vector<float> areas(static_cast<std::size_t>(placed.shape->primitive_count()));
+  for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = world_area(placed, static_cast<int>(i));
+  return Distribution1D(areas);
+}
+
+// Area light over all primitives; every density of a point is by area in the world.
+class DiffuseArea final : public Light {
+ public:
+  DiffuseArea(const PlacedShape& placed, const Rgb& radiance, bool two_sided, const Strength& strength)
+      : placed_(placed), primitives_(primitives_by_area(placed)), two_sided_(two_sided) {
+    const float flux_at_1 = kPi * primitives_.total() * sides();
+    radiance_ = radiance * strength.factor(flux_at_1);
+    power_ = radiance_ * flux_at_1;
+  }
+
+  Rgb power() const override { return power_; }
+
+  std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
+    if (!(primitives_.total() > 0)) return std::nullopt;
+    const AreaSample s = sample_point(u_position);
+    float side = 1;
+    if (two_sided_) {
+      side = u_direction.x < 0.5f ? 1.f : -1.f;
+      u_direction.x = 2 * u_direction.x - (side < 0 ? 1.f : 0.f);
+    }
+    const Vec3 local = cosine_hemisphere(u_direction);
+    const Vec3 w = normalize(Basis::around(side * s.point.ng).to_world(local));
+    return Emission{s.point.spawn(w), radiance_ * (kPi * sides() / s.pdf_a)};
+  }
+
+  std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const override {
+    if (!(primitives_.total() > 0)) return std::nullopt;
+    const AreaSample s = sample_point(u);
+    const Vec3 d = s.point.p - p;
+    const float distance = length(d);
+    const Vec3 wi = d / distance;
+    const Rgb radiance = emitted(s.point, -wi);
+    if (!(distance > 0) || is_black(radiance)) return std::nullopt;
+    return Illumination{wi, distance, radiance, s.pdf_a * length2(d) / std::abs(dot(s.point.ng, wi))};
+  }
+
+  Rgb emitted(const SurfacePoint& point, const Vec3& w) const override {
+    const float cosine = dot(point.ng, w);
+    return cosine > 0 || (two_sided_ && cosine < 0) ? radiance_ : Rgb();
+  }
+
+  float pdf_w(const Vec3& from, const SurfacePoint& point, int primitive) const override {
+    const Vec3 d = point.p - from;
+    const float pdf_a = primitives_.probability(primitive) * pdf_on_primitive(primitive, point.ng);
+    return is_black(emitted(point, -d)) ? 0 : pdf_a * length2(d) * length(d) / std::abs(dot(point.ng, d));
+  }
+
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const DiffuseArea*>(&other);
+    if (o == nullptr || !(&placed_ == &o->placed_ && two_sided_ == o->two_sided_)) return std::nullopt;
+    return ratio(radiance_, o->radiance_);
+  }
+
+ private:
+  float sides() const { return two_sided_ ? 2.f : 1.f; }
+
+  AreaSample sample_point(Vec2 u) const {
+    const auto [primitive, probability, rest] = primitives_.choose(u.x);
+    AreaSample s = placed_.sample_area(primitive, {rest, u.y});
+    s.pdf_a *= probability;
+    return s;
+  }
+
+  // What placed_.sample_area() says of a point with that normal.
+  float pdf_on_primitive(int primitive, const Vec3& ng) const {
+    const Transform& t = placed_.to_world;
+    const Vec3 n{dot(ng, t.vector({1, 0, 0})), dot(ng, t.vector({0, 1, 0})), dot(ng, t.vector({0, 0, 1}))};
+    return 1 / (placed_.shape->area(primitive) * placed_.area_scale(normalize(n)));
+  }
+
+  const PlacedShape& placed_;
+  Distribution1D primitives_;
+  bool two_sided_;
+  Rgb radiance_, power_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext& context) {
+  const Rgb radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance in all directions");
+  const bool two_sided = reader.flag("twosided", false, "shines on both sides");
+  const Strength strength = read_power(reader);
+  reader.unsupported("filename", "an area light's image");
+  reader.finish();
+  return std::make_unique<DiffuseArea>(*context.shape, radiance, two_sided, strength);
+}
+
+}  // namespace dspm

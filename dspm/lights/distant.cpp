@@ -1,0 +1,62 @@
+// LightSource "distant" "rgb L" [3 3 3] "point3 from" [1 2 0] "point3 to" [0 0 0]
+//
+// A sun: parallel light from infinitely far away. Photons start on a disk that covers the sphere around the scene.
+//
+// | parameter   | default | meaning |
+// | ----------- | ------- | ------- |
+// | L           | 1       | irradiance (W/m^2) on a surface across the light |
+// | from, to    | 0 0 0, 0 0 1 | the light goes along to - from, in light space |
+// | scale       | 1       | multiplies L |
+// | illuminance | -1      | where above 0: lux that L is scaled to give were its luminance 1 |
+//
+// [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.3]
+#include "dspm/colour/rgb.h"
+#include "dspm/lights/aim.h"
+#include "dspm/lights/light.h"
+#include "dspm/lights/scene_sphere.h"
+#include "dspm/lights/strength.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+class Distant final : public Light {
+ public:
+  Distant(const SceneSphere& scene, const Vec3& towards_light, const Rgb& irradiance)
+      : scene_(scene), wi_(towards_light), irradiance_(irradiance) {}
+
+  Rgb power() const override { return irradiance_ * scene_.disk_area(); }
+
+  std::optional<Emission> emit(Vec2 u_position, Vec2) const override {
+    return Emission{scene_.entering(wi_, u_position), power()};
+  }
+
+  std::optional<Illumination> illuminate(const Vec3&, Vec2) const override {
+    return Illumination{wi_, kInfinity, irradiance_, 0};
+  }
+
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Distant*>(&other);
+    if (o == nullptr || !(wi_ == o->wi_)) return std::nullopt;
+    return ratio(irradiance_, o->irradiance_);
+  }
+
+ private:
+  SceneSphere scene_;
+  Vec3 wi_;
+  Rgb irradiance_;
+};
+
+}  // namespace
+
+std::unique_ptr<Light> make_distant(ParamReader& reader, const LightContext& context) {
+  const Rgb irradiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "irradiance across the light");
+  const Aim aim = read_aim(reader);
+  const Strength strength = read_illuminance(reader);
+  reader.finish();
+  return std::make_unique<Distant>(SceneSphere(context), -normalize(context.to_world.vector(aim.along)),
+                                   irradiance * strength.factor(1));
+}
+
+}  // namespace dspm

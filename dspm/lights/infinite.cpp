@@ -1,0 +1,155 @@
+// LightSource "infinite" "string filename" "sky.exr" "float scale" 2
+//
+// Light from all directions: of one colour, or an image around the scene. Radiance is constant within a pixel, and
+// directions are drawn in exact proportion to its luminance. Photons start on a disk, across their direction, that
+// covers the sphere around the scene.
+//
+// | parameter   | default | meaning |
+// | ----------- | ------- | ------- |
+// | L           | 1       | radiance of one colour; instead of filename |
+// | filename    |         | PNG, JPEG, EXR or HDR image of the radiance |
+// | mapping     | auto    | equalarea: pbrt-v4's squares; equirectangular: latitude, longitude; auto: by the aspect |
+// | scale       | 1       | multiplies L or the image |
+// | illuminance | -1      | where above 0: lux on a surface facing +z of light space; with L, were its luminance 1 |
+//
+// +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
+// "illuminance" gives half of what pbrt-v4 gives, which counts each pixel at half its solid angle.
+//
+// [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.5; Clarberg 2008, Fast Equal-Area Mapping of the
+// (Hemi)Sphere using SIMD]
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/lights/environment_map.h"
+#include "dspm/lights/light.h"
+#include "dspm/lights/scene_sphere.h"
+#include "dspm/lights/strength.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+class Infinite final : public Light {
+ public:
+  Infinite(const LightContext& context, EnvironmentMap map, float scale)
+      : scene_(context),
+        to_world_(context.to_world),
+        volume_scale_(std::abs(
+            dot(to_world_.vector({1, 0, 0}), cross(to_world_.vector({0, 1, 0}), to_world_.vector({0, 0, 1}))))),
+        map_(std::move(map)),
+        scale_(scale),
+        power_(map_.fluence() * (scene_.disk_area() * scale)) {}
+
+  Rgb power() const override { return power_; }
+
+  std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
+    if (map_.is_black()) return std::nullopt;
+    const EnvironmentMap::Sample s = draw(u_direction);
+    return Emission{scene_.entering(s.direction, u_position), s.radiance * (scene_.disk_area() / s.pdf_w)};
+  }
+
+  std::optional<Illumination> illuminate(const Vec3&, Vec2 u) const override {
+    if (map_.is_black()) return std::nullopt;
+    const EnvironmentMap::Sample s = draw(u);
+    return Illumination{s.direction, kInfinity, s.radiance, s.pdf_w};
+  }
+
+  bool is_infinite() const override { return true; }
+  Rgb escaped(const Vec3& direction) const override { return scale_ * map_.radiance(to_light(direction)); }
+
+  float escaped_pdf_w(const Vec3& direction) const override {
+    const Vec3 w = to_light(direction);
+    return map_.pdf_w(w) * density_scale(w);
+  }
+
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Infinite*>(&other);
+    if (o == nullptr || !(to_world_ == o->to_world_)) return std::nullopt;
+    if (map_.constant() && o->map_.constant()) return ratio(scale_ * *map_.constant(), o->scale_ * *o->map_.constant());
+    if (!(map_ == o->map_)) return std::nullopt;
+    return ratio(Rgb(scale_), Rgb(o->scale_));
+  }
+
+ private:
+  Vec3 to_light(const Vec3& direction) const { return normalize(to_world_.inverse_vector(direction)); }
+
+  EnvironmentMap::Sample draw(Vec2 u) const {
+    const EnvironmentMap::Sample s = map_.sample(u);
+    return {normalize(to_world_.vector(s.direction)), scale_ * s.radiance, s.pdf_w * density_scale(s.direction)};
+  }
+
+  // A map M turns a solid angle around the unit vector w into |det M| / |M w|^3 of it: 1 unless M stretches.
+  float density_scale(const Vec3& w) const {
+    const float stretch = length(to_world_.vector(w));
+    return stretch * stretch * stretch / volume_scale_;
+  }
+
+  SceneSphere scene_;
+  Transform to_world_;
+  float volume_scale_;
+  EnvironmentMap map_;
+  float scale_;
+  Rgb power_;  // an estimate where the transform stretches
+};
+
+// What no light can be is black.
+void clean(Image& image) {
+  for (Rgb& pixel : image.pixels)
+    for (int c = 0; c < 3; ++c)
+      if (!(pixel[c] > 0) || !std::isfinite(pixel[c])) pixel[c] = 0;
+}
+
+SphereMapping mapping_of(const Image& image, const std::string& word) {
+  const bool twice_as_wide = image.width == 2 * image.height;
+  if (word == "equirectangular" || (word == "auto" && twice_as_wide)) return SphereMapping::equirectangular;
+  if (image.width == image.height) return SphereMapping::equal_area;
+  throw std::runtime_error(
+      fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; images "
+                  "of latitude and longitude are twice as wide as high, or are named as such by "
+                  "\"string mapping\" \"equirectangular\"",
+                  image.width, image.height));
+}
+
+EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping) {
+  Image image = read_image(file);
+  clean(image);
+  const SphereMapping kind = mapping_of(image, mapping);
+  return EnvironmentMap(std::move(image), kind);
+}
+
+EnvironmentMap constant(const Rgb& radiance) {
+  Image image(1, 1);
+  image.at(0, 0) = radiance;
+  return EnvironmentMap(std::move(image), SphereMapping::equal_area);
+}
+
+}  // namespace
+
+std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& context) {
+  const Rgb radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance of one colour from everywhere");
+  const std::filesystem::path file = reader.optional_file("filename", "an image of the radiance, instead of L");
+  const std::string mapping = reader.choice("mapping", "auto", {"auto", "equalarea", "equirectangular"},
+                                            "how the image covers the sphere; auto: by its aspect");
+  const Strength strength = read_illuminance(reader);
+  reader.unsupported("portal", "portals");
+  if (reader.has("L") && reader.has("filename"))
+    reader.error("filename", reader.subject() + " takes \"L\" or \"filename\", not both");
+  reader.finish();
+
+  if (!file.empty()) {
+    try {
+      EnvironmentMap map = read_map(file, mapping);
+      const float scale = strength.factor(map.illuminance());
+      return std::make_unique<Infinite>(context, std::move(map), scale);
+    } catch (const std::runtime_error& e) {
+      reader.error("filename", e.what());
+    }
+  }
+  return std::make_unique<Infinite>(context, constant(radiance), strength.factor(kPi));
+}
+
+}  // namespace dspm

@@ -1,0 +1,80 @@
+// What sends light into the scene. Every light emits photons and can be sampled directly. Plugins: point.cpp is the
+// shortest to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+#include "dspm/shapes/placed_shape.h"
+
+namespace dspm {
+
+/// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power.
+struct Emission {
+  Ray ray;
+  Rgb flux;
+};
+
+/// Light that arrives at a point from one direction.
+struct Illumination {
+  Vec3 wi;         // towards the light
+  float distance;  // infinite for distant and infinite lights
+  Rgb radiance;    // for a delta light: the irradiance on a surface perpendicular to wi
+  float pdf_w;     // by solid angle; 0 for a delta light (one that no ray can hit)
+};
+
+class Light {
+ public:
+  virtual ~Light() = default;
+  /// The whole flux in W, or a good estimate of it: lights are chosen in proportion.
+  virtual Rgb power() const = 0;
+  /// Starts a photon path; nothing where these numbers yield no light.
+  virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
+  /// Draws a direction from which p may be lit; nothing where these numbers yield no light.
+  virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
+
+  /// This light over `other`, where they differ by that colour only, whatever the place and direction: photons of both
+  /// then start alike. Nothing where they do not, or where it cannot be told.
+  virtual std::optional<Rgb> ratio_to(const Light& other) const {
+    return this == &other ? std::optional(Rgb(1)) : std::nullopt;
+  }
+
+  /// Whether photons of this light may start as `other` draws them, with weights of at most kMostWeight times those
+  /// that this light itself would give.
+  virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
+  /// Then the flux of this light for such a photon over that of `other`.
+  virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
+  static constexpr float kMostWeight = 2;
+
+  /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
+  virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
+  /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.
+  virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
+  /// Answers the next two: rays that leave the scene see it.
+  virtual bool is_infinite() const { return false; }
+  /// Radiance of a ray of that direction which leaves the scene (infinite lights), and illuminate's density for it.
+  virtual Rgb escaped(const Vec3& /*direction*/) const { return {}; }
+  virtual float escaped_pdf_w(const Vec3& /*direction*/) const { return 0; }
+};
+
+/// What a light is made from besides its parameters.
+struct LightContext {
+  Transform to_world;
+  Vec3 scene_center;  // the sphere around everything, over all frames of the file
+  float scene_radius = 1;
+  const PlacedShape* shape = nullptr;  // of an area light; outlives the light
+};
+
+using MakeLight = std::unique_ptr<Light>(ParamReader&, const LightContext&);
+PluginTable<Plugin<MakeLight>>& light_plugins();       // LightSource
+PluginTable<Plugin<MakeLight>>& area_light_plugins();  // AreaLightSource
+
+}  // namespace dspm

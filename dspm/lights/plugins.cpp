@@ -1,0 +1,26 @@
+// The tables of lights: one line for each.
+#include "dspm/lights/light.h"
+
+namespace dspm {
+
+MakeLight make_diffuse_area, make_distant, make_infinite, make_point, make_spot;
+
+PluginTable<Plugin<MakeLight>>& light_plugins() {
+  static PluginTable<Plugin<MakeLight>> table(
+      "light",
+      {
+          {"distant", "parallel light from infinitely far away", make_distant},
+          {"infinite", "light from all directions, of one colour or an image", make_infinite},
+          {"point", "equal light in all directions from a point", make_point},
+          {"spot", "a cone of light from a point", make_spot},
+      },
+      {"goniometric", "projection"});
+  return table;
+}
+
+PluginTable<Plugin<MakeLight>>& area_light_plugins() {
+  static PluginTable<Plugin<MakeLight>> table("area light", {{"diffuse", "makes a shape shine", make_diffuse_area}});
+  return table;
+}
+
+}  // namespace dspm

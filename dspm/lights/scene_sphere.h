@@ -1,0 +1,27 @@
+// The sphere around the scene, as lights from infinitely far see it: a disk across their direction.
+#pragma once
+
+#include "dspm/lights/light.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+struct SceneSphere {
+  Vec3 center;
+  float radius = 1;
+
+  explicit SceneSphere(const LightContext& context) : center(context.scene_center), radius(context.scene_radius) {}
+
+  float disk_area() const { return kPi * radius * radius; }
+  /// A ray against the unit vector `towards_light`, uniform over the disk, that starts clear of the sphere.
+  Ray entering(const Vec3& towards_light, Vec2 u) const {
+    const Vec2 offset = concentric_disk(u) * radius;
+    const Basis basis = Basis::around(towards_light);
+    constexpr float kClear = 1.01f;  // more than rounding can take away
+    return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};
+  }
+};
+
+}  // namespace dspm

@@ -1,0 +1,136 @@
+// LightSource "spot" "rgb I" [100 100 100] "point3 from" [0 3 0] "point3 to" [0 0 0] "float coneangle" 20
+//
+// A point light that shines into a cone. Off the axis by less than coneangle - conedeltaangle it has its full
+// intensity; from there it falls to 0 at coneangle as 3 x^2 - 2 x^3, x linear in the cosine. Photons follow the falloff
+// exactly, so all carry the same flux; where the cone changes, those of the widest one carry weights.
+//
+// | parameter      | default | meaning |
+// | -------------- | ------- | ------- |
+// | I              | 1       | radiant intensity (W/sr) on the axis |
+// | from           | 0 0 0   | where, in light space |
+// | to             | 0 0 1   | a point on the axis, in light space |
+// | coneangle      | 30      | degrees between the axis and darkness |
+// | conedeltaangle | 5       | degrees of the falloff, within coneangle |
+// | scale          | 1       | multiplies I |
+// | power          | -1      | where above 0: lumen that I is scaled to have were its luminance 1 |
+//
+// [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.1]
+#include "dspm/colour/rgb.h"
+#include "dspm/lights/aim.h"
+#include "dspm/lights/light.h"
+#include "dspm/lights/strength.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+// 1 - cos: exact for narrow cones, where the cosine is not.
+float versine(float degrees) {
+  const double s = std::sin(static_cast<double>(degrees) / 360 * static_cast<double>(kPi));
+  return static_cast<float>(2 * s * s);
+}
+
+// The x in [0, 1] with 2 x^3 - x^4 = u: inverts the integral of 2 (3 x^2 - 2 x^3).
+float sample_falloff(float u) {
+  if (!(u > 0)) return 0;
+  // Newton's steps from above never overshoot, the function being convex; the fifth changes nothing any more.
+  float x = std::cbrt(u);
+  for (int i = 0; i < 5; ++i) x -= (x * x * x * (2 - x) - u) / (x * x * (6 - 4 * x));
+  return std::clamp(x, 0.f, 1.f);
+}
+
+class Spot final : public Light {
+ public:
+  /// The cones are given as 1 - cos of their half angles.
+  Spot(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner, float outer)
+      : p_(p), basis_(Basis::around(axis)), intensity_(intensity), inner_(inner), outer_(outer) {}
+
+  // The falloff has half the solid angle of its ring.
+  Rgb power() const override { return kPi * (inner_ + outer_) * intensity_; }
+
+  std::optional<Emission> emit(Vec2, Vec2 u) const override {
+    const float share = 2 * inner_ / (inner_ + outer_);  // of the inner cone in the power
+    const float versine =
+        u.x < share ? inner_ * (u.x / share) : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
+    const float sine = std::sqrt(versine * (2 - versine)), phi = 2 * kPi * u.y;
+    const Vec3 local{sine * std::cos(phi), sine * std::sin(phi), 1 - versine};
+    return Emission{{p_, normalize(basis_.to_world(local))}, power()};
+  }
+
+  std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
+    const Vec3 d = p_ - p;
+    const float distance = length(d);
+    if (!(distance > 0)) return std::nullopt;
+    const Vec3 wi = d / distance;
+    const float share = falloff(-wi);
+    if (!(share > 0)) return std::nullopt;
+    return Illumination{wi, distance, intensity_ * (share / (distance * distance)), 0};
+  }
+
+  std::optional<Rgb> ratio_to(const Light& other) const override {
+    const auto* o = dynamic_cast<const Spot*>(&other);
+    if (o == nullptr || !(p_ == o->p_ && basis_.z == o->basis_.z && inner_ == o->inner_ && outer_ == o->outer_))
+      return std::nullopt;
+    return ratio(intensity_, o->intensity_);
+  }
+
+  // A cone within the other. Their falloffs then are such that no weight exceeds the share of the cones.
+  bool starts_like(const Light& other) const override {
+    const auto* o = dynamic_cast<const Spot*>(&other);
+    return o != nullptr && p_ == o->p_ && basis_.z == o->basis_.z && inner_ <= o->inner_ && outer_ <= o->outer_ &&
+           o->inner_ + o->outer_ <= kMostWeight * (inner_ + outer_) && ratio(intensity_, o->intensity_);
+  }
+  Rgb ratio_along(const Light& other, const Ray& start) const override {
+    const auto& o = static_cast<const Spot&>(other);
+    const float theirs = o.falloff(start.direction);
+    return theirs > 0 ? *ratio(intensity_, o.intensity_) * (falloff(start.direction) / theirs) : Rgb();
+  }
+
+ private:
+  float falloff(const Vec3& w) const {
+    const float versine = 0.5f * length2(w - basis_.z);
+    if (versine <= inner_) return 1;
+    if (versine >= outer_) return 0;
+    const float x = (outer_ - versine) / (outer_ - inner_);
+    return x * x * (3 - 2 * x);
+  }
+
+  Vec3 p_;
+  Basis basis_;
+  Rgb intensity_;
+  float inner_, outer_;
+};
+
+struct Cone {
+  float angle, delta;
+};
+
+Cone read_cone(ParamReader& reader) {
+  Cone cone{reader.number("coneangle", 30, "degrees", "between the axis and darkness"),
+            reader.number("conedeltaangle", 5, "degrees", "of the falloff, within coneangle")};
+  if (!(cone.angle > 0 && cone.angle <= 180)) {
+    reader.error("coneangle", "parameter \"coneangle\" of " + reader.subject() + " must be above 0 and not above 180");
+  } else if (!(cone.delta >= 0 && cone.delta <= cone.angle)) {
+    reader.error("conedeltaangle", "parameter \"conedeltaangle\" of " + reader.subject() + " must lie in 0..coneangle");
+  } else {
+    return cone;
+  }
+  return {30, 5};
+}
+
+}  // namespace
+
+std::unique_ptr<Light> make_spot(ParamReader& reader, const LightContext& context) {
+  const Rgb intensity = reader.rgb("I", Rgb(1), SpectrumRole::illuminant, "radiant intensity on the axis");
+  const Aim aim = read_aim(reader);
+  const Cone cone = read_cone(reader);
+  const Strength strength = read_power(reader);
+  reader.finish();
+  const float inner = versine(cone.angle - cone.delta), outer = versine(cone.angle);
+  return std::make_unique<Spot>(context.to_world.point(aim.from), normalize(context.to_world.vector(aim.along)),
+                                intensity * strength.factor(kPi * (inner + outer)), inner, outer);
+}
+
+}  // namespace dspm

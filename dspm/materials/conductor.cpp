@@ -1,0 +1,145 @@
+// conductor: metal, smooth or rough.
+//
+//   Material "conductor" "spectrum eta" "metal-Au-eta" "spectrum k" "metal-Au-k" "float roughness" 0.1
+//
+//   eta, k           spectrum texture   metal-Cu-eta, metal-Cu-k   complex index of refraction eta + ik
+//   reflectance      spectrum texture   none                       at normal incidence, instead of eta and k
+//   roughness        float texture      0                          of both directions
+//   uroughness       float texture      roughness                  along the first tangent
+//   vroughness       float texture      roughness                  across it
+//   remaproughness   bool               true                       alpha is sqrt(roughness), else roughness itself
+//
+// Both sides reflect. Rough metal is GGX with Smith's height-correlated shadowing; light that meets a second facet is
+// lost (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1, k = 2 sqrt(r / (1 - r)).
+// [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014]
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/fresnel.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/materials/parameters.h"
+#include "dspm/materials/shading_frame.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+struct MetalIndex {
+  Rgb eta, k;
+};
+
+class SmoothConductor final : public Bsdf {
+ public:
+  SmoothConductor(const ShadingFrame& frame, const MetalIndex& index) : frame_(frame), index_(index) {}
+
+  LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? 1 : 0; }
+  Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
+  float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3&, Transport, LobeSet lobes) const override {
+    const float side = frame_.side(wo);
+    const Vec3 o = frame_.local(wo, side);
+    if (!(lobes & 1) || o.z <= 0) return std::nullopt;
+    const std::optional<Vec3> wi = frame_.leave({-o.x, -o.y, o.z}, side);
+    if (!wi) return std::nullopt;
+    return BsdfSample{*wi, fresnel_conductor(o.z, index_.eta, index_.k), 0, true};
+  }
+  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+
+ private:
+  ShadingFrame frame_;
+  MetalIndex index_;
+};
+
+class RoughConductor final : public Bsdf {
+ public:
+  RoughConductor(const ShadingFrame& frame, const Ggx& facets, const MetalIndex& index)
+      : frame_(frame), facets_(facets), index_(index) {}
+
+  LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? 1 : 0; }
+
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi);
+    if (!(lobes & 1) || !w.reflection()) return {};
+    const Vec3 m = normalize(w.wo + w.wi);
+    return fresnel_conductor(dot(w.wo, m), index_.eta, index_.k) * facets_.reflection(w.wo, w.wi, m);
+  }
+
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi);
+    if (!(lobes & 1) || !w.reflection()) return 0;
+    return facets_.reflection_density(w.wo, normalize(w.wo + w.wi));
+  }
+
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
+    const float side = frame_.side(wo);
+    const Vec3 o = frame_.local(wo, side);
+    if (!(lobes & 1) || o.z <= 0) return std::nullopt;
+    const Vec3 m = facets_.sample_visible(o, u.x, u.y), i = reflect(o, m);
+    if (i.z <= 0) return std::nullopt;
+    const std::optional<Vec3> wi = frame_.leave(i, side);
+    if (!wi) return std::nullopt;
+    const Rgb weight = fresnel_conductor(dot(o, m), index_.eta, index_.k) * facets_.visible_after(o, i);
+    return BsdfSample{*wi, weight, facets_.reflection_density(o, m), false};
+  }
+
+  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+
+ private:
+  ShadingFrame frame_;
+  Ggx facets_;
+  MetalIndex index_;
+};
+
+/// As in pbrt: never quite 1, where k would be infinite.
+MetalIndex index_of_reflectance(const Rgb& reflectance) {
+  MetalIndex index{Rgb(1), Rgb(0)};
+  for (int c = 0; c < 3; ++c) {
+    const float r = std::clamp(reflectance[c], 0.f, 0.9999f);
+    index.k[c] = 2 * std::sqrt(r / (1 - r));
+  }
+  return index;
+}
+
+class ConductorMaterial final : public Material {
+ public:
+  ConductorMaterial(ParamReader& reader, const MaterialContext& context) : roughness_(reader, context) {
+    const auto eta = reader.rgb_or_texture("eta", "metal-Cu-eta", SpectrumRole::unbounded, "index of refraction");
+    const auto k = reader.rgb_or_texture("k", "metal-Cu-k", SpectrumRole::unbounded, "coefficient of absorption");
+    const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(1), SpectrumRole::albedo,
+                                                   "at normal incidence, instead of eta and k; none unless given");
+    by_reflectance_ = reader.has("reflectance");
+    if (by_reflectance_ && (reader.has("eta") || reader.has("k")))
+      reader.error("reflectance", reader.subject() + " takes either \"reflectance\" or \"eta\" and \"k\"");
+    eta_or_reflectance_ = texture_of(by_reflectance_ ? reflectance : eta, context.textures, reader.diagnostics());
+    k_ = texture_of(k, context.textures, reader.diagnostics());
+  }
+
+  const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
+    const ShadingFrame frame(point);
+    const Vec2 alpha = roughness_.alpha(point);
+    if (Ggx::is_smooth(alpha)) return slot.emplace<SmoothConductor>(frame, index(point));
+    return slot.emplace<RoughConductor>(frame, Ggx(alpha), index(point));
+  }
+
+ private:
+  MetalIndex index(const SurfacePoint& point) const {
+    const TexturePoint place = texture_point(point);
+    const Rgb value = eta_or_reflectance_->evaluate(place);
+    return by_reflectance_ ? index_of_reflectance(value) : MetalIndex{value, k_->evaluate(place)};
+  }
+
+  Roughness roughness_;
+  bool by_reflectance_;
+  TexturePtr<Rgb> eta_or_reflectance_, k_;
+};
+
+}  // namespace
+
+std::unique_ptr<Material> make_conductor(ParamReader& reader, const MaterialContext& context) {
+  auto material = std::make_unique<ConductorMaterial>(reader, context);
+  refuse_unbuilt_parameters(reader);
+  reader.finish();
+  return material;
+}
+
+}  // namespace dspm

@@ -1,0 +1,187 @@
+// dielectric: glass, water; smooth or rough, with light passing into the body.
+//
+//   Material "dielectric" "float eta" 1.33
+//
+//   eta              float or spectrum   1.5         index of refraction inside over outside
+//   roughness        float texture       0           of both directions
+//   uroughness       float texture       roughness   along the first tangent
+//   vroughness       float texture       roughness   across it
+//   remaproughness   bool                true        alpha is sqrt(roughness), else roughness itself
+//
+// Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
+// dispersion. Rough glass is GGX; light that meets a second facet is lost.
+// [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces]
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/fresnel.h"
+#include "dspm/materials/interface.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/materials/parameters.h"
+#include "dspm/materials/shading_frame.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+/// Radiance is spread over a larger or smaller cone beyond the interface, flux is not. [Veach 1997, 5.2]
+float transport_scale(Transport transport, float eta) { return transport == Transport::radiance ? 1 / (eta * eta) : 1; }
+
+class SmoothDielectric final : public Bsdf {
+ public:
+  SmoothDielectric(const ShadingFrame& frame, float eta) : frame_(frame), eta_(eta) {}
+
+  LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? kBothLobes : 0; }
+  Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
+  float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
+
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
+    const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+    const Vec3 o = frame_.local(wo, side);
+    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const float fresnel = fresnel_dielectric(o.z, eta), chance = chance_of_reflection(fresnel, lobes);
+    const bool reflected = u.z < chance;
+    const std::optional<Vec3> i = reflected ? Vec3{-o.x, -o.y, o.z} : refract(o, {0, 0, 1}, eta);
+    const float weight = reflected ? fresnel / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
+    if (!i || weight == 0) return std::nullopt;
+    const std::optional<Vec3> wi = frame_.leave(*i, side);
+    if (!wi) return std::nullopt;
+    return BsdfSample{*wi, Rgb(weight), 0, true, reflected ? 1 : transport_scale(transport, eta)};
+  }
+
+  float share(const Vec3& wo, LobeSet lobes) const override {
+    const float side = frame_.side(wo), cos_o = std::max(0.f, frame_.local(wo, side).z);
+    const float fresnel = fresnel_dielectric(cos_o, side > 0 ? eta_ : 1 / eta_);
+    return share_of(fresnel, lobes);
+  }
+
+ private:
+  ShadingFrame frame_;
+  float eta_;
+};
+
+class RoughDielectric final : public Bsdf {
+ public:
+  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta)
+      : frame_(frame), facets_(facets), eta_(eta) {}
+
+  LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? kBothLobes : 0; }
+  bool transmits(LobeSet lobes) const override { return (lobes & kTransmission) != 0; }
+
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi);
+    const std::optional<Facet> facet = facet_between(w, lobes);
+    if (!facet) return {};
+    const Vec3& m = facet->m;
+    if (w.reflection()) return Rgb(facet->fresnel * facets_.reflection(w.wo, w.wi, m));
+    // [Walter et al. 2007, (21)], divided by eta^2 above and below the line.
+    const float f = facets_.density(m) * facets_.visible(w.wo, w.wi) * (1 - facet->fresnel) * dot(w.wo, m) *
+                    facet->solid_angle_ratio / (w.wo.z * -w.wi.z);
+    return Rgb(f * transport_scale(transport, facet->eta));
+  }
+
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi);
+    const std::optional<Facet> facet = facet_between(w, lobes);
+    if (!facet) return 0;
+    const float reflected = chance_of_reflection(facet->fresnel, lobes);
+    if (w.reflection()) return reflected * facets_.reflection_density(w.wo, facet->m);
+    return (1 - reflected) * facets_.visible_density(w.wo, facet->m) * facet->solid_angle_ratio;
+  }
+
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
+    const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+    const Vec3 o = frame_.local(wo, side);
+    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const Vec3 m = facets_.sample_visible(o, u.x, u.y);
+    const float fresnel = fresnel_dielectric(dot(o, m), eta), chance = chance_of_reflection(fresnel, lobes);
+    const bool reflected = u.z < chance;
+    const std::optional<Vec3> i = reflected ? reflect(o, m) : refract(o, m, eta);
+    if (!i || (i->z > 0) != reflected) return std::nullopt;
+    const std::optional<Vec3> wi = frame_.leave(*i, side);
+    if (!wi) return std::nullopt;
+    if (reflected) {
+      const float weight = fresnel / chance * facets_.visible_after(o, *i);
+      return BsdfSample{*wi, Rgb(weight), chance * facets_.reflection_density(o, m), false};
+    }
+    const float weight = (1 - fresnel) / (1 - chance) * facets_.visible_after(o, *i);
+    const float pdf_w = (1 - chance) * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
+    const float scale = transport_scale(transport, eta);
+    return BsdfSample{*wi, Rgb(weight * scale), pdf_w, false, scale};
+  }
+
+  float share(const Vec3& wo, LobeSet lobes) const override;
+
+ private:
+  /// The facet that sends light from wo to wi, by one of `lobes`.
+  struct Facet {
+    Vec3 m;
+    float eta, fresnel;
+    float solid_angle_ratio;  // of m over that of wi, for transmission
+  };
+  std::optional<Facet> facet_between(const LocalPair& w, LobeSet lobes) const {
+    if (!w.valid || !(lobes & (w.reflection() ? kReflection : kTransmission))) return std::nullopt;
+    const float eta = w.side > 0 ? eta_ : 1 / eta_;
+    Vec3 m = normalize(w.reflection() ? w.wo + w.wi : w.wo + w.wi * eta);
+    if (m.z < 0) m = -m;
+    // A facet's front sees wo; its back, where light passes, sees wi.
+    if (dot(m, w.wo) <= 0 || dot(m, w.wi) * w.wi.z <= 0) return std::nullopt;
+    const float ratio = w.reflection() ? 0.f : solid_angle_ratio(w.wo, w.wi, m, eta);
+    return Facet{m, eta, fresnel_dielectric(dot(w.wo, m), eta), ratio};
+  }
+  static float solid_angle_ratio(const Vec3& wo, const Vec3& wi, const Vec3& m, float eta) {
+    const float root = dot(wi, m) + dot(wo, m) / eta;
+    return std::abs(dot(wi, m)) / (root * root);
+  }
+
+  ShadingFrame frame_;
+  Ggx facets_;
+  float eta_;
+};
+
+/// The mean Fresnel reflectance of the facets seen from wo, by a midpoint rule (to about 1e-3). The lobes are equally
+/// rough, so that no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all facets,
+/// not from those that would have chosen it.)
+float RoughDielectric::share(const Vec3& wo, LobeSet lobes) const {
+  if ((lobes & kBothLobes) == kBothLobes) return 1;
+  const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+  Vec3 o = frame_.local(wo, side);
+  o.z = std::max(o.z, 1e-6f);
+  constexpr int kSteps = 16;
+  float sum = 0;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const float u = (static_cast<float>(i % kSteps) + 0.5f) / kSteps;
+    const float v = (static_cast<float>(i / kSteps) + 0.5f) / kSteps;
+    sum += fresnel_dielectric(dot(o, facets_.sample_visible(o, u, v)), eta);
+  }
+  return share_of(sum / (kSteps * kSteps), lobes);
+}
+
+class DielectricMaterial final : public Material {
+ public:
+  DielectricMaterial(ParamReader& reader, const MaterialContext& context)
+      : eta_(read_eta(reader)), roughness_(reader, context) {}
+
+  const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
+    const ShadingFrame frame(point);
+    const Vec2 alpha = roughness_.alpha(point);
+    if (Ggx::is_smooth(alpha) || eta_ == 1) return slot.emplace<SmoothDielectric>(frame, eta_);
+    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_);
+  }
+  bool bounds_a_body() const override { return true; }
+
+ private:
+  float eta_;
+  Roughness roughness_;
+};
+
+}  // namespace
+
+std::unique_ptr<Material> make_dielectric(ParamReader& reader, const MaterialContext& context) {
+  auto material = std::make_unique<DielectricMaterial>(reader, context);
+  refuse_unbuilt_parameters(reader);
+  reader.finish();
+  return material;
+}
+
+}  // namespace dspm

@@ -1,0 +1,75 @@
+// diffuse: matte, of equal radiance in all directions; both sides.
+//
+//   Material "diffuse" "rgb reflectance" [.7 .68 .65]
+//
+//   reflectance   spectrum texture   0.5   share of the light that is reflected, clamped to 0..1
+//
+// [Lambert 1760, Photometria]
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/parameters.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+// Light counts by its cosine about ns and leaves to all of its own side by ng. So what a photon path samples lies about
+// ng: a lobe about ns would send nothing to where ns does not face.
+class Diffuse final : public Bsdf {
+ public:
+  Diffuse(const SurfacePoint& point, const Rgb& f) : ng_(point.ng), ns_(point.ns), f_(f) {}
+
+  LobeSet lobes(float) const override { return 1; }
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const bool one_side = dot(wo, ng_) * dot(wi, ng_) > 0;
+    return (lobes & 1) && one_side && faces(transport == Transport::radiance ? wi : wo) ? f_ : Rgb(0);
+  }
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const float side = dot(wo, ng_);
+    if (!(lobes & 1) || !(side * dot(wi, ng_) > 0) || (transport == Transport::flux && !faces(wo))) return 0;
+    return std::max(0.f, std::copysign(1.f, side) * dot(wi, axis(transport))) / kPi;
+  }
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
+    if (!(lobes & 1) || (transport == Transport::flux && !faces(wo))) return std::nullopt;
+    const float side = dot(wo, ng_) > 0 ? 1.f : -1.f;
+    const Vec3 local = cosine_hemisphere({u.x, u.y}), wi = Basis::around(axis(transport) * side).to_world(local);
+    if (local.z <= 0 || dot(wi, ng_) * side <= 0) return std::nullopt;
+    const float cosines = axis(transport) == ns_ ? 1 : std::abs(dot(wi, ns_)) / local.z;
+    return BsdfSample{wi, f_ * (kPi * cosines), local.z / kPi, false};
+  }
+  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
+
+ private:
+  /// Both normals see `w` on the same side.
+  bool faces(const Vec3& w) const { return dot(w, ng_) * dot(w, ns_) > 0; }
+  const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
+
+  Vec3 ng_, ns_;
+  Rgb f_;
+};
+
+class DiffuseMaterial final : public Material {
+ public:
+  explicit DiffuseMaterial(TexturePtr<Rgb> reflectance) : reflectance_(std::move(reflectance)) {}
+  const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
+    return slot.emplace<Diffuse>(point, clamped_albedo(reflectance_->evaluate(texture_point(point))) / kPi);
+  }
+
+ private:
+  TexturePtr<Rgb> reflectance_;
+};
+
+}  // namespace
+
+std::unique_ptr<Material> make_diffuse(ParamReader& reader, const MaterialContext& context) {
+  const auto reflectance =
+      reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "share of the light that is reflected");
+  refuse_unbuilt_parameters(reader);
+  reader.finish();
+  return std::make_unique<DiffuseMaterial>(texture_of(reflectance, context.textures, reader.diagnostics()));
+}
+
+}  // namespace dspm

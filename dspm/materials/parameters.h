@@ -1,0 +1,40 @@
+// Parameters that several materials share.
+#pragma once
+
+#include <memory>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/texture_set.h"
+
+namespace dspm {
+
+/// The place at which textures are looked up.
+inline TexturePoint texture_point(const SurfacePoint& point) { return {point.p, point.uv}; }
+
+/// A texture may exceed what a surface can reflect.
+inline Rgb clamped_albedo(const Rgb& c) {
+  return {std::clamp(c.r, 0.f, 1.f), std::clamp(c.g, 0.f, 1.f), std::clamp(c.b, 0.f, 1.f)};
+}
+
+/// "roughness", "uroughness", "vroughness" and "remaproughness": GGX alpha along the tangent and across it.
+class Roughness {
+ public:
+  Roughness(ParamReader& reader, const MaterialContext& context);
+  Vec2 alpha(const SurfacePoint& point) const;
+
+ private:
+  TexturePtr<float> u_, v_;
+  bool remap_;
+};
+
+/// "eta", an index of refraction. dspm renders no dispersion: a spectrum is averaged, which a note says.
+float read_eta(ParamReader& reader);
+
+/// "displacement" and "normalmap", which pbrt knows for every material.
+void refuse_unbuilt_parameters(ParamReader& reader);
+
+}  // namespace dspm

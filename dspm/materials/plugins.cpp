@@ -1,0 +1,22 @@
+// The table of materials: one line for each.
+#include "dspm/materials/material.h"
+
+namespace dspm {
+
+MakeMaterial make_coateddiffuse, make_conductor, make_dielectric, make_diffuse, make_thindielectric;
+
+PluginTable<Plugin<MakeMaterial>>& material_plugins() {
+  static PluginTable<Plugin<MakeMaterial>> table(
+      "material",
+      {
+          {"coateddiffuse", "a diffuse base under a clear coat, such as plastic", make_coateddiffuse},
+          {"conductor", "metal, smooth or rough", make_conductor},
+          {"dielectric", "glass or water, smooth or rough; light passes into the body", make_dielectric},
+          {"diffuse", "matte, of equal radiance in all directions", make_diffuse},
+          {"thindielectric", "a pane of glass without thickness", make_thindielectric},
+      },
+      {"coatedconductor", "diffusetransmission", "subsurface", "hair", "measured", "mix", "interface"});
+  return table;
+}
+
+}  // namespace dspm

@@ -1,0 +1,55 @@
+// Warps of uniform numbers in [0, 1) to directions and points, each with its density, and piecewise-constant
+// distributions. Directions are around +z.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// Uniform on the unit disk; neighbours stay neighbours. Density 1 / pi. [Shirley and Chiu 1997]
+Vec2 concentric_disk(Vec2 u);
+
+/// Density cos / pi per solid angle.
+Vec3 cosine_hemisphere(Vec2 u);
+inline float cosine_hemisphere_pdf_w(float cos_theta) { return std::max(cos_theta, 0.f) / kPi; }
+
+Vec3 uniform_sphere(Vec2 u);
+inline constexpr float kUniformSpherePdfW = 1 / (4 * kPi);
+
+Vec3 uniform_hemisphere(Vec2 u);
+inline constexpr float kUniformHemispherePdfW = 1 / (2 * kPi);
+
+/// Directions around z within the angle of cosine cos_max. Takes 1 - cos_max because in a narrow cone cos_max itself
+/// has no digits left.
+Vec3 uniform_cone(Vec2 u, float one_minus_cos_max);
+inline float uniform_cone_pdf_w(float one_minus_cos_max) { return 1 / (2 * kPi * one_minus_cos_max); }
+
+/// Barycentric coordinates (b1, b2) of a point uniform on a triangle's area; b0 = 1 - b1 - b2. [Heitz 2019]
+Vec2 uniform_triangle(Vec2 u);
+
+/// n weights as a density over [0, 1) that is constant on each of n equal bins, and as a choice among n items.
+class Distribution1D {
+ public:
+  struct Choice {
+    int index;
+    float probability;  // of this index
+    float rest;         // in [0, 1): uniform again, for further use
+  };
+
+  /// At least one weight, all finite and non-negative. If all are zero, they count as equal.
+  explicit Distribution1D(std::span<const float> weights);
+
+  Choice choose(float u) const;
+  float probability(int index) const;
+  int size() const { return static_cast<int>(cdf_.size()) - 1; }
+  float total() const { return total_; }  // the sum of the weights
+
+ private:
+  std::vector<float> cdf_;  // n + 1 values for n bins, from 0 to 1
+  float total_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,87 @@
+#include "dspm/modules/all_plugins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "dspm/accel/accel.h"
+#include "dspm/cameras/camera.h"
+#include "dspm/colour/rgb.h"
+#include "dspm/film/film.h"
+#include "dspm/film/pixel_filter.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/lights/light.h"
+#include "dspm/materials/material.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/textures/plugins.h"
+
+namespace dspm {
+namespace {
+
+constexpr const char* kOwn = "dspm";
+
+template <class AnyPlugin>
+std::string origin_of(const AnyPlugin& plugin) {
+  return plugin.origin.empty() ? kOwn : std::string(plugin.origin);
+}
+
+template <class AnyPlugin, class... Context>
+void add(std::vector<CatalogueEntry>& entries, const PluginTable<AnyPlugin>& plugins, const Context&... context) {
+  for (const AnyPlugin& plugin : plugins)
+    entries.push_back({std::string(plugins.kind()), std::string(plugin.name), std::string(plugin.sentence),
+                       origin_of(plugin), [&plugin, &context...] { return describe(plugin, context...); }});
+}
+
+}  // namespace
+
+std::vector<CatalogueEntry> all_plugins() {
+  static const TextureSet textures;
+  static ImageCache images;
+  static const TextureContext texture{textures, {}, images};
+  static const MaterialContext material{textures};
+  static const LightContext light{};
+  static const CameraContext camera{};
+  static const Scene scene{};
+  static const RenderSettings settings{};
+  static const std::span<const PlacedShape> no_shapes;
+  static const FrameSet no_frames;
+  std::vector<CatalogueEntry> entries;
+  add(entries, shape_plugins());
+  add(entries, material_plugins(), material);
+  add(entries, texture_plugins<Rgb>(), texture);  // float textures have the same names
+  add(entries, light_plugins(), light);
+  add(entries, area_light_plugins(), light);
+  add(entries, camera_plugins(), camera);
+  add(entries, film_plugins());
+  add(entries, pixel_filter_plugins());
+  add(entries, accel_plugins(), no_shapes, no_frames);
+  add(entries, integrator_plugins(), scene, settings);
+  return entries;
+}
+
+bool is_plugin(std::string_view kind, std::string_view name) {
+  const std::vector<CatalogueEntry> entries = all_plugins();
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const CatalogueEntry& entry) { return entry.kind == kind && entry.name == name; });
+}
+
+std::string in_words(std::string_view kind, std::string_view name) {
+  const std::string plugin = fmt::format("{} \"{}\"", kind, name);
+  for (const CatalogueEntry& entry : all_plugins())
+    if (entry.kind == kind && entry.name == name && entry.origin != kOwn)
+      return fmt::format("{} of {}", plugin, entry.origin);
+  return plugin;
+}
+
+std::string in_words(const LoadedModule& module) {
+  std::string plugins;
+  for (const CatalogueEntry& entry : all_plugins())
+    if (entry.origin == module.name)
+      plugins += fmt::format("{}{} \"{}\"", plugins.empty() ? "" : ", ", entry.kind, entry.name);
+  return plugins.empty() ? module.name : fmt::format("{} of {}", plugins, module.name);
+}
+
+}  // namespace dspm

@@ -1,0 +1,17 @@
+// Small fixed-width lettering for contact sheets: printable ASCII in cells of 6 x 10 pixels, drawn for dspm.
+#pragma once
+
+#include <string_view>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+inline constexpr int kTextAdvance = 6, kTextHeight = 10;  // pixels a character and a line, at scale 1
+
+/// Draws over `image`, from the upper left corner of the first character; what lies outside is cut off. Other
+/// characters than ASCII's appear as question marks.
+void draw_text(Image& image, int left, int top, std::string_view text, int scale, const Rgb& color);
+
+}  // namespace dspm

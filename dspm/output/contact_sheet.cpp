@@ -1,0 +1,76 @@
+#include "dspm/output/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/shrink.h"
+#include "dspm/output/bitmap_font.h"
+
+namespace dspm {
+
+namespace {
+
+constexpr int kGap = 8;  // pixels around images and labels
+
+int label_height(int text_scale) { return kTextHeight * text_scale + kGap / 2; }
+
+/// Small is good: the shape is off 16:10 by a factor, or cells stay empty.
+double badness(int count, int columns, double image_aspect) {
+  const int rows = (count + columns - 1) / columns;
+  const double aspect = image_aspect * columns / rows;
+  return std::abs(std::log(aspect / 1.6)) + static_cast<double>(columns * rows - count) / (columns * rows);
+}
+
+}  // namespace
+
+SheetLayout::SheetLayout(int count, int width, int height, int max_width) {
+  const double aspect = static_cast<double>(width) / height;
+  for (int c = 2; c <= count; ++c) {
+    if (badness(count, c, aspect) < badness(count, columns, aspect)) columns = c;
+  }
+  rows = (count + columns - 1) / columns;
+  fit(width, height, max_width);
+}
+
+SheetLayout SheetLayout::table(int columns, int rows, int width, int height, int max_width) {
+  SheetLayout layout;
+  layout.columns = columns, layout.rows = rows;
+  layout.fit(width, height, max_width);
+  return layout;
+}
+
+void SheetLayout::fit(int width, int height, int max_width) {
+  const double aspect = static_cast<double>(width) / height;
+  image_width = std::clamp((max_width - kGap) / columns - kGap, 1, width);
+  image_height = std::max(1, static_cast<int>(std::lround(image_width / aspect)));
+  text_scale = image_width >= 384 ? 2 : 1;
+}
+
+int SheetLayout::sheet_width() const { return kGap + columns * (image_width + kGap); }
+int SheetLayout::sheet_height() const { return kGap + rows * (image_height + label_height(text_scale) + kGap); }
+
+PixelRect SheetLayout::place(int i) const {
+  const int x = kGap + i % columns * (image_width + kGap);
+  const int y = kGap + i / columns * (image_height + label_height(text_scale) + kGap);
+  return {x, y, x + image_width, y + image_height};
+}
+
+ContactSheet::ContactSheet(const SheetLayout& layout)
+    : layout_(layout), sheet_(layout.sheet_width(), layout.sheet_height()) {
+  std::fill(sheet_.pixels.begin(), sheet_.pixels.end(), Rgb(0.03f));
+}
+
+void ContactSheet::put(int i, const Image& image, std::string_view label) {
+  const PixelRect place = layout_.place(i);
+  const Image small = shrunk(image, place.width(), place.height());
+  for (int y = 0; y < small.height; ++y) {
+    std::copy_n(&small.at(0, y), small.width, &sheet_.at(place.x0, place.y0 + y));
+  }
+  const int advance = kTextAdvance * layout_.text_scale;
+  const std::string_view fitting = label.substr(0, static_cast<std::size_t>(std::max(1, place.width() / advance)));
+  const int left = place.x0 + (place.width() - advance * static_cast<int>(fitting.size())) / 2;
+  draw_text(sheet_, left, place.y1 + kGap / 2, fitting, layout_.text_scale, Rgb(0.6f));
+}
+
+}  // namespace dspm

@@ -1,0 +1,60 @@
+#include "dspm/output/not_finite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/modules/all_plugins.h"
+
+namespace dspm {
+namespace {
+
+std::string pixel_in_words(int pixel, const PixelRect& crop) {
+  return fmt::format("x = {}, y = {}", crop.x0 + pixel % crop.width(), crop.y0 + pixel / crop.width());
+}
+
+std::string kind_of(const ScenePart& part, const Job& job) {
+  switch (part.kind) {
+    case ScenePart::Kind::camera: return "camera";
+    case ScenePart::Kind::shape: return "shape";
+    case ScenePart::Kind::material: return "material";
+    case ScenePart::Kind::light: break;
+  }
+  const bool directive = part.index < static_cast<int>(job.description->lights.size());
+  return directive ? "light" : "area light";
+}
+
+}  // namespace
+
+void tell(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
+          Messages& messages) {
+  Diagnostics diagnostics;
+  for (const Rejections::Entry& entry : rejections.entries()) {
+    const PluginUse& use = world.use_of(entry.part, interval, entry.frame);
+    const std::string place = entry.pixel == Rejections::kNoPixel
+                                  ? "to a photon"
+                                  : fmt::format("at pixel {}", pixel_in_words(entry.pixel, job.settings.crop));
+    diagnostics.warning(use.where,
+                        fmt::format("{} gave numbers that are not finite, first {} of frame {}; they are left out",
+                                    in_words(kind_of(entry.part, job), use.type), place,
+                                    interval[static_cast<std::size_t>(entry.frame)] + 1));
+  }
+  messages.show(diagnostics);
+}
+
+void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& messages) {
+  const auto invalid = [](const Rgb& c) { return !is_finite(c); };
+  const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
+  if (first == image.pixels.end()) return;
+  const auto at = static_cast<int>(first - image.pixels.begin());
+  const auto count = std::count_if(first, image.pixels.end(), invalid);
+  std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
+  messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written black",
+                            in_words("integrator", job.integrator), count, frame + 1,
+                            pixel_in_words(at, job.settings.crop)));
+}
+
+}  // namespace dspm

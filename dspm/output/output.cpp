@@ -1,0 +1,149 @@
+#include "dspm/output/output.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/image/png.h"
+#include "dspm/math/frames.h"
+#include "dspm/output/image_name.h"
+#include "dspm/output/trial_writes.h"
+#include "dspm/output/write_image.h"
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/files_read.h"
+#include "dspm/system/version.h"
+
+namespace dspm {
+namespace {
+
+constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
+
+/// No file may take another one's place, nor that of one which is read.
+void expect_all_distinct(std::vector<NamedFile> written, const OutputSettings& settings, const OtherFiles& others) {
+  std::vector<NamedFile> read = others.read;
+  expect_distinct({}, read);  // none is given twice
+  for (const auto& [path, digest] : files_read()) read.push_back({path, "a file that the scene reads"});
+  if (!settings.video.empty()) written.push_back({settings.video, "the video"});
+  expect_distinct(read, written);
+}
+
+std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const NamedFile& file : files) paths.push_back(file.path);
+  return paths;
+}
+
+}  // namespace
+
+Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
+               Video::EndWanted end_wanted)
+    : job_(job), png_(settings.png), sheet_path_(settings.contact_sheet), sheet_places_(job) {
+  const std::vector<NamedFile> written = files(settings, others);
+  expect_all_distinct(written, settings, others);
+  try_writes(paths_of(written));
+  warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
+  const int width = job.settings.crop.width(), height = job.settings.crop.height();
+  if (!sheet_path_.empty()) sheet_.emplace(sheet_places_.layout(width, height));
+  const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
+                                job.description->frames.combination_of(job.frames.back());
+  if (!settings.video.empty() && !is_one_variation)
+    throw UsageError("--video shows one variation: choose it by --variation");
+  if (!settings.video.empty())
+    video_.emplace(settings.video, VideoFormat{width, height, static_cast<float>(job.fps)}, std::move(end_wanted));
+}
+
+std::vector<NamedFile> Output::files(const OutputSettings& settings, const OtherFiles& others) const {
+  std::vector<NamedFile> files;
+  for (const Frame frame : job_.frames) {
+    const std::string whose =
+        job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
+    const char* what = "image";
+    for (const std::filesystem::path& path : image_files(frame))
+      files.push_back({path, whose + std::exchange(what, "PNG")});
+  }
+  if (settings.stats_in_file()) files.push_back({settings.stats, "the statistics"});
+  if (!settings.contact_sheet.empty()) files.push_back({settings.contact_sheet, "the contact sheet"});
+  files.insert(files.end(), others.written.begin(), others.written.end());
+  return files;
+}
+
+std::vector<std::filesystem::path> Output::image_files(Frame frame) const {
+  std::filesystem::path image = name(frame), png = image;
+  png.replace_extension(".png");
+  if (png_ && png != image) return {image, png};
+  return {image};
+}
+
+std::uint64_t Output::bytes_on_disk() const {
+  constexpr std::uint64_t kBytes = 3;  // a pixel of a PNG; other images have two or four for each of them
+  std::uint64_t a_pixel = 0;
+  for (const std::filesystem::path& file : image_files(job_.frames.front()))
+    a_pixel += file.extension() == ".png" ? kBytes : kBytes * (job_.film.save_half ? 2 : 4);
+  return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
+}
+
+std::filesystem::path Output::name(Frame frame) const {
+  return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
+                    job_.variation(frame));
+}
+
+std::size_t Output::bytes_while_writing() const {
+  // The image, two copies, the last in the file's form, and the file as it grows; for the sheet only the latter.
+  constexpr std::size_t kImages = 6;
+  const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
+  return (kImages * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
+}
+
+ExrHeader Output::header(Frame frame) const {
+  ExrHeader header;
+  header.texts = {
+      {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", fmt::format("dspm {}", kVersion)}};
+  header.integers = {{"frame", job_.moment(frame) + 1}};
+  if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
+  for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {
+    const VariationAxis& axis = job_.description->axes[i];
+    const Variation& chosen = axis.variations[static_cast<std::size_t>(job_.description->frames.choice(frame, i))];
+    if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;
+  }
+  header.numbers = {{"seed", static_cast<double>(job_.settings.seed)}};
+  header.frames_per_second = job_.fps;
+  return header;
+}
+
+Image Output::developed(Image image) const {
+  for (Rgb& pixel : image.pixels) pixel = limited(pixel * job_.exposure, job_.film.max_component);
+  return image;
+}
+
+void Output::write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds) {
+  const Image image = developed(std::move(radiance));
+  ExrHeader header = this->header(frame);
+  header.integers["iterations"] = iterations;
+  header.numbers["photons"] = static_cast<double>(photons);
+  header.numbers["seconds"] = seconds;
+  if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
+  std::exception_ptr failure;
+  for (const std::filesystem::path& file : image_files(frame)) try {
+      write_image(file, image, job_.film, header, kToneMap);
+    } catch (const WriteError&) {
+      failure = std::current_exception();
+    }
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Output::write_contact_sheet() const {
+  if (sheet_) write_png(sheet_path_, sheet_->image());
+}
+
+void Output::add_to_video(Image radiance) {
+  if (video_) video_->add(shown(developed(std::move(radiance)), kToneMap));
+}
+
+void Output::finish_video() {
+  if (video_) video_->finish();
+}
+
+}  // namespace dspm

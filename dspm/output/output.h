@@ -1,0 +1,72 @@
+// The files of a run: an image a frame, the contact sheet, the video.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "dspm/image/exr.h"
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/output/sheet_places.h"
+#include "dspm/output/video.h"
+#include "dspm/session/distinct_files.h"
+#include "dspm/session/messages.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+/// What is written besides the images that the Film names.
+struct OutputSettings {
+  bool png = false;                  // of every image
+  std::string contact_sheet, video;  // files; empty: none
+  std::string stats;                 // "table", or a file for JSON ("-": standard output); empty: no statistics
+  bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
+};
+
+/// The other files of a run: none may be replaced by what Output writes.
+struct OtherFiles {
+  std::vector<NamedFile> read, written;
+};
+
+class Output {
+ public:
+  /// Throws WriteError where a file cannot be written, and warns where there may be too little room for all of them:
+  /// before rendering is the time to learn it. `end_wanted`: asked while the video is tried and made.
+  Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
+         Video::EndWanted end_wanted);
+
+  /// Where the image of a frame of the file goes.
+  std::filesystem::path name(Frame frame) const;
+  /// What writing takes in memory, at most.
+  std::size_t bytes_while_writing() const;
+  /// Writes the image of a frame of the file, given its radiance over the crop, over an earlier one. Throws WriteError,
+  /// but tries its PNG all the same.
+  void write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds);
+  /// The sheet with all images so far, where one was asked for.
+  void write_contact_sheet() const;
+  /// To the video, where one was asked for: an image of every frame, one after the other.
+  void add_to_video(Image radiance);
+  /// The video with what was added. Throws WriteError where it cannot be made.
+  void finish_video();
+
+ private:
+  /// All that the run writes, but for the video.
+  std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
+  /// A frame's image, and its PNG where that is another file.
+  std::vector<std::filesystem::path> image_files(Frame frame) const;
+  /// What all images take on the disk, uncompressed.
+  std::uint64_t bytes_on_disk() const;
+  ExrHeader header(Frame frame) const;
+  /// What files hold, in place of radiance: exposed, then limited as the film says.
+  Image developed(Image image) const;
+
+  const Job& job_;
+  bool png_;
+  std::filesystem::path sheet_path_;
+  SheetPlaces sheet_places_;
+  std::optional<ContactSheet> sheet_;
+  std::optional<Video> video_;
+};
+
+}  // namespace dspm

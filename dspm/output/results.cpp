@@ -1,0 +1,93 @@
+#include "dspm/output/results.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "dspm/image/image.h"
+#include "dspm/math/frames.h"
+#include "dspm/modules/all_plugins.h"
+#include "dspm/output/not_finite.h"
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/readable.h"
+#include "dspm/system/standard_streams.h"
+
+namespace dspm {
+namespace {
+
+void write_report(const Job& job, const RunReport& report, const OutputSettings& settings) {
+  if (settings.stats == "table") print_message(fmt::format("\n{}", table_of(job, report)));
+  if (settings.stats == "-") print_data(json_of(job, report));
+  if (settings.stats_in_file()) write_file(settings.stats, json_of(job, report));
+}
+
+void expect_size(const Image& image, const Job& job) {
+  const PixelRect& crop = job.settings.crop;
+  if (image.width != crop.width() || image.height != crop.height())
+    throw std::runtime_error(fmt::format("{} gave an image of {} x {} pixels, and {} x {} were asked for",
+                                         in_words("integrator", job.integrator), image.width, image.height,
+                                         crop.width(), crop.height()));
+}
+
+}  // namespace
+
+Results::Results(const Job& job, const World& world, const OutputSettings& settings, const OtherFiles& others,
+                 bool keep_failed, Messages& messages, Video::EndWanted end_wanted)
+    : job_(job),
+      world_(world),
+      settings_(settings),
+      keep_failed_(keep_failed),
+      messages_(messages),
+      faults_(messages),
+      output_(job, settings, others, messages, std::move(end_wanted)) {}
+
+void Results::write(const FrameList& interval, const Integrator& integrator, double seconds, Images images) {
+  const Statistics statistics = integrator.statistics();
+  tell(statistics.rejections, world_, interval, job_, messages_);
+  faults_.retry();
+  for (std::size_t j = 0; j < interval.size(); ++j) {
+    const Frame frame = interval[j];
+    const std::filesystem::path name = output_.name(frame);
+    const auto image = std::make_shared<Image>();
+    const auto estimate = [&] {
+      *image = integrator.estimate(static_cast<Frame>(j));
+      expect_size(*image, job_);
+      black_out_invalid(*image, frame, job_, messages_);
+      if (images == Images::last) output_.add_to_video(*image);
+    };
+    const auto write_image = [this, frame, image, seconds, iterations = statistics.iterations,
+                              photons = statistics.photon.paths] {
+      output_.write(frame, *image, iterations, photons, seconds);
+    };
+    // Later there is nobody to ask for the last images.
+    const bool keep = images == Images::last && keep_failed_;
+    if (faults_.attempt(name, estimate))
+      faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
+  }
+  faults_.attempt(settings_.contact_sheet, [&] { output_.write_contact_sheet(); });
+  written_.insert(interval.begin(), interval.end());
+}
+
+void Results::say_end(double seconds, bool interrupted) const {
+  const std::size_t left = job_.frames.size() - written_.size();
+  const std::string what = interrupted ? "interrupted" : "done";
+  const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
+  if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
+  if (faults_.any())
+    return messages_.say("{} after {}, but not all could be written{}", what, readable_time(seconds), missing);
+  const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
+  messages_.say("{} after {}: {}{}{}", what, readable_time(seconds), output_.name(*written_.begin()).string(), last,
+                missing);
+}
+
+bool Results::finish(const RunReport& report) {
+  faults_.retry();
+  faults_.attempt(settings_.stats == "-" ? "standard output" : settings_.stats,
+                  [&] { write_report(job_, report, settings_); });
+  faults_.attempt(settings_.video, [&] { output_.finish_video(); });
+  faults_.tell_end();
+  return are_whole();
+}
+
+}  // namespace dspm

@@ -1,0 +1,31 @@
+// The account of a run: what was rendered, how long each step took, what the frames shared. For people a table, for
+// programs JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/statistics.h"
+#include "dspm/math/frames.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+struct RunReport {
+  std::vector<int> iterations;  // done, by frame interval
+  double seconds = 0;           // from the first iteration's begin to the last image written
+  int threads = 0;
+  std::size_t tree_bytes = 0;  // of the largest interval's trees
+  int exit_code = 0;
+  Statistics statistics;      // all intervals together
+  std::vector<Frame> frames;  // those that the energy balances are of, in their order
+
+  /// Adds what the integrator of an interval of these frames did.
+  void add(const Statistics& interval, const std::vector<Frame>& of_interval);
+};
+
+std::string table_of(const Job& job, const RunReport& report);
+std::string json_of(const Job& job, const RunReport& report);
+
+}  // namespace dspm

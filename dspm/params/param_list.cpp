@@ -1,0 +1,163 @@
+// Parameters as plain data: the words for their types, and the values of keys and numbered files at one frame.
+#include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::array<std::string_view, 13> kWords{"bool",      "integer",  "float",   "string", "point2",
+                                                  "vector2",   "point3",   "vector3", "normal", "rgb",
+                                                  "blackbody", "spectrum", "texture"};
+
+bool interpolates(ParamType type) {
+  return type != ParamType::boolean && type != ParamType::text && type != ParamType::spectrum &&
+         type != ParamType::texture;
+}
+
+/// The place of a `%d` or `%03d` in a file name.
+struct NumberField {
+  std::size_t begin = 0, length = 0;
+  int width = 0;
+};
+std::optional<NumberField> number_field(std::string_view text) {
+  for (std::size_t begin = text.find('%'); begin != text.npos; begin = text.find('%', begin + 1)) {
+    std::size_t end = begin + 1;
+    int width = 0;
+    while (end < text.size() && '0' <= text[end] && text[end] <= '9' && width < 100)
+      width = 10 * width + text[end++] - '0';
+    if (end < text.size() && text[end] == 'd' && (width == 0 || text[begin + 1] == '0'))
+      return NumberField{begin, end + 1 - begin, width};
+  }
+  return std::nullopt;
+}
+
+const std::string* numbered_file_name(const Param& param) {
+  const auto* texts = std::get_if<std::vector<std::string>>(&param.values);
+  const bool numbered = param.type == ParamType::text && param.name == "filename" && texts && texts->size() == 1 &&
+                        number_field(texts->front());
+  return numbered ? &texts->front() : nullptr;
+}
+
+std::string with_number(const std::string& name, std::int64_t number) {
+  const NumberField field = *number_field(name);
+  std::array<char, 128> digits{};
+  std::snprintf(digits.data(), digits.size(), "%0*" PRId64, field.width, number);
+  return name.substr(0, field.begin) + digits.data() + name.substr(field.begin + field.length);
+}
+
+float mix(float a, float b, double t) {
+  return static_cast<float>(static_cast<double>(a) * (1 - t) + static_cast<double>(b) * t);
+}
+int mix(int a, int b, double t) { return static_cast<int>(std::lround(a * (1 - t) + b * t)); }
+
+template <class T>
+void mix_values(std::vector<T>& a, const Param::Values& other, double t) {
+  const std::vector<T>& b = std::get<std::vector<T>>(other);
+  if (a.size() != b.size()) return;
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = mix(a[i], b[i], t);
+}
+
+/// Between the keys a and b, 0 < t < 1.
+Param between(const Param& a, const Param& b, double t) {
+  Param result = a;
+  if (a.type != b.type || !interpolates(a.type) || a.values.index() != b.values.index()) return result;
+  if (auto* numbers = std::get_if<std::vector<float>>(&result.values)) mix_values(*numbers, b.values, t);
+  if (auto* integers = std::get_if<std::vector<int>>(&result.values)) mix_values(*integers, b.values, t);
+  return result;
+}
+
+/// The value at `key` (a frame counted from 1) of a parameter whose keys are given in any order.
+Param at_key(std::vector<const Param*> keys, int key) {
+  std::stable_sort(keys.begin(), keys.end(), [](const Param* a, const Param* b) { return a->key < b->key; });
+  const auto after = std::find_if(keys.begin(), keys.end(), [&](const Param* p) { return p->key > key; });
+  Param result;
+  if (after == keys.begin()) {
+    result = *keys.front();
+  } else if (const Param& before = **(after - 1); after == keys.end() || before.key == key) {
+    result = before;
+  } else {
+    result = between(before, **after, static_cast<double>(key - before.key) / ((*after)->key - before.key));
+  }
+  result.key = 0;
+  return result;
+}
+
+/// The integer `name`, removed from the list because it has then been used.
+std::int64_t take_integer(std::vector<Param>& params, std::string_view name, int fallback) {
+  const auto found = std::find_if(params.begin(), params.end(), [&](const Param& p) {
+    const auto* integers = std::get_if<std::vector<int>>(&p.values);
+    return p.name == name && integers && integers->size() == 1;
+  });
+  if (found == params.end()) return fallback;
+  const int value = std::get<std::vector<int>>(found->values).front();
+  params.erase(found);
+  return value;
+}
+
+/// Fills in the number of the frame's file.
+void number_files(std::vector<Param>& params, Frame frame) {
+  const auto is_named = [](const Param& p) { return numbered_file_name(p) != nullptr; };
+  if (std::none_of(params.begin(), params.end(), is_named)) return;
+  const std::int64_t first = take_integer(params, "first", 1), step = take_integer(params, "step", 1);
+  Param& named = *std::find_if(params.begin(), params.end(), is_named);
+  named.values = std::vector<std::string>{with_number(*numbered_file_name(named), first + frame * step)};
+}
+
+}  // namespace
+
+std::string_view word_of(ParamType type) { return kWords[static_cast<std::size_t>(type)]; }
+
+std::optional<ParamType> param_type(std::string_view word) {
+  const auto found = std::find(kWords.begin(), kWords.end(), word);
+  if (found == kWords.end()) return std::nullopt;
+  return static_cast<ParamType>(found - kWords.begin());
+}
+
+std::vector<float> numbers_of(const Param& param) {
+  if (const auto* floats = std::get_if<std::vector<float>>(&param.values)) return *floats;
+  std::vector<float> numbers;
+  for (const int each : std::get<std::vector<int>>(param.values)) numbers.push_back(static_cast<float>(each));
+  return numbers;
+}
+
+const Param* ParamList::find(std::string_view name) const {
+  const auto found = std::find_if(params.begin(), params.end(), [&](const Param& p) { return p.name == name; });
+  return found == params.end() ? nullptr : &*found;
+}
+
+bool ParamList::is_keyed() const {
+  return std::any_of(params.begin(), params.end(), [](const Param& p) { return p.key != 0 || numbered_file_name(p); });
+}
+
+ParamList ParamList::at(Frame frame) const {
+  ParamList result;
+  for (const Param& param : params) {
+    if (param.key == 0) {
+      result.params.push_back(param);
+      continue;
+    }
+    std::vector<const Param*> keys;
+    for (const Param& other : params)
+      if (other.name == param.name && other.key != 0) keys.push_back(&other);
+    if (keys.front() == &param) result.params.push_back(at_key(std::move(keys), frame + 1));
+  }
+  number_files(result.params, frame);
+  return result;
+}
+
+bool ParamList::same_values(const ParamList& other) const {
+  const auto same = [](const Param& a, const Param& b) {
+    return a.type == b.type && a.name == b.name && a.key == b.key && a.values == b.values;
+  };
+  return params.size() == other.params.size() &&
+         std::is_permutation(params.begin(), params.end(), other.params.begin(), same);
+}
+
+}  // namespace dspm

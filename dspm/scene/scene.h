@@ -1,0 +1,99 @@
+// The finished scene of one frame interval (the frames rendered together): all that an integrator may ask. Everything
+// is const, and frames count from 0 at the first frame that is rendered.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dspm/accel/accel.h"
+#include "dspm/cameras/camera.h"
+#include "dspm/colour/rgb.h"
+#include "dspm/lights/light.h"
+#include "dspm/materials/material.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// A thing of the scene that may change from frame to frame: one object for each of its distinct states. The sets are
+/// disjoint; frames in none of them lack the thing.
+template <class T>
+struct FrameStates {
+  struct State {
+    FrameSet frames;
+    std::shared_ptr<const T> object;
+  };
+  std::vector<State> states;
+
+  /// Whether these frames are in more than one state, or partly lack the thing.
+  bool differs_in(FrameSet frames) const {
+    for (const State& s : states)
+      if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
+    return false;
+  }
+  /// Calls fn(FrameSet, const T&) for each state that holds in some of `frames`.
+  template <class Fn>
+  void for_each(FrameSet frames, Fn&& fn) const {
+    for (const State& s : states)
+      if (const FrameSet common = s.frames & frames; !common.empty()) fn(common, *s.object);
+  }
+};
+
+/// What frames have is that of others times a colour.
+struct FrameFactor {
+  FrameSet frames;
+  Rgb factor;
+};
+
+/// A light and the chance that a photon path or a direct light sample chooses it: in proportion to its mean power over
+/// all frames of the file.
+struct SceneLight {
+  /// States whose photons start alike: as those of `first`, a state of the file, times a weight.
+  struct Alike {
+    std::shared_ptr<const Light> first;
+    std::vector<FrameStates<Light>::State> states;
+    /// Light::ratio_to of each over `first`; empty where the ratio depends on where a photon goes.
+    std::vector<FrameFactor> factors;
+  };
+  FrameStates<Light> states;
+  float probability = 0;
+  std::vector<Alike> alike;  // all states in groups
+  bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
+};
+
+struct ChosenLight {
+  int index;
+  float probability;
+};
+
+/// What a plugin has made, for messages.
+struct ScenePart {
+  enum class Kind { camera, shape, material, light };
+  Kind kind;
+  int index = 0;  // into the scene's shapes, materials or lights
+  friend bool operator==(const ScenePart& a, const ScenePart& b) { return a.kind == b.kind && a.index == b.index; }
+};
+
+class Scene {
+ public:
+  std::vector<Frame> file_frames;  // frame j here is frame file_frames[j] of the file; ascending, at most kMaxFrames
+  Vec3 center;                     // the sphere around everything, over all frames of the file
+  float radius = 1;
+
+  std::vector<PlacedShape> shapes;
+  std::vector<FrameStates<Material>> materials;
+  std::vector<SceneLight> lights;
+  std::vector<int> infinite_lights;  // those that answer escaped()
+  FrameStates<Camera> camera;
+  std::unique_ptr<Accel> accel;
+
+  int frame_count() const { return static_cast<int>(file_frames.size()); }
+  FrameSet frames() const { return FrameSet::first(frame_count()); }
+  /// Light of index i with the lights' probabilities; nothing to choose from: probability 0.
+  ChosenLight choose_light(float u) const;
+  SurfacePoint surface_point(const RayHit& hit) const {
+    return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);
+  }
+};
+
+}  // namespace dspm

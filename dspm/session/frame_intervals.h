@@ -1,0 +1,35 @@
+// How the frames of a run are cut up where not all are rendered together: so that an interval's frames share most.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dspm/lang/factors.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+/// Frames of the file that are rendered together, ascending.
+using FrameList = std::vector<Frame>;
+
+class FrameIntervals {
+ public:
+  /// What moves paths varies slowest, then what has most places: frames that differ in looks only stay together.
+  FrameIntervals(const SceneDescription& scene, const FrameList& frames);
+
+  /// Intervals of at most `together` frames, in the order of their first frames. Where whole inner products of the
+  /// factors fit, an interval holds whole ones; their lengths are as equal as that allows.
+  std::vector<FrameList> cut(int together) const;
+
+ private:
+  using Part = std::span<const Frame>;
+
+  std::vector<Part> blocks(Part part, std::size_t factor) const;
+  void cut(Part part, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const;
+
+  const FileFrames& file_;
+  std::vector<Factor> factors_;  // slowest first
+  FrameList sorted_;
+};
+
+}  // namespace dspm

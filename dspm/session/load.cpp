@@ -1,0 +1,92 @@
+#include "dspm/session/load.h"
+
+#include <fmt/format.h>
+
+#include "dspm/lang/formatter.h"
+#include "dspm/lang/parse.h"
+#include "dspm/math/frames.h"
+#include "dspm/session/load_modules.h"
+#include "dspm/system/read_file.h"
+#include "dspm/world/frame_choice.h"
+
+namespace dspm {
+
+namespace {
+
+ParseOptions parse_options_of(const Choices& choices) {
+  ParseOptions parse;
+  for (const std::string& define : choices.defines) {
+    const std::size_t sign = define.find('=');
+    parse.defines[define.substr(0, sign)] = define.substr(sign + 1);
+  }
+  parse.variations = choices.variations;
+  return parse;
+}
+
+}  // namespace
+
+LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
+                         std::optional<Frame> only) {
+  Diagnostics diagnostics(choices.lenient);
+  SceneDescription read = parse_files(files, parse_options_of(choices), diagnostics);
+  if (only) read.frames = read.frames.only(*only);
+  description = std::make_unique<SceneDescription>(std::move(read));
+  make(choices, diagnostics);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+LoadedScene::LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics)
+    : description(std::make_unique<SceneDescription>(
+          parse_text(name, std::move(text), parse_options_of(choices), diagnostics))) {
+  make(choices, diagnostics);
+  diagnostics.throw_if_errors();
+}
+
+void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
+  load_modules(*description, diagnostics);
+  job = make_job(*description, choices, diagnostics);
+  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
+  world = std::make_unique<World>(*description, world_options, diagnostics);
+}
+
+std::string summary_of(const LoadedScene& loaded) {
+  const SceneDescription& d = *loaded.description;
+  const RenderSettings& settings = loaded.job.settings;
+  return fmt::format("{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", loaded.job.frames_in_words(),
+                     settings.width, settings.height, d.shapes.size(), d.materials.size(),
+                     d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+}
+
+std::string variation_names(const std::vector<std::string>& files, const Choices& choices) {
+  Diagnostics diagnostics(choices.lenient);
+  const SceneDescription description = parse_files(files, parse_options_of(choices), diagnostics);
+  diagnostics.throw_if_errors();
+  std::string names;
+  std::size_t last = description.frames.combinations().size();
+  for (const Frame frame : chosen_frames(description, choices)) {
+    const std::size_t combination = description.frames.combination_of(frame);
+    if (combination != last && !description.axes.empty()) names += description.frames.variation(frame) + "\n";
+    last = combination;
+  }
+  return names;
+}
+
+std::string formatted(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& name : files) {
+    SourceFile file{name, {}};
+    Diagnostics diagnostics;
+    try {
+      file.text = read_input(name);
+    } catch (const std::runtime_error& error) {
+      diagnostics.error({}, fmt::format("cannot read \"{}\": {}", name, error.what()));
+    }
+    const std::optional<std::string> canonical = format_scene(file, diagnostics);
+    diagnostics.throw_if_errors();
+    text += canonical.value_or("");
+  }
+  return text;
+}
+
+}  // namespace dspm

@@ -1,0 +1,39 @@
+// From scene files to all that a render needs.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/math/frames.h"
+#include "dspm/session/messages.h"
+#include "dspm/world/job.h"
+#include "dspm/world/world.h"
+
+namespace dspm {
+
+/// Throws SceneError with everything that is wrong with the scene; warnings and notes have been shown by then.
+struct LoadedScene {
+  /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone.
+  LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
+              std::optional<Frame> only = std::nullopt);
+  /// The same of a text in memory; files that it names are looked for beside `name`.
+  LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics);
+
+  std::unique_ptr<const SceneDescription> description;  // locations in messages point into it
+  Job job;
+  std::unique_ptr<const World> world;
+
+ private:
+  void make(const Choices& choices, Diagnostics& diagnostics);
+};
+
+/// Frames, pixels, shapes, ... in a line.
+std::string summary_of(const LoadedScene& loaded);
+
+/// The names of the variations that are chosen, a line each; throws SceneError and UsageError likewise.
+std::string variation_names(const std::vector<std::string>& files, const Choices& choices);
+
+/// The scene files' text in canonical form; throws SceneError where it cannot be read.
+std::string formatted(const std::vector<std::string>& files);
+
+}  // namespace dspm

@@ -1,0 +1,167 @@
+#include "dspm/session/memory_bound.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/memory_use.h"
+#include "dspm/system/readable.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::size_t kProgram = 10 << 20;          // code, libraries, a stack: all before the scene is read
+constexpr std::size_t kThreads = 64 * (128 << 10);  // stacks and working memory of so many
+// What is held differs by little between the plan and the run: an interval that fits into the plan must fit then.
+constexpr std::size_t kLeeway = 1 << 20;
+constexpr int kReturnedFrom = 1 << 17;  // bytes of a block that goes back to the system as soon as it is freed
+
+std::size_t allocated() {
+  malloc_trim(0);
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+int longest(const std::vector<FrameList>& intervals) {
+  std::size_t length = 0;
+  for (const FrameList& interval : intervals) length = std::max(length, interval.size());
+  return static_cast<int>(length);
+}
+
+/// All lengths that intervals may have at most, the longest first.
+std::vector<int> interval_lengths(const FrameIntervals& frames, int together) {
+  std::vector<int> lengths;
+  for (int most = together; most > 0; --most)
+    if (const int length = longest(frames.cut(most)); lengths.empty() || length < lengths.back())
+      lengths.push_back(length);
+  return lengths;
+}
+
+std::string in_words(std::size_t intervals, int length, int batches) {
+  const std::string frames = counted(static_cast<std::size_t>(length), "frame");
+  return (intervals == 1 ? frames + " together" : fmt::format("{} intervals of {}", intervals, frames)) +
+         (batches == 1 ? "" : fmt::format(", photons in {} batches", batches));
+}
+
+}  // namespace
+
+/// Makes for an interval what a run would make, and remembers what was too much.
+class MemoryBound::Trials {
+ public:
+  /// Of an interval that fits.
+  struct Result {
+    std::size_t share;  // bytes that its integrator may hold
+    int batches;        // in which the photons of an iteration come
+  };
+
+  Trials(const MemoryBound& bound, const Job& job, const World& world, std::size_t writing,
+         const SessionObserver& observer)
+      : bound_(bound), job_(job), world_(world), writing_(writing), observer_(observer) {}
+
+  std::optional<Result> of(const FrameList& frames) {
+    if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
+    const std::size_t before = bound_.held(), trees = world_.tree_bytes_at_most(frames);
+    if (before + trees > bound_.bytes_) {
+      shortage_ = fmt::format("{}: scene and program {}, trees up to {}, and more", readable_bytes(before + trees),
+                              readable_bytes(before), readable_bytes(trees));
+      return {};
+    }
+    const std::unique_ptr<Scene> scene = world_.scene(frames);
+    const std::size_t held = bound_.held() + kLeeway, taken = held + writing_;
+    const std::size_t share = taken < bound_.bytes_ ? bound_.bytes_ - taken : 1;
+    try {
+      Diagnostics shown_later;
+      return Result{share, job_.make_integrator(*scene, shown_later, share)->statistics().photon_batches};
+    } catch (const NotEnoughMemory& error) {
+      const std::size_t tree = scene->accel->memory();
+      const MemoryNeeds& needs = error.least;
+      shortage_ =
+          fmt::format("{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",
+                      readable_bytes(taken + needs.total()), readable_bytes(held - tree), readable_bytes(tree),
+                      readable_bytes(needs.pixels), readable_bytes(needs.hit_points), readable_bytes(needs.photons),
+                      readable_bytes(writing_));
+      return {};
+    }
+  }
+
+  /// One each; nothing where one does not fit.
+  std::vector<Result> of(const std::vector<FrameList>& intervals) {
+    std::vector<Result> results;
+    for (const FrameList& interval : intervals) {
+      const std::optional<Result> result = of(interval);
+      if (!result) return {};
+      results.push_back(*result);
+    }
+    return results;
+  }
+
+  const FrameList& with_largest_trees(const std::vector<FrameList>& intervals) const {
+    return *std::max_element(intervals.begin(), intervals.end(), [&](const auto& a, const auto& b) {
+      return world_.tree_bytes_at_most(a) < world_.tree_bytes_at_most(b);
+    });
+  }
+
+  const std::string& shortage() const { return shortage_; }
+
+ private:
+  const MemoryBound& bound_;
+  const Job& job_;
+  const World& world_;
+  std::size_t writing_;
+  const SessionObserver& observer_;
+  std::string shortage_;
+};
+
+MemoryBound::MemoryBound(std::size_t bytes) : bytes_(bytes) {
+  if (bytes == 0) return;
+  mallopt(M_MMAP_THRESHOLD, kReturnedFrom);  // else the threshold grows with what is freed
+  one_thread_.emplace(1);
+  held_before_ = allocated();
+}
+
+std::size_t MemoryBound::held() const { return kProgram + kThreads + allocated() - held_before_; }
+
+std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
+                                         const std::vector<FrameList>& given, const Messages& messages,
+                                         const SessionObserver& observer) {
+  const FrameIntervals frames(*job.description, job.frames);
+  if (bytes_ == 0) return given.empty() ? frames.cut(job.plugin->frames_together) : given;
+  const std::string bound = "memory " + readable_bytes(bytes_);
+  if (const std::size_t peak = peak_memory(); peak > bytes_)
+    throw std::runtime_error(
+        fmt::format("{}: reading the scene took {}; a bound must leave room besides", bound, readable_bytes(peak)));
+
+  Trials trials(*this, job, world, writing, observer);
+  const auto accepts = [&](const std::vector<FrameList>& intervals) {
+    const std::vector<Trials::Result> results = trials.of(intervals);
+    int batches = 1;
+    for (const Trials::Result& result : results) {
+      batches = std::max(batches, result.batches);
+      shares_.push_back(result.share);
+    }
+    if (results.empty()) return false;
+    messages.say("{}: {}", bound, in_words(intervals.size(), longest(intervals), batches));
+    one_thread_.reset();
+    return true;
+  };
+  if (!given.empty()) {
+    if (accepts(given)) return given;
+    throw std::runtime_error(
+        fmt::format("{}: the checkpoint's {} frames together take {}", bound, longest(given), trials.shortage()));
+  }
+  const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
+  auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {
+    return !trials.of(trials.with_largest_trees(frames.cut(candidate)));
+  });
+  for (; length != lengths.end(); ++length)
+    if (std::vector<FrameList> intervals = frames.cut(*length); accepts(intervals)) return intervals;
+  throw std::runtime_error(fmt::format("{}: even one frame at a time takes {}", bound, trials.shortage()));
+}
+
+}  // namespace dspm

@@ -1,0 +1,42 @@
+// --memory: how many frames are rendered together, and how much their integrator may hold, so that the whole process
+// keeps within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until
+// it is made there is one thread, of which malloc tells exactly what it holds; what others will take is a fixed
+// reserve.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dspm/session/frame_intervals.h"
+#include "dspm/session/messages.h"
+#include "dspm/session/observer.h"
+#include "dspm/system/parallel.h"
+#include "dspm/world/job.h"
+#include "dspm/world/world.h"
+
+namespace dspm {
+
+class MemoryBound {
+ public:
+  /// To be made before the scene is read, by one thread from now on. 0: no bound.
+  explicit MemoryBound(std::size_t bytes);
+
+  /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the
+  /// figures where not even single frames fit. `writing`: what the images take while they are written; `given`: the
+  /// intervals of a run that is resumed, which stay as they are, or none. `observer`: may want an end.
+  std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing,
+                              const std::vector<FrameList>& given, const Messages& messages,
+                              const SessionObserver& observer);
+  /// What the integrator of the plan's i-th interval may hold; 0: no bound.
+  std::size_t for_integrator(std::size_t i) const { return bytes_ == 0 ? 0 : shares_[i]; }
+
+ private:
+  class Trials;
+  std::size_t held() const;
+
+  std::size_t bytes_, held_before_ = 0;
+  std::optional<ThreadLimit> one_thread_;
+  std::vector<std::size_t> shares_;
+};
+
+}  // namespace dspm

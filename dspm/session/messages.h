@@ -1,0 +1,43 @@
+// What a session says to its user: on stderr, unless somebody else listens.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "dspm/params/errors.h"
+
+namespace dspm {
+
+class Messages {
+ public:
+  /// quiet: warnings only.
+  explicit Messages(bool quiet) : quiet_(quiet) {}
+  virtual ~Messages() = default;
+
+  /// Warnings and, unless quiet, notes; each once. Errors are left to throw_if_errors.
+  void show(const Diagnostics& diagnostics);
+  /// A warning of no place in a scene.
+  void warn(std::string message, std::string hint = {});
+
+  template <class... Values>
+  void say(fmt::format_string<Values...> format, Values&&... values) const {
+    if (!quiet_) print(fmt::format("dspm: {}\n", fmt::format(format, std::forward<Values>(values)...)));
+  }
+
+  /// Even if quiet.
+  void fail(const std::string& message) const { print(fmt::format("dspm: {}\n", message)); }
+
+ protected:
+  /// Whole lines.
+  virtual void print(std::string_view text) const;
+
+ private:
+  bool quiet_;
+  std::set<std::string> shown_;
+};
+
+}  // namespace dspm

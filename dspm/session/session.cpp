@@ -1,0 +1,112 @@
+#include "dspm/session/session.h"
+
+#include <algorithm>
+#include <new>
+
+#include "dspm/modules/all_plugins.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/out_of_memory.h"
+#include "dspm/system/cancellation.h"
+
+namespace dspm {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
+                                            std::size_t memory) {
+  Diagnostics diagnostics;
+  std::unique_ptr<Integrator> integrator = job.make_integrator(scene, diagnostics, memory);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+  return integrator;
+}
+
+Session::Session(const LoadedScene& loaded, const std::vector<FrameList>& intervals, const MemoryBound& memory,
+                 const SessionSettings& settings, Messages& messages, SessionObserver& observer)
+    : loaded_(loaded),
+      intervals_(intervals),
+      memory_(memory),
+      settings_(settings),
+      messages_(messages),
+      observer_(observer),
+      integrator_(in_words("integrator", loaded.job.integrator)) {}
+
+void Session::run() {
+  for (std::size_t i = 0; i < intervals_.size() && !observer_.end_wanted(); ++i) render_interval(i);
+}
+
+double Session::time_share(std::size_t index) const {
+  return (settings_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
+}
+
+void Session::render_interval(std::size_t index) {
+  observer_.step_begins("making the scene", "");
+  const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
+  const std::unique_ptr<Integrator> integrator =
+      make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
+  const int iterations = loaded_.job.iterations(*integrator);
+  if (iterations == 0 && settings_.time_limit == 0 && intervals_.size() > 1)
+    throw UsageError(
+        fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
+                    intervals_.size()));
+  if (index == 0) observer_.ready(*scene, *integrator, iterations);
+  const IntervalProgress progress = iterate_to_the_end(index, *integrator, iterations);
+  observer_.interval_ends(progress, *scene, *integrator);
+}
+
+IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations) {
+  const double seconds = settings_.time_limit > 0 ? time_share(index) : 0;
+  IntervalProgress progress = observer_.interval_begins(index, integrator);
+  const double seconds_before = progress.seconds;
+  const Clock::time_point begin = Clock::now();
+  WriteSchedule schedule(settings_.write_every);
+  if (iterations > 0 && progress.iterations >= iterations)
+    messages_.say("nothing is left of {} iterations; --iterations asks for more", iterations);
+  const auto finished = [&] {
+    return (iterations > 0 && progress.iterations >= iterations) || observer_.end_wanted() ||
+           (settings_.time_limit > 0 && progress.iterations > 0 && seconds_since(begin) >= seconds);
+  };
+  while (!finished() && iterate(progress, integrator)) {
+    ++progress.iterations;
+    progress.seconds = seconds_before + seconds_since(begin);
+    observer_.iteration_done(progress, integrator);
+    const bool wanted = observer_.images_wanted();
+    if (wanted) messages_.say("images of {} iterations were asked for", progress.iterations);
+    if ((schedule.due(progress.iterations) || wanted) && !finished())
+      write(progress, integrator, SessionObserver::Images::so_far);
+  }
+  progress.seconds = seconds_before + seconds_since(begin);
+  if (progress.iterations > 0) write(progress, integrator, SessionObserver::Images::last);
+  return progress;
+}
+
+bool Session::iterate(const IntervalProgress& before, Integrator& integrator) {
+  constexpr std::size_t kLibraries = 1 << 20;  // what OpenEXR and zlib take besides
+  const std::string step = fmt::format("iteration {}", before.iterations + 1);
+  observer_.step_begins(step, integrator_);
+  try {
+    // Address space only. It is free again in the catch clause, so that images are written even if memory ends.
+    const std::unique_ptr<char[]> reserve(new (std::nothrow) char[settings_.bytes_for_writing + kLibraries]);
+    asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may leave out what nobody uses
+    naming_memory_step([&] { return step; }, [&] { integrator.iterate(before.iterations); });
+    return true;
+  } catch (const Cancelled&) {
+    return false;
+  } catch (...) {
+    if (before.iterations > 0) write(before, integrator, SessionObserver::Images::so_far);
+    observer_.iteration_failed();
+    throw;
+  }
+}
+
+void Session::write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images) {
+  observer_.step_begins("writing the images", "");
+  observer_.images_due(progress, integrator, images);
+}
+
+}  // namespace dspm

@@ -1,0 +1,59 @@
+// A render without a command line: frame intervals one after the other, each iterated until it has its iterations, its
+// time is up, or somebody wants to end it. What is done with the images is the observer's business.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/scene/scene.h"
+#include "dspm/session/load.h"
+#include "dspm/session/memory_bound.h"
+#include "dspm/session/observer.h"
+#include "dspm/session/write_schedule.h"
+
+namespace dspm {
+
+struct SessionSettings {
+  double time_limit = 0;              // seconds for all intervals; 0: none
+  Interval write_every;               // images so far
+  std::size_t bytes_for_writing = 0;  // kept free while an iteration runs, so that images are written if memory ends
+};
+
+class Session {
+ public:
+  /// `intervals`: from `memory`.plan(). All arguments must outlive the session.
+  Session(const LoadedScene& loaded, const std::vector<FrameList>& intervals, const MemoryBound& memory,
+          const SessionSettings& settings, Messages& messages, SessionObserver& observer);
+
+  /// All intervals, or until the observer wants an end. Throws SceneError if the scene cannot be rendered after all,
+  /// UsageError if there would be no end, and what an iteration throws.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void render_interval(std::size_t index);
+  IntervalProgress iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations);
+  /// False: the iteration was given up.
+  bool iterate(const IntervalProgress& before, Integrator& integrator);
+  void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
+  /// Seconds for the interval: an equal share of what the intervals before it left.
+  double time_share(std::size_t index) const;
+
+  const LoadedScene& loaded_;
+  const std::vector<FrameList>& intervals_;
+  const MemoryBound& memory_;
+  const SessionSettings settings_;
+  Messages& messages_;
+  SessionObserver& observer_;
+  const std::string integrator_;  // as messages name it
+  Clock::time_point begin_ = Clock::now();
+};
+
+/// Shows warnings; throws SceneError if the integrator cannot be made.
+std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
+                                            std::size_t memory = 0);
+
+}  // namespace dspm

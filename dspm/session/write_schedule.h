@@ -1,0 +1,32 @@
+// When something is to be written between iterations.
+#pragma once
+
+#include <chrono>
+
+namespace dspm {
+
+/// Every so many seconds or iterations; both zero: never.
+struct Interval {
+  double seconds = 0;
+  int iterations = 0;
+};
+
+class WriteSchedule {
+ public:
+  explicit WriteSchedule(const Interval& every) : every_(every) {}
+  /// After that many iterations; the clock starts anew where it says yes.
+  bool due(int iterations) {
+    const std::chrono::duration<double> passed = Clock::now() - last_;
+    const bool yes = (every_.iterations > 0 && iterations % every_.iterations == 0) ||
+                     (every_.seconds > 0 && passed.count() >= every_.seconds);
+    if (yes) last_ = Clock::now();
+    return yes;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Interval every_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace dspm

@@ -1,0 +1,36 @@
+// How the faces of a mesh hang together, by the places of their vertices: texture seams do not tear a surface apart.
+#pragma once
+
+#include <vector>
+
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
+
+namespace dspm {
+
+/// For every vertex the first vertex that lies exactly at its place (itself, where it is the first).
+std::vector<int> weld(const std::vector<Vec3>& vertices);
+
+/// Faces with every vertex replaced by `place[vertex]`.
+std::vector<Face> replace_vertices(std::vector<Face> faces, const std::vector<int>& place);
+
+inline bool has_repeated_vertex(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
+
+/// An edge and how many faces run along it either way, from its lower to its higher vertex or back.
+struct Edge {
+  int low, high;
+  int forward = 0, backward = 0;
+
+  int faces() const { return forward + backward; }
+  bool is_open() const { return faces() == 1; }
+  bool is_crowded() const { return faces() > 2; }
+  bool is_twisted() const { return faces() == 2 && forward != 1; }
+};
+
+/// All edges of the faces that have three different vertices, ascending.
+std::vector<Edge> edges_of(const std::vector<Face>& faces);
+
+/// The number of connected rims that the open edges among `edges` form.
+int count_holes(const std::vector<Edge>& edges);
+
+}  // namespace dspm

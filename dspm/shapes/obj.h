@@ -1,0 +1,45 @@
+// Meshes and materials from Wavefront OBJ and MTL files, read by tinyobjloader.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/shapes/triangle_mesh.h"
+
+namespace dspm {
+
+/// What dspm takes of an MTL material.
+struct ObjMaterial {
+  std::string name;
+  Rgb diffuse;                    // Kd
+  std::filesystem::path texture;  // map_Kd, as absolute path; empty where there is none
+};
+
+/// The faces of one material (or of none), in the order of the file.
+struct ObjPart {
+  std::string material;  // as `usemtl` says it
+  MeshData mesh;
+};
+
+struct ObjFile {
+  std::vector<ObjPart> parts;  // in the order in which their materials are first used
+  std::vector<ObjMaterial> materials;
+  std::vector<std::string> groups;      // names of all groups and objects that have faces
+  std::vector<std::string> complaints;  // what is odd but no reason to stop: a missing MTL file, ...
+};
+
+/// The text of a file that the OBJ file names, such as its materials; nothing where there is none.
+using ObjCompanion = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// Only faces of the group or object `group`, or all where it is empty. Without `split` all faces are one part. Throws
+/// std::runtime_error with a sentence that does not name the file.
+ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
+/// The same for a text in memory; textures are looked for in `directory`.
+ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
+                  const std::string& group, bool split);
+
+}  // namespace dspm

@@ -1,0 +1,85 @@
+// Shape "objmesh" "string filename" "chair.obj" "string group" "seat"
+//
+// Triangles from a Wavefront OBJ file, with the materials of its MTL files. Faces of any number of corners, normals,
+// texture coordinates, negative indices.
+//
+// | parameter | default  | meaning |
+// | --------- | -------- | ------- |
+// | filename  | required | the file; may be gzip-compressed |
+// | group     | ""       | only this group or object of the file; "": all |
+// | materials | true     | use Kd and map_Kd of the file's materials as "diffuse"; false: the scene's material |
+// | repair    | false    | mends the mesh where it is no closed surface: see mesh_repair.h |
+//
+// map_Kd stands in for Kd; all else in an MTL file (Ks, d, map_Bump, ...) is ignored.
+#include <algorithm>
+#include <stdexcept>
+
+#include "dspm/params/params.h"
+#include "dspm/shapes/mesh_params.h"
+#include "dspm/shapes/obj.h"
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+namespace {
+
+FileMaterial file_material(const ObjMaterial& material, const SourceLocation& where) {
+  Param reflectance;
+  reflectance.name = "reflectance";
+  reflectance.where = reflectance.values_where = where;
+  if (material.texture.empty()) {
+    reflectance.type = ParamType::rgb;
+    reflectance.values = std::vector<float>{material.diffuse.r, material.diffuse.g, material.diffuse.b};
+  } else {
+    reflectance.type = ParamType::texture;
+    reflectance.values = std::vector<std::string>{material.name};
+  }
+  return {material.name, {{reflectance}}, material.texture};
+}
+
+std::optional<FileMaterial> material_of(const ObjPart& part, const ObjFile& file, ParamReader& reader) {
+  if (part.material.empty()) return std::nullopt;
+  const auto found = std::find_if(file.materials.begin(), file.materials.end(),
+                                  [&](const ObjMaterial& m) { return m.name == part.material; });
+  if (found != file.materials.end()) return file_material(*found, reader.where("filename"));
+  reader.warning("filename",
+                 fmt::format("the file's material \"{}\" is not defined: the scene's is used", part.material));
+  return std::nullopt;
+}
+
+void report_empty(ParamReader& reader, const ObjFile& file, const std::string& group) {
+  if (group.empty()) return reader.error("filename", "the file has no faces");
+  constexpr std::size_t kMostNamed = 20;
+  const auto end = file.groups.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNamed, file.groups.size()));
+  reader.error("group", fmt::format("the file has no group or object \"{}\"", group),
+               fmt::format("{} it has: {}{}", did_you_mean(group, file.groups),
+                           fmt::join(file.groups.begin(), end, ", "), end == file.groups.end() ? "" : ", ..."));
+}
+
+}  // namespace
+
+std::vector<ShapePart> make_objmesh(ParamReader& reader) {
+  const std::filesystem::path path = reader.file("filename", "the OBJ file");
+  const std::string group = reader.text("group", "", "only this group or object of the file");
+  const bool materials = reader.flag("materials", true, "use the materials of the file's MTL files");
+  const bool repair = read_repair(reader);
+  refuse_mesh_params(reader);
+  reader.finish();
+
+  std::vector<ShapePart> parts;
+  if (path.empty()) return parts;
+  try {
+    ObjFile file = read_obj(path, group, materials);
+    if (materials)
+      for (const std::string& complaint : file.complaints) reader.warning("filename", complaint);
+    if (file.parts.empty()) report_empty(reader, file, group);
+    for (ObjPart& part : file.parts) {
+      std::optional<FileMaterial> material = material_of(part, file, reader);
+      parts.push_back({std::make_unique<TriangleMesh>(std::move(part.mesh)), std::move(material), repair});
+    }
+  } catch (const std::exception& e) {
+    report_bad_file(reader, path, e);
+  }
+  return parts;
+}
+
+}  // namespace dspm

@@ -1,0 +1,70 @@
+#include "dspm/shapes/placed_shape.h"
+
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/rounding.h"
+
+namespace dspm {
+namespace {
+
+// |M| v for a linear map M: what it makes of an error box.
+template <class Map>
+Vec3 absolute(const Map& map, const Vec3& v) {
+  return abs(map(Vec3{1, 0, 0})) * v.x + abs(map(Vec3{0, 1, 0})) * v.y + abs(map(Vec3{0, 0, 1})) * v.z;
+}
+
+// Bound on how far a point that is carried into the world and back into the object's space strays, seen in the world:
+// either matrix is rounded (one rounding an entry) and applied (three), and they are inverse to each other up to that.
+Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_world) {
+  const auto forward = [&](const Vec3& v) { return t.vector(v); };
+  const auto backward = [&](const Vec3& v) { return t.inverse_vector(v); };
+  const Vec3 back = absolute(backward, abs(p_world)) + abs(t.inverse_point({}));
+  return 2 * t.point_error(p_object) + gamma_bound(5) * absolute(forward, back);
+}
+
+}  // namespace
+
+Bounds3 PlacedShape::bounds(int primitive) const {
+  const Bounds3 object = shape->bounds(primitive);
+  if (!in_object_space() || object.empty()) return object;
+  Bounds3 world = to_world.bounds(object);
+  const Vec3 reach = max(abs(object.low), abs(object.high));
+  const Vec3 error = round_trip_error(to_world, reach, max(abs(world.low), abs(world.high)));
+  world.low = world.low - error;
+  world.high = world.high + error;
+  return world;
+}
+
+std::optional<PrimitiveHit> PlacedShape::intersect(int primitive, const Ray& ray) const {
+  return shape->intersect(primitive, in_object_space() ? to_world.inverse_ray(ray) : ray);
+}
+
+SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
+  SurfacePoint s = shape->surface_point(primitive, uv);
+  if (in_object_space()) {
+    const Vec3 p = to_world.point(s.p);
+    s.p_error =
+        absolute([&](const Vec3& v) { return to_world.vector(v); }, s.p_error) + round_trip_error(to_world, s.p, p);
+    s.p = p;
+    s.ng = normalize(to_world.normal(s.ng));
+    s.ns = normalize(to_world.normal(s.ns));
+    if (!(dot(s.ns, s.ng) > 0)) s.ns = s.ng;
+    s.dpdu = to_world.vector(s.dpdu);
+  }
+  if (flip_normals) s.ng = -s.ng, s.ns = -s.ns;
+  return s;
+}
+
+AreaSample PlacedShape::sample_area(int primitive, Vec2 u) const {
+  const Vec2 uv = shape->sample_area(primitive, u);
+  const float scale = in_object_space() ? area_scale(shape->surface_point(primitive, uv).ng) : 1.f;
+  return {surface_point(primitive, uv), 1 / (shape->area(primitive) * scale)};
+}
+
+float PlacedShape::area_scale(const Vec3& n) const {
+  if (!in_object_space()) return 1;
+  const Basis tangents = Basis::around(n);
+  return length(cross(to_world.vector(tangents.x), to_world.vector(tangents.y)));
+}
+
+}  // namespace dspm

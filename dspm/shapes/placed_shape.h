@@ -1,0 +1,38 @@
+// A shape at its place in the world, in those frames in which it is there. Another place or another geometry is another
+// placed shape, so a placed shape's number tells where and what a ray hit, whatever the frame.
+#pragma once
+
+#include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+/// A point on a placed shape with its density by world area.
+struct AreaSample {
+  SurfacePoint point;
+  float pdf_a;
+};
+
+struct PlacedShape {
+  const Shape* shape = nullptr;
+  Transform to_world;  // identity for static meshes: their vertices are in world space
+  FrameSet frames;
+  bool flip_normals = false;  // ReverseOrientation
+  int material = -1;          // index into the scene's materials
+  int light = -1;             // index into the scene's lights, where this shape emits
+
+  Bounds3 bounds(int primitive) const;
+  std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
+  SurfacePoint surface_point(int primitive, Vec2 uv) const;
+  AreaSample sample_area(int primitive, Vec2 u) const;
+  /// Factor from object to world area at a point whose object-space unit normal is n.
+  float area_scale(const Vec3& n) const;
+
+  bool in_object_space() const { return !to_world_is_identity; }
+  bool to_world_is_identity = true;  // kept beside to_world: asked for every ray
+};
+
+}  // namespace dspm

@@ -1,0 +1,24 @@
+// The table of shapes: one line for each.
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+MakeShape make_cylinder, make_disk, make_loopsubdiv, make_objmesh, make_plymesh, make_sphere, make_trianglemesh;
+
+PluginTable<Plugin<MakeShape>>& shape_plugins() {
+  static PluginTable<Plugin<MakeShape>> table(
+      "shape",
+      {
+          {"cylinder", "the mantle of a cylinder", make_cylinder},
+          {"disk", "a disk, ring or sector", make_disk},
+          {"loopsubdiv", "the smooth surface of a coarse mesh of triangles", make_loopsubdiv},
+          {"objmesh", "triangles from an OBJ file", make_objmesh},
+          {"plymesh", "triangles from a PLY file", make_plymesh},
+          {"sphere", "a sphere or a part of it", make_sphere},
+          {"trianglemesh", "triangles in the scene's text", make_trianglemesh},
+      },
+      {"bilinearmesh", "curve"});
+  return table;
+}
+
+}  // namespace dspm

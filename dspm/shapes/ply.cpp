@@ -1,0 +1,205 @@
+#include "dspm/shapes/ply.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstring>
+
+#include "dspm/shapes/ply_header.h"
+#include "dspm/shapes/polygons.h"
+
+namespace dspm {
+namespace {
+
+[[noreturn]] void fail_at_end() { throw std::runtime_error("the file ends early"); }
+
+/// Numbers separated by white space.
+class AsciiNumbers {
+ public:
+  explicit AsciiNumbers(std::string_view data) : at_(data.data()), end_(data.data() + data.size()) {}
+  std::size_t rest() const { return static_cast<std::size_t>(end_ - at_); }
+
+  double next(PlyType) {
+    while (at_ != end_ && (*at_ == ' ' || (*at_ >= '\t' && *at_ <= '\r'))) ++at_;
+    if (at_ == end_) fail_at_end();
+    if (*at_ == '+') ++at_;
+    double value = 0;
+    const auto [stop, error] = std::from_chars(at_, end_, value);
+    if (error != std::errc()) throw std::runtime_error("this is no number");
+    at_ = stop;
+    return value;
+  }
+
+ private:
+  const char* at_;
+  const char* end_;
+};
+
+template <bool big_endian>
+class BinaryNumbers {
+ public:
+  explicit BinaryNumbers(std::string_view data) : data_(data) {}
+  std::size_t rest() const { return data_.size(); }
+
+  double next(PlyType type) {
+    switch (type) {
+      case PlyType::int8: return take<std::int8_t>();
+      case PlyType::uint8: return take<std::uint8_t>();
+      case PlyType::int16: return take<std::int16_t>();
+      case PlyType::uint16: return take<std::uint16_t>();
+      case PlyType::int32: return take<std::int32_t>();
+      case PlyType::uint32: return take<std::uint32_t>();
+      case PlyType::float32: return double{take<float>()};
+      case PlyType::float64: break;
+    }
+    return take<double>();
+  }
+
+ private:
+  template <class T>
+  T take() {
+    if (data_.size() < sizeof(T)) fail_at_end();
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, data_.data(), sizeof(T));
+    data_.remove_prefix(sizeof(T));
+    if constexpr (big_endian != (std::endian::native == std::endian::big)) std::reverse(bytes, bytes + sizeof(T));
+    return std::bit_cast<T>(bytes);
+  }
+
+  std::string_view data_;
+};
+
+/// What a vertex's property is to us.
+enum Slot { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kSlots, kNone = kSlots };
+
+Slot slot_of(const PlyProperty& property) {
+  static constexpr std::pair<std::string_view, Slot> table[] = {
+      {"x", kX}, {"y", kY}, {"z", kZ}, {"nx", kNx},       {"ny", kNy},       {"nz", kNz},       {"u", kU},
+      {"v", kV}, {"s", kU}, {"t", kV}, {"texture_u", kU}, {"texture_v", kV}, {"texture_s", kU}, {"texture_t", kV}};
+  for (const auto& [name, slot] : table)
+    if (name == property.name && !property.is_list) return slot;
+  return kNone;
+}
+
+bool is_corners(const PlyProperty& property) {
+  return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+template <class Numbers>
+class BodyReader {
+ public:
+  BodyReader(const PlyHeader& header, std::string_view body) : header_(header), numbers_(body) {}
+
+  MeshData read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;  // takes no bytes, whatever its count
+      std::uint64_t i = 0;
+      try {
+        begin(element);
+        for (; i < element.count; ++i) read_one(element);
+      } catch (const std::runtime_error& e) {
+        throw std::runtime_error(fmt::format("{} (in \"{}\" {} of {})", e.what(), element.name, i, element.count));
+      }
+    }
+    const auto count = static_cast<int>(mesh_.vertices.size());
+    for (const int v : polygons_.corners)
+      if (v < 0 || v >= count) throw std::runtime_error(fmt::format("a face refers to vertex {} of {}", v, count));
+    mesh_.faces = triangulate(polygons_, mesh_.vertices);
+    return std::move(mesh_);
+  }
+
+ private:
+  void begin(const PlyElement& element) {
+    // An announced count is believed as far as bytes are there for it.
+    const std::size_t room = std::min<std::uint64_t>(element.count, numbers_.rest() / element.properties.size());
+    if (element.name == "face") polygons_.ends.reserve(room);
+    if (element.name != "vertex") return;
+    slots_.clear();
+    for (const PlyProperty& property : element.properties) slots_.push_back(slot_of(property));
+    if (!has({kX, kY, kZ})) throw std::runtime_error("vertices have no x, y, z");
+    has_normals_ = has({kNx, kNy, kNz});
+    has_uvs_ = has({kU, kV});
+    mesh_.vertices.reserve(room);
+    mesh_.normals.reserve(has_normals_ ? room : 0);
+    mesh_.uvs.reserve(has_uvs_ ? room : 0);
+  }
+
+  bool has(std::initializer_list<Slot> slots) const {
+    return std::all_of(slots.begin(), slots.end(),
+                       [&](Slot s) { return std::find(slots_.begin(), slots_.end(), s) != slots_.end(); });
+  }
+
+  void read_one(const PlyElement& element) {
+    if (element.name == "vertex")
+      read_vertex(element);
+    else if (element.name == "face")
+      read_face(element);
+    else
+      for (const PlyProperty& property : element.properties) skip(property);
+  }
+
+  void read_vertex(const PlyElement& element) {
+    float value[kSlots + 1] = {};
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (property.is_list)
+        skip(property);
+      else
+        value[slots_[i]] = static_cast<float>(numbers_.next(property.type));
+    }
+    mesh_.vertices.push_back({value[kX], value[kY], value[kZ]});
+    if (has_normals_) mesh_.normals.push_back({value[kNx], value[kNy], value[kNz]});
+    if (has_uvs_) mesh_.uvs.push_back({value[kU], value[kV]});
+  }
+
+  void read_face(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      if (!is_corners(property)) {
+        skip(property);
+        continue;
+      }
+      for (std::uint64_t left = count_of(property); left > 0; --left) polygons_.add_corner(index(property.type));
+      polygons_.close();
+    }
+  }
+
+  std::uint64_t count_of(const PlyProperty& property) {
+    const double count = numbers_.next(property.count_type);
+    if (!(count >= 0 && count <= 1e9)) throw std::runtime_error("this is no count of a list");
+    return static_cast<std::uint64_t>(count);
+  }
+
+  int index(PlyType type) {
+    const double v = numbers_.next(type);
+    if (!(v >= 0 && v < 2147483648.0)) throw std::runtime_error(fmt::format("{} is no vertex", v));
+    return static_cast<int>(v);
+  }
+
+  void skip(const PlyProperty& property) {
+    for (std::uint64_t left = property.is_list ? count_of(property) : 1; left > 0; --left) numbers_.next(property.type);
+  }
+
+  const PlyHeader& header_;
+  Numbers numbers_;
+  std::vector<Slot> slots_;  // of the vertices' properties
+  bool has_normals_ = false, has_uvs_ = false;
+  Polygons polygons_;
+  MeshData mesh_;
+};
+
+}  // namespace
+
+MeshData read_ply(std::string_view file) {
+  const PlyHeader header = read_ply_header(file);
+  const std::string_view body = file.substr(header.size);
+  switch (header.format) {
+    case PlyFormat::ascii: return BodyReader<AsciiNumbers>(header, body).read();
+    case PlyFormat::little_endian: return BodyReader<BinaryNumbers<false>>(header, body).read();
+    case PlyFormat::big_endian: break;
+  }
+  return BodyReader<BinaryNumbers<true>>(header, body).read();
+}
+
+}  // namespace dspm

@@ -1,0 +1,13 @@
+// Meshes from PLY files: ASCII and binary, polygons of any number of corners, normals, texture coordinates.
+#pragma once
+
+#include <string_view>
+
+#include "dspm/shapes/triangle_mesh.h"
+
+namespace dspm {
+
+/// `file` is the file's whole content. Throws std::runtime_error with a sentence that says what is wrong and where.
+MeshData read_ply(std::string_view file);
+
+}  // namespace dspm

@@ -1,0 +1,38 @@
+// Shape "plymesh" "string filename" "horse.ply"
+//
+// A mesh from a PLY file: ASCII or binary, gzip-compressed or not; polygons become triangles; normals (nx, ny, nz) and
+// texture coordinates (u v, s t, texture_u texture_v, texture_s texture_t) are used where there are any.
+//
+// | parameter | default  | meaning |
+// | --------- | -------- | ------- |
+// | filename  | required | the file |
+// | repair    | false    | mends the mesh where it is no closed surface: see mesh_repair.h |
+//
+// In a Dynamic block `%03d` in the name stands for the frame's number. [Turk 1994, The PLY Polygon File Format]
+#include <stdexcept>
+
+#include "dspm/params/params.h"
+#include "dspm/shapes/mesh_params.h"
+#include "dspm/shapes/ply.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/system/read_file.h"
+
+namespace dspm {
+
+std::vector<ShapePart> make_plymesh(ParamReader& reader) {
+  const std::filesystem::path path = reader.file("filename", "the PLY file");
+  const bool repair = read_repair(reader);
+  refuse_mesh_params(reader);
+  reader.finish();
+
+  std::vector<ShapePart> parts;
+  if (path.empty()) return parts;
+  try {
+    parts.push_back({std::make_unique<TriangleMesh>(read_ply(read_file(path))), std::nullopt, repair});
+  } catch (const std::exception& e) {
+    report_bad_file(reader, path, e);
+  }
+  return parts;
+}
+
+}  // namespace dspm

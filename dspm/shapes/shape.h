@@ -1,0 +1,76 @@
+// What geometry is to the rest of dspm: primitives that a tree can bound and a ray can meet, and the surface at a hit.
+// Plugins: sphere.cpp is the shortest to copy; plugins.cpp is the table.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+
+namespace dspm {
+
+class TriangleMesh;
+
+/// Where a ray meets a primitive: distance in units of the ray's direction, and the place on the primitive.
+struct PrimitiveHit {
+  float t;
+  Vec2 uv;  // on the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
+};
+
+/// The surface at a hit.
+struct SurfacePoint {
+  Vec3 p;
+  Vec3 p_error;  // bound on the rounding error of p, a coordinate each
+  Vec3 ng;       // geometric normal, unit length, to the outside
+  Vec3 ns;       // shading normal, unit length, in the half space of ng
+  Vec3 dpdu;     // tangent along u; any length, not zero
+  Vec2 uv;       // texture coordinates
+
+  /// Leaves the surface in direction w (unit length), from a point off p by more than its error on w's side of ng.
+  Ray spawn(const Vec3& w, float t_max = kInfinity) const;
+};
+
+/// Geometry in its own (object) space. A Shape is finished and const once constructed.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  virtual int primitive_count() const { return 1; }
+  /// Contains the primitive, rounding included.
+  virtual Bounds3 bounds(int primitive) const = 0;
+  /// The nearest hit with t in (0, ray.t_max). The one routine that decides where a ray meets this shape: every tree
+  /// and every frame calls it (or its SIMD twin with equal bits). Watertight.
+  virtual std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const = 0;
+  virtual SurfacePoint surface_point(int primitive, Vec2 uv) const = 0;
+  /// In object space.
+  virtual float area(int primitive) const = 0;
+  /// The parameters of a point distributed uniformly over the primitive's area in object space.
+  virtual Vec2 sample_area(int primitive, Vec2 u) const = 0;
+
+  /// Trees know triangles; null for everything else.
+  virtual const TriangleMesh* triangles() const { return nullptr; }
+};
+
+/// A material that a geometry file brings along (MTL): plain data which world turns into objects.
+struct FileMaterial {
+  std::string name;   // unique within the file
+  ParamList diffuse;  // parameters of a "diffuse" material; "reflectance" may be the texture named `name`
+  std::filesystem::path texture_file;  // an imagemap for that texture; may be empty
+};
+
+/// One shape out of a Shape directive (a mesh file may hold several).
+struct ShapePart {
+  std::unique_ptr<Shape> shape;
+  std::optional<FileMaterial> material;
+  bool repair = false;  // the scene asks for mesh repair
+};
+
+using MakeShape = std::vector<ShapePart>(ParamReader&);
+PluginTable<Plugin<MakeShape>>& shape_plugins();
+
+}  // namespace dspm

@@ -1,0 +1,139 @@
+#include "dspm/shapes/triangle_mesh.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/rounding.h"
+#include "dspm/shapes/triangle.h"
+
+namespace dspm {
+namespace {
+
+// Trees that test triangles in float alone round coordinates relative to the ray's origin: a point's error is at least
+// this many roundings of the triangle's size, even on a plane such as z = 0 whose points have no error of their own.
+constexpr int kSizeRoundings = 4;
+
+Vec3 unit_normal(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
+  const DoubleVec3 n = area_vector(p0, p1, p2);
+  return narrow(n * (1 / length(n)));
+}
+
+const Vec3& at(const std::vector<Vec3>& values, int index) { return values[static_cast<std::size_t>(index)]; }
+
+}  // namespace
+
+std::optional<std::string> fault_of(const MeshData& data) {
+  const std::size_t count = data.vertices.size();
+  constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  if (data.faces.empty()) return "the mesh has no faces";
+  if (count > most || data.faces.size() > most) return "the mesh has more than 2^31 - 1 vertices or faces";
+  if (!data.normals.empty() && data.normals.size() != count)
+    return fmt::format("{} normals for {} vertices", data.normals.size(), count);
+  if (!data.uvs.empty() && data.uvs.size() != count)
+    return fmt::format("{} texture coordinates for {} vertices", data.uvs.size(), count);
+  for (std::size_t i = 0; i < data.faces.size(); ++i)
+    for (const int v : data.faces[i])
+      if (v < 0 || static_cast<std::size_t>(v) >= count)
+        return fmt::format("face {} refers to vertex {}, but the mesh has vertices 0 to {}", i, v,
+                           static_cast<long>(count) - 1);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!is_finite(data.vertices[i])) return fmt::format("vertex {} is not finite", i);
+  return std::nullopt;
+}
+
+TriangleMesh::TriangleMesh(MeshData data) : data_(std::move(data)) {
+  if (const auto fault = fault_of(data_)) throw std::invalid_argument(*fault);
+  if (data_.normals.empty()) return;
+  for (Vec3& n : data_.normals) n = length2(n) > 0 && is_finite(n) ? normalize(n) : Vec3{};
+  for (Face& f : data_.faces) {
+    const Vec3 side = at(data_.normals, f[0]) + at(data_.normals, f[1]) + at(data_.normals, f[2]);
+    const DoubleVec3 n = area_vector(at(data_.vertices, f[0]), at(data_.vertices, f[1]), at(data_.vertices, f[2]));
+    if (dot(n, widen(side)) < 0) std::swap(f[1], f[2]);
+  }
+}
+
+TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
+  MeshData world = data_;
+  for (Vec3& p : world.vertices) p = to_world.point(p);
+  for (Vec3& n : world.normals) n = to_world.normal(n);
+  if (to_world.swaps_handedness())
+    for (Face& f : world.faces) std::swap(f[1], f[2]);
+  return TriangleMesh(std::move(world));
+}
+
+std::size_t TriangleMesh::memory() const {
+  return sizeof *this + (data_.vertices.capacity() + data_.normals.capacity()) * sizeof(Vec3) +
+         data_.uvs.capacity() * sizeof(Vec2) + data_.faces.capacity() * sizeof(Face);
+}
+
+Bounds3 TriangleMesh::bounds(int primitive) const {
+  Bounds3 b;
+  for (int corner = 0; corner < 3; ++corner) b.add(vertex(primitive, corner));
+  return b;
+}
+
+std::optional<PrimitiveHit> TriangleMesh::intersect(int primitive, const Ray& ray) const {
+  return dspm::intersect(TriangleRay(ray), vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2), ray.t_max);
+}
+
+SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
+  const Vec3 &p0 = vertex(primitive, 0), &p1 = vertex(primitive, 1), &p2 = vertex(primitive, 2);
+  const Vec3 b{1 - uv.x - uv.y, uv.x, uv.y};
+  const Vec3 c0 = p0 * b.x, c1 = p1 * b.y, c2 = p2 * b.z;
+  const float size = std::max(max_component(abs(p1 - p0)), max_component(abs(p2 - p0)));
+  const float size_error = gamma_bound(kSizeRoundings) * size;
+
+  SurfacePoint s;
+  s.p = c0 + c1 + c2;
+  s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
+  s.ng = unit_normal(p0, p1, p2);
+  s.ns = shading_normal(primitive, b, s.ng);
+  if (data_.uvs.empty()) {  // then they are pbrt's: (0,0), (1,0), (1,1)
+    s.dpdu = p1 - p0;
+    s.uv = {b.y + b.z, b.z};
+  } else {
+    const auto t = corner_uvs(primitive);
+    s.dpdu = tangent(primitive, t, s.ng);
+    s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
+  }
+  return s;
+}
+
+std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
+  std::array<Vec2, 3> result;
+  for (int corner = 0; corner < 3; ++corner)
+    result[static_cast<std::size_t>(corner)] = data_.uvs[static_cast<std::size_t>(index(face, corner))];
+  return result;
+}
+
+// Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent where the texture coordinates are degenerate.
+Vec3 TriangleMesh::tangent(int face, const std::array<Vec2, 3>& t, const Vec3& ng) const {
+  const Vec2 uv02 = t[0] - t[2], uv12 = t[1] - t[2];
+  const Vec3 p02 = vertex(face, 0) - vertex(face, 2), p12 = vertex(face, 1) - vertex(face, 2);
+  const float determinant = uv02.x * uv12.y - uv02.y * uv12.x;
+  const Vec3 dpdu = (p02 * uv12.y - p12 * uv02.y) / determinant;
+  const bool usable = std::abs(determinant) > 1e-9f && is_finite(dpdu) && length2(cross(ng, dpdu)) > 0;
+  return usable ? dpdu : Basis::around(ng).x;
+}
+
+Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {
+  if (data_.normals.empty()) return ng;
+  const Vec3 n = at(data_.normals, index(face, 0)) * barycentrics.x +
+                 at(data_.normals, index(face, 1)) * barycentrics.y +
+                 at(data_.normals, index(face, 2)) * barycentrics.z;
+  return dot(n, ng) > 0 ? normalize(n) : ng;
+}
+
+float TriangleMesh::area(int primitive) const {
+  const DoubleVec3 n = area_vector(vertex(primitive, 0), vertex(primitive, 1), vertex(primitive, 2));
+  return static_cast<float>(0.5 * length(n));
+}
+
+Vec2 TriangleMesh::sample_area(int, Vec2 u) const { return uniform_triangle(u); }
+
+}  // namespace dspm

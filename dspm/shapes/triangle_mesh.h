@@ -1,0 +1,66 @@
+// Triangles with shared vertices: what every mesh file and every subdivision ends in, and the one shape that trees know
+// from inside. The order of a face's vertices tells its outside.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+/// Indices of a triangle's vertices.
+using Face = std::array<int, 3>;
+
+/// A mesh's plain data, as readers deliver it.
+struct MeshData {
+  std::vector<Vec3> vertices;
+  std::vector<Vec3> normals;  // one a vertex, any length, or none
+  std::vector<Vec2> uvs;      // one a vertex, or none
+  std::vector<Face> faces;
+};
+
+/// What makes `data` no mesh (an index out of range, a wrong count, a coordinate that is not finite), or nothing.
+std::optional<std::string> fault_of(const MeshData& data);
+
+class TriangleMesh final : public Shape {
+ public:
+  /// Throws std::invalid_argument with fault_of(data). Where there are normals, faces are turned to their side.
+  explicit TriangleMesh(MeshData data);
+
+  const std::vector<Vec3>& vertices() const { return data_.vertices; }
+  const std::vector<Vec3>& normals() const { return data_.normals; }  // unit length (or zero, as in the file)
+  const std::vector<Vec2>& uvs() const { return data_.uvs; }
+  const std::vector<Face>& faces() const { return data_.faces; }
+  const Vec3& vertex(int face, int corner) const {
+    return data_.vertices[static_cast<std::size_t>(index(face, corner))];
+  }
+  /// The mesh with its vertices in world space; its outside stays the outside where `to_world` mirrors.
+  TriangleMesh transformed(const Transform& to_world) const;
+  std::size_t memory() const;  // bytes
+
+  int primitive_count() const override { return static_cast<int>(data_.faces.size()); }
+  Bounds3 bounds(int primitive) const override;
+  std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const override;
+  SurfacePoint surface_point(int primitive, Vec2 uv) const override;
+  float area(int primitive) const override;
+  Vec2 sample_area(int primitive, Vec2 u) const override;
+  const TriangleMesh* triangles() const override { return this; }
+
+ private:
+  int index(int face, int corner) const {
+    return data_.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
+  }
+  std::array<Vec2, 3> corner_uvs(int face) const;
+  Vec3 tangent(int face, const std::array<Vec2, 3>& uvs, const Vec3& ng) const;
+  Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;
+
+  MeshData data_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,25 @@
+// Work that may be abandoned halfway: whoever holds a Cancellable guarantees that nothing is lost.
+#pragma once
+
+namespace dspm {
+
+/// Thrown by a loop that is abandoned; not an error.
+struct Cancelled {};
+
+/// From here on, loops within a Cancellable throw Cancelled until work is allowed again. Safe in signal handlers.
+void cancel_work();
+void allow_work();
+
+/// While it lives, loops (system/parallel.h) may be abandoned and their work so far discarded. One at a time.
+class Cancellable {
+ public:
+  Cancellable();
+  ~Cancellable();
+  Cancellable(const Cancellable&) = delete;
+  Cancellable& operator=(const Cancellable&) = delete;
+
+  /// Whether the calling loop should stop.
+  static bool is_cancelled();
+};
+
+}  // namespace dspm

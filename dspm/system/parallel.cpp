@@ -1,0 +1,103 @@
+#include "dspm/system/parallel.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "dspm/system/cancellation.h"
+#include "dspm/system/thread_sanitizer.h"
+
+#ifdef DSPM_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+extern "C" const char* __tsan_default_suppressions() { return dspm::kNotJudged; }
+#endif
+
+namespace dspm {
+
+namespace {
+
+ThreadLimit* innermost_limit = nullptr;
+
+// The thread sanitizer does not see how TBB orders threads, because the library is not built for it. So this file is
+// not instrumented (CMakeLists.txt) and states the order itself: seen_after(event) follows done_before(event).
+#ifdef DSPM_THREAD_SANITIZER
+void done_before(char& event) { __tsan_release(&event); }
+void seen_after(char& event) { __tsan_acquire(&event); }
+#else
+void done_before(char&) {}
+void seen_after(char&) {}
+#endif
+
+/// Lives as long as a loop: its chunks see all work before it, and the code after it sees all of theirs.
+class LoopOrder {
+ public:
+  LoopOrder() { done_before(started_); }
+  ~LoopOrder() { seen_after(ended_); }
+  LoopOrder(const LoopOrder&) = delete;
+  LoopOrder& operator=(const LoopOrder&) = delete;
+
+  /// Lives as long as a chunk runs.
+  class Chunk {
+   public:
+    explicit Chunk(LoopOrder& loop) : loop_(loop) { seen_after(loop_.started_); }
+    ~Chunk() { done_before(loop_.ended_); }
+    Chunk(const Chunk&) = delete;
+    Chunk& operator=(const Chunk&) = delete;
+
+   private:
+    LoopOrder& loop_;
+  };
+
+ private:
+  char started_ = 0, ended_ = 0;
+};
+
+}  // namespace
+
+// The control raises or lowers the total number of threads; the arena limits how many of them a loop gets.
+struct ThreadLimit::Arena {
+  explicit Arena(int threads)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+  tbb::global_control control;
+  tbb::task_arena arena;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : arena_(std::make_unique<Arena>(threads > 0 ? threads : tbb::info::default_concurrency())),
+      outer_(innermost_limit) {
+  innermost_limit = this;
+}
+
+ThreadLimit::~ThreadLimit() { innermost_limit = outer_; }
+
+int thread_count() {
+  return innermost_limit != nullptr ? innermost_limit->arena_->arena.max_concurrency()
+                                    : tbb::this_task_arena::max_concurrency();
+}
+
+void detail::run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context) {
+  LoopOrder order;
+  const auto run_some = [&](const tbb::blocked_range<std::int64_t>& chunks) {
+    for (std::int64_t c = chunks.begin(); c < chunks.end(); ++c) {
+      const LoopOrder::Chunk chunk(order);
+      if (Cancellable::is_cancelled()) throw Cancelled{};
+      body(context, c * grain, std::min(c * grain + grain, count));
+    }
+  };
+  const auto run_all = [&] {
+    const tbb::blocked_range<std::int64_t> chunks(0, chunk_count(count, grain));
+    tbb::parallel_for(chunks, run_some, tbb::simple_partitioner());
+  };
+  if (innermost_limit != nullptr) {
+    innermost_limit->arena_->arena.execute(run_all);
+  } else {
+    run_all();
+  }
+}
+
+}  // namespace dspm

@@ -1,0 +1,22 @@
+// Reads whole files into memory; every file that dspm reads comes in here. Their size is bounded, so that neither a
+// device nor a few bytes of gzip exhaust the machine's memory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace dspm {
+
+/// Unchanged. Throws std::runtime_error with a sentence that does not name the file.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Likewise; gzip-compressed files are expanded, whatever their name.
+std::string read_file(const std::filesystem::path& path);
+
+/// Likewise; "-" is standard input.
+std::string read_input(const std::string& name);
+
+/// The data itself if it is not compressed; throws std::runtime_error if it is damaged, ends early or expands too much.
+std::string expand_gzip(std::string data);
+
+}  // namespace dspm

@@ -1,0 +1,25 @@
+// How far two images are apart, over all pixels and channels; for tests, and for those who test with dspm.
+#pragma once
+
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+Rgb mean(const Image& image);
+/// Images of different size are std::invalid_argument, here and below.
+double root_mean_squared_error(const Image& image, const Image& reference);
+/// The mean of (a - b)^2 / (b^2 + 0.01), b being the reference.
+double relative_mean_squared_error(const Image& image, const Image& reference);
+double max_difference(const Image& image, const Image& reference);
+
+/// What lies in one square of a grid over the image (less at the right and lower border).
+struct TileMeans {
+  int x, y;  // the upper left pixel
+  Rgb image, reference;
+};
+std::vector<TileMeans> compare_tiles(const Image& image, const Image& reference, int tile_size);
+
+}  // namespace dspm

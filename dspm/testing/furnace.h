@@ -1,0 +1,19 @@
+// Furnaces: places where the light is so even that the answer is known.
+#pragma once
+
+#include <string>
+
+#include "dspm/testing/agreement.h"
+#include "dspm/testing/verdict.h"
+
+namespace dspm::test {
+
+/// Whether an integrator of all light finds 1 / (1 - albedo) in the closed furnace (see scenes.h), for several albedos.
+/// It must follow paths over some 40 surfaces: 0.8^40 is 0.013%.
+Verdict check_furnace(const std::string& integrator, int iterations, const Tolerance& tolerance = {});
+
+/// Whether the open furnace shows the albedo that the samples of the material's Bsdf have, whatever light it passes on.
+Verdict check_open_furnace(const std::string& material, const std::string& integrator = "\"path\"", int iterations = 16,
+                           const Tolerance& tolerance = {});
+
+}  // namespace dspm::test

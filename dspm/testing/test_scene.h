@@ -1,0 +1,53 @@
+// A scene's text with everything made from it, as dspm itself makes it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/image/image.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+// For dspm's own tests: the headers are not installed.
+struct Job;
+struct Choices;
+class World;
+
+namespace test {
+
+/// What is wrong with the text is a SceneError.
+class TestScene {
+ public:
+  /// Files that the text names are looked for beside `name`.
+  explicit TestScene(std::string text, const std::string& name = "test.dsc");
+  TestScene(std::string text, const Choices& choices, const std::string& name = "test.dsc");
+  ~TestScene();
+
+  int frame_count() const;
+  std::vector<Frame> all_frames() const;
+  /// Those that the integrator renders together: all, or each alone.
+  std::vector<std::vector<Frame>> intervals() const;
+
+  std::unique_ptr<Scene> scene(const std::vector<Frame>& frames) const;
+  /// The scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
+  std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0);
+
+  /// One frame alone after that many iterations.
+  Image render(Frame frame, int iterations, const std::string& name = {});
+  /// All frames, interval by interval.
+  std::vector<Image> render_all(int iterations);
+
+  const Job& job() const;
+  const World& world() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace test
+}  // namespace dspm

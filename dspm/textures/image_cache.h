@@ -1,0 +1,27 @@
+// Pictures that several textures, or one texture in several frames, share: each file is read once an encoding, as long
+// as a texture holds it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+class ImageCache {
+ public:
+  /// Throws std::runtime_error as read_image does.
+  std::shared_ptr<const Image> read(const std::filesystem::path& path, const ColorEncoding& encoding);
+  /// How many are held by textures.
+  int alive() const;
+
+ private:
+  using Key = std::tuple<std::string, ColorEncoding::Kind, float>;
+  std::map<Key, std::weak_ptr<const Image>> images_;
+};
+
+}  // namespace dspm

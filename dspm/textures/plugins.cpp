@@ -1,0 +1,59 @@
+#include "dspm/textures/plugins.h"
+
+#include <type_traits>
+
+#include "dspm/colour/rgb.h"
+
+namespace dspm {
+
+// One file a texture; each makes both kinds.
+template <class T>
+TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_constant(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_mix(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context);
+
+template <class T>
+PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
+  static PluginTable<Plugin<MakeTexture<T>>> table(
+      "texture",
+      {
+          {"checkerboard", "two textures in alternating squares or cubes", make_checkerboard<T>},
+          {"constant", "one value everywhere", make_constant<T>},
+          {"imagemap", "a picture, or one a frame", make_imagemap<T>},
+          {"mix", "a blend of two textures", make_mix<T>},
+          {"scale", "a texture times another", make_scale<T>},
+      },
+      {"bilerp", "directionmix", "dots", "fbm", "marble", "ptex", "windy", "wrinkled"});
+  return table;
+}
+
+template <class T>
+TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const TextureContext& context) {
+  if (const auto* plugin = texture_plugins<T>().find(type, reader.where(), reader.diagnostics()))
+    return plugin->make(reader, context);
+  return std::make_shared<ConstantTexture<T>>(T(0.5f));
+}
+
+template <class T>
+ValueOrTexture<T> value_or_texture(ParamReader& reader, std::string_view name, float fallback,
+                                   std::string_view sentence) {
+  if constexpr (std::is_same_v<T, float>)
+    return reader.number_or_texture(name, fallback, {}, sentence);
+  else
+    return reader.rgb_or_texture(name, Rgb(fallback), SpectrumRole::albedo, sentence);
+}
+
+template PluginTable<Plugin<MakeTexture<float>>>& texture_plugins<float>();
+template PluginTable<Plugin<MakeTexture<Rgb>>>& texture_plugins<Rgb>();
+template TexturePtr<float> make_texture<float>(std::string_view, ParamReader&, const TextureContext&);
+template TexturePtr<Rgb> make_texture<Rgb>(std::string_view, ParamReader&, const TextureContext&);
+template ValueOrTexture<float> value_or_texture<float>(ParamReader&, std::string_view, float, std::string_view);
+template ValueOrTexture<Rgb> value_or_texture<Rgb>(ParamReader&, std::string_view, float, std::string_view);
+
+}  // namespace dspm

@@ -1,0 +1,38 @@
+// The textures that there are, and what their factories need to know.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "dspm/math/transform.h"
+#include "dspm/params/params.h"
+#include "dspm/params/registry.h"
+#include "dspm/textures/image_cache.h"
+#include "dspm/textures/texture_set.h"
+
+namespace dspm {
+
+struct TextureContext {
+  const TextureSet& textures;  // those defined so far
+  Transform world_from_texture;
+  ImageCache& images;
+};
+
+/// A factory; T is float for "float" textures and Rgb for "spectrum" textures.
+template <class T>
+using MakeTexture = TexturePtr<T>(ParamReader& reader, const TextureContext& context);
+
+template <class T>
+PluginTable<Plugin<MakeTexture<T>>>& texture_plugins();
+
+/// The texture of that type, never null: after an error, or where --lenient lets pass what is not built, a grey one.
+template <class T>
+TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const TextureContext& context);
+
+/// A parameter that is a number or, in a texture of colours, a colour; or a texture of those.
+template <class T>
+ValueOrTexture<T> value_or_texture(ParamReader& reader, std::string_view name, float fallback,
+                                   std::string_view sentence);
+
+}  // namespace dspm

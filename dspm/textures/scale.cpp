@@ -1,0 +1,48 @@
+// A texture times a texture of numbers.
+//
+//   Texture "faded" "spectrum" "scale" "texture tex" "wood" "float scale" .5
+//
+//   | tex   | 1 | what is scaled            |
+//   | scale | 1 | by how much; float always |
+#include "dspm/colour/rgb.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/plugins.h"
+
+namespace dspm {
+namespace {
+
+template <class T>
+class ScaleTexture final : public Texture<T> {
+ public:
+  ScaleTexture(TexturePtr<T> texture, TexturePtr<float> scale)
+      : texture_(std::move(texture)), scale_(std::move(scale)) {}
+
+  T evaluate(const TexturePoint& at) const override { return texture_->evaluate(at) * scale_->evaluate(at); }
+
+  std::optional<T> constant() const override {
+    const auto value = texture_->constant();
+    const auto scale = scale_->constant();
+    return value && scale ? std::optional<T>(*value * *scale) : std::nullopt;
+  }
+
+ private:
+  TexturePtr<T> texture_;
+  TexturePtr<float> scale_;
+};
+
+}  // namespace
+
+template <class T>
+TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context) {
+  const auto texture = value_or_texture<T>(reader, "tex", 1, "what is scaled");
+  const auto scale = reader.number_or_texture("scale", 1, {}, "by how much");
+  reader.finish();
+  Diagnostics& diagnostics = reader.diagnostics();
+  return std::make_shared<ScaleTexture<T>>(texture_of(texture, context.textures, diagnostics),
+                                           texture_of(scale, context.textures, diagnostics));
+}
+
+template TexturePtr<float> make_scale<float>(ParamReader&, const TextureContext&);
+template TexturePtr<Rgb> make_scale<Rgb>(ParamReader&, const TextureContext&);
+
+}  // namespace dspm

@@ -1,0 +1,44 @@
+// A texture: a value that depends on where on a surface it is asked for. Materials hold textures; a plain number in the
+// scene becomes a texture that is the same everywhere.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+struct TexturePoint {
+  Vec3 p;  // in the world
+  Vec2 uv;
+};
+
+template <class T>
+class Texture {
+ public:
+  virtual ~Texture() = default;
+  virtual T evaluate(const TexturePoint& at) const = 0;
+  /// The value, where it is the same everywhere. For asking once, when a material is made.
+  virtual std::optional<T> constant() const { return std::nullopt; }
+};
+using FloatTexture = Texture<float>;
+using RgbTexture = Texture<Rgb>;
+
+/// Textures are shared: by materials, by other textures and between frames.
+template <class T>
+using TexturePtr = std::shared_ptr<const Texture<T>>;
+
+template <class T>
+class ConstantTexture final : public Texture<T> {
+ public:
+  explicit ConstantTexture(const T& value) : value_(value) {}
+  T evaluate(const TexturePoint&) const override { return value_; }
+  std::optional<T> constant() const override { return value_; }
+
+ private:
+  T value_;
+};
+
+}  // namespace dspm

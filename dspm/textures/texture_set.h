@@ -1,0 +1,61 @@
+// A scene's textures by name. Textures of numbers and of colours have names of their own kind, as in pbrt.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/params/errors.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/texture.h"
+
+namespace dspm {
+
+class TextureSet {
+ public:
+  /// A texture of the same name and kind is replaced; those who hold it keep it.
+  template <class T>
+  void add(std::string name, TexturePtr<T> texture) {
+    textures<T>()[std::move(name)] = std::move(texture);
+  }
+
+  /// Null where there is none.
+  template <class T>
+  TexturePtr<T> find(std::string_view name) const {
+    const auto found = textures<T>().find(name);
+    return found == textures<T>().end() ? nullptr : found->second;
+  }
+
+  template <class T>
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, texture] : textures<T>()) names.push_back(name);
+    return names;
+  }
+
+ private:
+  template <class T>
+  using ByName = std::map<std::string, TexturePtr<T>, std::less<>>;
+
+  template <class T>
+  const ByName<T>& textures() const {
+    return std::get<ByName<T>>(kinds_);
+  }
+  template <class T>
+  ByName<T>& textures() {
+    return std::get<ByName<T>>(kinds_);
+  }
+
+  std::tuple<ByName<float>, ByName<Rgb>> kinds_;
+};
+
+/// The texture that a parameter names, else one of its constant value; T is float or Rgb. An unknown name is an error
+/// where it stands; the constant then takes its place, so that the result is never null.
+template <class T>
+TexturePtr<T> texture_of(const ValueOrTexture<T>& parameter, const TextureSet& textures, Diagnostics& diagnostics);
+
+}  // namespace dspm

@@ -1,0 +1,60 @@
+#include "dspm/world/frame_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/lang/glob.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/errors.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::size_t kNamesListed = 10;
+
+/// A way out for who chose none.
+std::string names_in_words(const std::string& pattern, const std::vector<Combination>& combinations) {
+  std::vector<std::string> names;
+  for (const Combination& each : combinations) names.push_back(each.name);
+  if (const std::string guess = did_you_mean(pattern, names); !guess.empty()) return guess;
+  std::string list = "there are: ";
+  for (std::size_t i = 0; i < std::min(names.size(), kNamesListed); ++i) list += (i > 0 ? ", " : "") + names[i];
+  return list + (names.size() > kNamesListed ? ", ... (--list-variations prints all)" : "");
+}
+
+std::vector<bool> chosen_variations(const SceneDescription& description, const std::vector<std::string>& patterns) {
+  const std::vector<Combination>& combinations = description.frames.combinations();
+  std::vector<bool> chosen(combinations.size(), patterns.empty());
+  for (const std::string& pattern : patterns) {
+    if (description.axes.empty()) throw UsageError(fmt::format("--variation {}: the scene has no variations", pattern));
+    const Glob glob(pattern);
+    bool any = false;
+    for (std::size_t c = 0; c < combinations.size(); ++c)
+      if (glob.matches(combinations[c].name)) any = chosen[c] = true;
+    if (any) continue;
+    // Of more combinations than are made, only those that another pattern chose are there.
+    throw UsageError(fmt::format("--variation {}: there is no such variation{}", pattern,
+                                 combinations.empty() ? "" : "; " + names_in_words(pattern, combinations)));
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<Frame> chosen_frames(const SceneDescription& description, const Choices& choices) {
+  const FileFrames& file = description.frames;
+  if (!choices.frames.empty() && choices.frames.back() >= file.moments())
+    throw UsageError(
+        fmt::format("--frames: there is no frame {}, the last one is {}", choices.frames.back() + 1, file.moments()));
+  const std::vector<bool> chosen = chosen_variations(description, choices.variations);
+  std::vector<Frame> frames;
+  for (Frame f = 0; f < file.count(); ++f) {
+    const bool in_time =
+        choices.frames.empty() || std::binary_search(choices.frames.begin(), choices.frames.end(), file.moment(f));
+    if (in_time && chosen[file.combination_of(f)]) frames.push_back(f);
+  }
+  return frames;
+}
+
+}  // namespace dspm

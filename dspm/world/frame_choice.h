@@ -1,0 +1,15 @@
+// Which of a file's frames are rendered: --variation and --frames.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
+#include "dspm/world/choices.h"
+
+namespace dspm {
+
+/// Ascending. Throws UsageError where an option chooses none, with the names that may have been meant.
+std::vector<Frame> chosen_frames(const SceneDescription& description, const Choices& choices);
+
+}  // namespace dspm

@@ -1,0 +1,182 @@
+#include "dspm/world/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/shapes/mesh_check.h"
+#include "dspm/shapes/mesh_repair.h"
+#include "dspm/shapes/triangle_mesh.h"
+#include "dspm/world/variations.h"
+
+namespace dspm {
+namespace {
+
+using ShapeParts = std::vector<ShapePart>;
+
+/// The shapes that a directive's parameters yield, state by state.
+Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
+  const bool keyed = params.is_keyed();
+  return Timeline<ParamList>::of_moments(
+      frames, present, [&](Frame moment) { return keyed ? params.at(moment) : params; },
+      [&](const ParamList& a, const ParamList& b) { return !keyed || a.same_values(b); });
+}
+
+Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
+                             const std::vector<bool>& present) {
+  return Timeline<Matrix4>::of_moments(
+      frames, present,
+      [&](Frame moment) {
+        const Matrix4 own = use.world_from_object.at(moment);
+        return instance ? instance->world_from_instance.at(moment) * own : own;
+      },
+      [](const Matrix4& a, const Matrix4& b) { return a == b; });
+}
+
+std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
+
+}  // namespace
+
+/// One Shape directive: its geometry in its own space, state by state, and the materials of its parts.
+struct Geometry::Source {
+  Timeline<ParamList> params;
+  std::vector<ShapeParts> parts;                                  // by state of `params`
+  std::vector<int> materials;                                     // by part
+  std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and part: shared by all places
+};
+
+Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
+    : description_(description), looks_(looks), diagnostics_(diagnostics), check_meshes_(check_meshes) {
+  for (const ShapeUse& use : description.shapes) add_source(use, {});
+  std::map<std::string, std::vector<const ObjectUse*>> uses;
+  for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
+  refuse_unknown_objects();
+  for (const ObjectDefinition& object : description.objects)
+    if (const auto found = uses.find(object.name); found != uses.end())
+      for (const ShapeUse& shape : object.shapes) add_source(shape, found->second);
+  for (const WorldShape& shape : shapes_)
+    for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+}
+
+void Geometry::refuse_unknown_objects() {
+  std::vector<std::string> names;
+  for (const ObjectDefinition& object : description_.objects) names.push_back(object.name);
+  for (const ObjectUse& use : description_.instances)
+    if (std::find(names.begin(), names.end(), use.name) == names.end())
+      diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name),
+                         did_you_mean(use.name, names));
+}
+
+void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {
+  const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
+  if (!plugin) return;
+  Source source;
+  source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));
+  const int errors = diagnostics_.error_count();
+  for (const ParamList& params : source.params.states) {
+    ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
+    source.parts.push_back(plugin->make(reader));
+    if (diagnostics_.error_count() > errors) return;
+  }
+  if (source.parts.empty()) return;
+  for (const ShapePart& part : source.parts.front())
+    source.materials.push_back(part.material ? looks_.add(*part.material, use.where) : looks_.find(use.material));
+  for (const ShapeParts& parts : source.parts)
+    if (parts.size() != source.materials.size())
+      return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
+  check(use, source);
+  for (ShapeParts& parts : source.parts) {
+    auto& shapes = source.shapes.emplace_back();
+    for (ShapePart& part : parts) shapes.emplace_back(std::move(part.shape));
+  }
+  if (instances.empty()) return place(use, nullptr, source, true);
+  for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
+}
+
+/// A mesh that bounds a body should be closed: what is wrong is said once for the whole sequence, and repaired in all
+/// of its frames alike where the scene asks for it.
+void Geometry::check(const ShapeUse& use, Source& source) {
+  for (std::size_t p = 0; p < source.materials.size(); ++p) {
+    ShapePart& first = source.parts.front()[p];
+    const TriangleMesh* mesh = first.shape->triangles();
+    const int material = source.materials[p];
+    if (!mesh || material < 0) continue;
+    const bool body = looks_.bounds_a_body(material);
+    if (first.repair) {
+      const RepairPlan plan = plan_repair(*mesh);
+      const auto faces = mesh->faces();
+      for (ShapeParts& parts : source.parts) {
+        const TriangleMesh* other = parts[p].shape->triangles();
+        if (!other) continue;
+        const bool same_topology = other->faces() == faces;
+        parts[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
+      }
+      mesh = source.parts.front()[p].shape->triangles();
+    }
+    if (!body || !check_meshes_) continue;
+    for (const std::string& fault : describe(check_mesh(*mesh)))
+      diagnostics_.warning(
+          use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
+          first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
+  }
+}
+
+void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
+  std::vector<bool> present(source.params.state_of.size());
+  for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
+  if (instance && instance->dynamic_block >= 0) {
+    const std::vector<bool> there = presence(description_, instance->dynamic_block);
+    for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
+  }
+  const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
+  // A state of the geometry and a placement: the same shape at two places is two, so is one place with two geometries.
+  using Place = std::pair<int, int>;
+  const auto places = Timeline<Place>::of(
+      static_cast<int>(present.size()),
+      [&](Frame f) -> std::optional<Place> {
+        if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
+        return Place{source.params.at(f), matrices.at(f)};
+      },
+      [](const Place& a, const Place& b) { return a == b; });
+
+  std::vector<int> uses_of_state(source.shapes.size(), 0);
+  for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
+  for (std::size_t part = 0; part < source.materials.size(); ++part) {
+    Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)],
+                    {}};
+    const std::size_t first = shapes_.size();
+    for (const auto& [state, matrix] : places.states) {
+      std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][part];
+      Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
+      // What stays at one place goes into the world's space; what moves rigidly, or is there many times, is stored
+      // once.
+      if (alone && uses_of_state[static_cast<std::size_t>(state)] == 1 && shape->triangles()) {
+        if (!to_world.is_identity()) shape = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
+        to_world = Transform();
+      }
+      WorldShape& world = shapes_.emplace_back();
+      owned_.push_back(shape);
+      world.use = &use;
+      world.placed.shape = shape.get();
+      world.placed.to_world = to_world;
+      world.placed.to_world_is_identity = to_world.is_identity();
+      world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
+      world.placed.material = source.materials[part];
+      world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
+      world.present.resize(present.size());
+      if (emitter.use) {
+        world.emitter = static_cast<int>(emitters_.size());
+        emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
+      }
+    }
+    for (std::size_t f = 0; f < present.size(); ++f)
+      if (const int state = places.state_of[f]; state >= 0)
+        shapes_[first + static_cast<std::size_t>(state)].present[f] = true;
+    if (emitter.use) emitters_.push_back(std::move(emitter));
+  }
+}
+
+}  // namespace dspm

@@ -1,0 +1,54 @@
+// The shapes of a scene at all their places over the frames of the file.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/shapes/placed_shape.h"
+#include "dspm/world/looks.h"
+
+namespace dspm {
+
+/// A shape at one place, and when it is there.
+struct WorldShape {
+  PlacedShape placed;         // `frames` and `light` are left to the scene that is cut
+  std::vector<bool> present;  // by frame of the file
+  int emitter = -1;           // which of Geometry::emitters it belongs to
+  int dynamic_block = -1;     // of the description; -1: static
+  const ShapeUse* use = nullptr;
+};
+
+/// A thing that emits: the places of one part of one shape directive, with its AreaLightSource.
+struct Emitter {
+  const AreaLightUse* use;
+  std::vector<int> shapes;  // into Geometry::shapes, disjoint in frames
+};
+
+class Geometry {
+ public:
+  Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics);
+
+  const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses stay
+  const std::vector<Emitter>& emitters() const { return emitters_; }
+  const Bounds3& bounds() const { return bounds_; }  // over all frames
+
+ private:
+  struct Source;
+  void refuse_unknown_objects();
+  void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances);
+  void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
+  void check(const ShapeUse& use, Source& source);
+
+  const SceneDescription& description_;
+  Looks& looks_;
+  Diagnostics& diagnostics_;
+  bool check_meshes_;
+  std::deque<WorldShape> shapes_;
+  std::vector<std::shared_ptr<const Shape>> owned_;
+  std::vector<Emitter> emitters_;
+  Bounds3 bounds_;
+};
+
+}  // namespace dspm

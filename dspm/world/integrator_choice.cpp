@@ -1,0 +1,95 @@
+#include "dspm/world/integrator_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+/// pbrt's integrators that compute what `path` does where there is no medium.
+constexpr std::string_view kPathLike[] = {"volpath", "simplepath", "simplevolpath"};
+constexpr std::string_view kPhotonsAlias = "photonsperiteration";
+
+bool knows(const std::vector<ParamInfo>& described, std::string_view name) {
+  if (name == kPhotonsAlias) name = "photons";
+  return std::any_of(described.begin(), described.end(), [&](const ParamInfo& info) { return info.name == name; });
+}
+
+void set_integer(ParamList& list, std::string_view name, int value) {
+  std::erase_if(list.params, [&](const Param& param) { return param.name == name; });
+  Param param;
+  param.type = ParamType::integer;
+  param.name = name;
+  param.values = std::vector<int>{value};
+  list.params.push_back(std::move(param));
+}
+
+/// The plugin for the scene's own directive.
+const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
+  const bool path_like = is_name_of_path(use.type) && integrator_plugins().find(use.type) == nullptr;
+  if (path_like) diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"path\"", use.type));
+  return integrator_plugins().find(path_like ? "path" : use.type, use.type_where, diagnostics);
+}
+
+void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrator>& plugin,
+                const std::vector<ParamInfo>& described, Diagnostics& diagnostics) {
+  std::erase_if(list.params, [&](const Param& param) {
+    if (knows(described, param.name)) return false;
+    diagnostics.note(param.where, fmt::format("\"{}\" of integrator \"{}\" has no effect: \"{}\" renders", param.name,
+                                              use.type, plugin.name));
+    return true;
+  });
+}
+
+}  // namespace
+
+bool is_name_of_path(std::string_view name) {
+  return std::find(std::begin(kPathLike), std::end(kPathLike), name) != std::end(kPathLike);
+}
+
+std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin) {
+  return describe(plugin, Scene{}, RenderSettings{});
+}
+
+int integer_of(const ParamList& list, std::string_view name, int fallback) {
+  const Param* param = list.find(name);
+  const auto* values = param != nullptr ? std::get_if<std::vector<int>>(&param->values) : nullptr;
+  return values != nullptr && values->size() == 1 ? values->front() : fallback;
+}
+
+IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
+                                   Diagnostics& diagnostics) {
+  IntegratorChoice choice;
+  const std::optional<PluginUse>& use = description.integrator;
+  const auto by_name = [](const std::string& name) { return find_by_option(integrator_plugins(), "integrator", name); };
+  const char* usual = description.dialect == Dialect::dsc ? "dsppm" : "path";
+  if (use) choice.where = use->where;
+  if (!choices.integrator.empty()) {
+    choice.plugin = by_name(choices.integrator);
+  } else if (use) {
+    choice.plugin = find_by_directive(*use, diagnostics);
+    if (choice.plugin == nullptr && diagnostics.lenient()) choice.plugin = by_name("path");
+  } else {
+    choice.plugin = by_name(usual);
+  }
+  if (choice.plugin == nullptr) return choice;
+
+  const std::vector<ParamInfo> described = params_of(*choice.plugin);
+  if (use) {
+    choice.params = use->params;
+    if (use->type != choice.plugin->name) keep_known(choice.params, *use, *choice.plugin, described, diagnostics);
+  }
+  if (choices.photons) {
+    if (!knows(described, "photons"))
+      throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));
+    std::erase_if(choice.params.params, [](const Param& param) { return param.name == kPhotonsAlias; });
+    set_integer(choice.params, "photons", *choices.photons);
+  }
+  return choice;
+}
+
+}  // namespace dspm

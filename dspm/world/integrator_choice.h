@@ -1,0 +1,40 @@
+// Which integrator renders a scene, and with which parameters: dspm's rules for pbrt's names.
+#pragma once
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/lang/description.h"
+#include "dspm/params/params.h"
+#include "dspm/world/choices.h"
+
+namespace dspm {
+
+struct IntegratorChoice {
+  const IntegratorPlugin* plugin = nullptr;  // null: after an error
+  ParamList params;
+  SourceLocation where;
+};
+
+/// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. Parameters that were meant
+/// for another integrator than the one used are left out where this one does not know them.
+IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
+                                   Diagnostics& diagnostics);
+
+/// Names of pbrt's that "path" answers to where no plugin has them.
+bool is_name_of_path(std::string_view name);
+
+/// How the integrator describes its parameters.
+std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
+
+/// The plugin that the option names; UsageError where there is none.
+template <class AnyPlugin>
+const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const char* option, const std::string& name) {
+  Diagnostics diagnostics;
+  const AnyPlugin* plugin = plugins.find(name, {}, diagnostics);
+  if (plugin != nullptr) return plugin;
+  throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
+}
+
+/// The value of an integer parameter of the list, `fallback` where it is absent.
+int integer_of(const ParamList& list, std::string_view name, int fallback);
+
+}  // namespace dspm

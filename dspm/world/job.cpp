@@ -1,0 +1,190 @@
+#include "dspm/world/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/readable.h"
+#include "dspm/world/frame_choice.h"
+#include "dspm/world/integrator_choice.h"
+
+namespace dspm {
+namespace {
+
+/// What the Sampler directive tells dspm, which has a sequence of its own.
+struct SamplerSettings {
+  std::optional<int> pixel_samples, seed;
+};
+
+SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics) {
+  static const std::vector<std::string> kNames = {"zsobol",  "paddedsobol", "sobol",     "halton",
+                                                  "pmj02bn", "independent", "stratified"};
+  if (!use) return {};
+  if (std::find(kNames.begin(), kNames.end(), use->type) == kNames.end()) {
+    diagnostics.error(use->type_where, fmt::format("unknown sampler \"{}\"", use->type),
+                      did_you_mean(use->type, kNames));
+    return {};
+  }
+  diagnostics.note(use->where,
+                   fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
+  ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
+  SamplerSettings settings;
+  const int samples = reader.integer("pixelsamples", 0, "", "camera paths a pixel"),
+            seed = reader.integer("seed", 0, "", "of the random numbers");
+  const int across = reader.integer("xsamples", 4, "", "strata"), down = reader.integer("ysamples", 4, "", "strata");
+  reader.text("randomization", "", "without effect");
+  reader.flag("jitter", true, "without effect");
+  if (reader.has("pixelsamples")) settings.pixel_samples = samples;
+  if (use->type == "stratified" && (reader.has("xsamples") || reader.has("ysamples")))
+    settings.pixel_samples = across * down;
+  if (reader.has("seed")) settings.seed = seed;
+  if (settings.pixel_samples && *settings.pixel_samples < 1)
+    reader.error("pixelsamples", "there must be at least one sample");
+  reader.finish();
+  return settings;
+}
+
+/// The object that a directive before WorldBegin asks for, or that of the usual type.
+template <class Make>
+auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const std::optional<PluginUse>& use,
+              Diagnostics& diagnostics) {
+  static const PluginUse kNone;
+  const PluginUse& used = use ? *use : kNone;
+  const std::string& name = use ? use->type : usual;
+  const Plugin<Make>* plugin = plugins.find(name, used.type_where, diagnostics);
+  const bool replaced = plugin == nullptr;
+  if (replaced) plugin = &plugins.front();
+  const ParamList& params = replaced ? kNone.params : used.params;
+  ParamReader reader(params, fmt::format("{} \"{}\"", plugins.kind(), plugin->name), used.where, diagnostics);
+  return plugin->make(reader);
+}
+
+void check_crop(const FilmSettings& film, const SceneDescription& description, Diagnostics& diagnostics) {
+  const PixelRect crop = crop_of(film);
+  if (crop.empty())
+    throw UsageError(fmt::format("nothing is left of the image of {} x {} pixels", film.width, film.height));
+  if (crop.width() > static_cast<int>(kMaxPixels) / crop.height())
+    diagnostics.error(description.film ? description.film->where : SourceLocation(),
+                      fmt::format("{} x {} pixels are more than the {} million of the largest image", crop.width(),
+                                  crop.height(), kMaxPixels / 1'000'000),
+                      "--cropwindow renders a part of it");
+}
+
+FilmSettings make_film(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  const int errors = diagnostics.error_count();
+  FilmSettings film = *make_one(film_plugins(), "rgb", description.film, diagnostics);
+  if (choices.quick) make_quick(film);
+  if (!choices.outfile.empty()) film.filename = choices.outfile;
+  if (choices.half) film.save_half = *choices.half;
+  if (choices.crop_window) {
+    film.crop_window.emplace();
+    std::copy(choices.crop_window->begin(), choices.crop_window->end(), film.crop_window->begin());
+  } else if (choices.pixel_bounds) {
+    film.crop_window.reset();
+    film.pixel_bounds = choices.pixel_bounds;
+  }
+  if (diagnostics.error_count() == errors) check_crop(film, description, diagnostics);
+  return film;
+}
+
+float number_of(const ParamList& list, std::string_view name, float fallback) {
+  const Param* param = list.find(name);
+  const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
+  return values != nullptr && values->size() == 1 ? values->front() : fallback;
+}
+
+/// The camera's shutter is open from shutteropen to shutterclose.
+float shutter_seconds(const SceneDescription& description) {
+  if (!description.camera) return 1;
+  const ParamList params = description.camera->params.at(0);
+  const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
+  return seconds > 0 ? seconds : 1;
+}
+
+/// The command line's, else the scene's where dspm has it; pbrt's trees change nothing in the image.
+std::string accel_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  if (!choices.accel.empty()) return std::string(find_by_option(accel_plugins(), "accel", choices.accel)->name);
+  const std::optional<PluginUse>& use = description.accelerator;
+  if (!use) return {};
+  if (use->type != "bvh" && use->type != "kdtree") {
+    const auto* plugin = accel_plugins().find(use->type, use->type_where, diagnostics);
+    return plugin != nullptr ? use->type : std::string();
+  }
+  diagnostics.note(use->where, fmt::format("accelerator \"{}\" has no effect: dspm has its own", use->type));
+  return {};
+}
+
+/// Reports what is wrong with the integrator's parameters before there is a scene to make it for.
+void check_integrator(const Job& job, Diagnostics& diagnostics) {
+  ParamReader reader(job.params, fmt::format("integrator \"{}\"", job.integrator), job.where, diagnostics);
+  reader.only_check();
+  try {
+    job.plugin->make(reader, Scene{}, job.settings);
+  } catch (const DescribedEnough&) {}
+}
+
+}  // namespace
+
+std::string Job::frames_in_words() const {
+  std::set<std::size_t> variations;
+  for (const Frame frame : frames) variations.insert(description->frames.combination_of(frame));
+  if (description->axes.empty()) return counted(frames.size(), "frame");
+  const std::string in_words = counted(variations.size(), "variation");
+  return numbered ? fmt::format("{} ({})", counted(frames.size(), "frame"), in_words) : in_words;
+}
+
+int Job::iterations(const Integrator& made) const {
+  if (chosen_iterations) return *chosen_iterations;
+  const int asked = made.iterations();
+  return quick && asked > 0 ? std::max(1, asked / 4) : asked;
+}
+
+std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                                 std::size_t memory) const {
+  ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
+  RenderSettings bounded = settings;
+  bounded.memory = memory;
+  std::unique_ptr<Integrator> made = plugin->make(reader, scene, bounded);
+  if (made == nullptr && diagnostics.error_count() == 0)
+    diagnostics.error(where,
+                      fmt::format("integrator \"{}\" has made nothing: its factory returned null", plugin->name));
+  return made;
+}
+
+Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
+  Job job;
+  job.scene_file = description.files.empty() ? "-" : description.files.front()->name;
+  job.description = &description;
+  job.frames = chosen_frames(description, choices);
+  job.numbered = description.frames_where.file != nullptr;
+  job.fps = description.fps.value_or(0);
+  job.film = make_film(description, choices, diagnostics);
+  job.exposure = imaging_ratio(job.film, shutter_seconds(description));
+
+  IntegratorChoice choice = choose_integrator(description, choices, diagnostics);
+  job.plugin = choice.plugin;
+  job.integrator = choice.plugin != nullptr ? choice.plugin->name : "";
+  job.params = std::move(choice.params);
+  job.where = choice.where;
+
+  job.accel = accel_of(description, choices, diagnostics);
+  job.chosen_iterations = choices.iterations, job.quick = choices.quick;
+
+  const SamplerSettings sampler = read_sampler(description.sampler, diagnostics);
+  RenderSettings& settings = job.settings;
+  settings.width = job.film.width, settings.height = job.film.height;
+  settings.crop = crop_of(job.film);
+  settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
+  settings.jitter = !description.options.disable_pixel_jitter;
+  settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
+  const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
+  settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
+  if (job.plugin != nullptr) check_integrator(job, diagnostics);
+  return job;
+}
+
+}  // namespace dspm

@@ -1,0 +1,57 @@
+// What is to be rendered, and how: the scene's Film, PixelFilter, Sampler and Integrator with the caller's
+// choices on top. Everything that is not in the scene itself.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/film/film.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/errors.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/world/choices.h"
+
+namespace dspm {
+
+/// Where the scene names none.
+inline constexpr const char* kUsualPixelFilter = "gaussian";
+
+struct Job {
+  std::string scene_file;
+  const SceneDescription* description = nullptr;  // outlives the job
+  std::vector<Frame> frames;                      // of the file, ascending
+  bool numbered = false;                          // the images' names have the frame's number
+  double fps = 0;                                 // 0: no animation
+  FilmSettings film;
+  float exposure = 1;  // image values over radiance
+  RenderSettings settings;
+  std::string integrator;
+  const IntegratorPlugin* plugin = nullptr;
+  ParamList params;      // of the integrator
+  SourceLocation where;  // of the Integrator directive
+  std::string accel;     // a plugin's name; empty: the usual one
+  std::optional<int> chosen_iterations;
+  bool quick = false;  // a quarter of the iterations
+
+  /// The file's frame without its variation, counted from 0, and the variation's name; empty: there is none.
+  Frame moment(Frame frame) const { return description->frames.moment(frame); }
+  const std::string& variation(Frame frame) const { return description->frames.variation(frame); }
+  /// "25 frames", "8 variations" or "200 frames (8 variations)".
+  std::string frames_in_words() const;
+
+  /// To do in all: those that were chosen, else those of the integrator; 0: until stopped.
+  int iterations(const Integrator& made) const;
+  /// `memory`: bytes that it may hold, else it throws NotEnoughMemory; 0: no bound.
+  std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
+                                              std::size_t memory = 0) const;
+};
+
+/// What is wrong goes to `diagnostics`, what the command line got wrong about this scene is a UsageError.
+Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics);
+
+}  // namespace dspm

@@ -1,0 +1,162 @@
+#include "dspm/world/lighting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/world/variations.h"
+
+namespace dspm {
+namespace {
+
+/// What a light looks like in one frame, before it is made.
+struct LightState {
+  ParamList params;
+  Matrix4 placement;
+  int shape = -1;  // of an emitter, into Geometry::shapes
+
+  friend bool operator==(const LightState& a, const LightState& b) {
+    return a.shape == b.shape && a.placement == b.placement && a.params.same_values(b.params);
+  }
+};
+
+class LightMaker {
+ public:
+  LightMaker(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
+             Diagnostics& diagnostics)
+      : description_(description), geometry_(geometry), sphere_(sphere), diagnostics_(diagnostics) {}
+
+  std::optional<WorldLight> make(const LightUse& use) {
+    const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
+    if (!plugin) return std::nullopt;
+    const std::vector<bool> present = presence(description_, use.dynamic_block);
+    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
+      if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
+      return LightState{light_params(description_, use, use.name, f),
+                        use.world_from_light.at(description_.frames.moment(f))};
+    });
+    auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
+    if (!light) return light;
+    light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
+    light->is_delta = !light->infinite;
+    return light;
+  }
+
+  std::optional<WorldLight> make(const Emitter& emitter) {
+    const AreaLightUse& use = *emitter.use;
+    const auto* plugin = area_light_plugins().find(use.type, use.type_where, diagnostics_);
+    if (!plugin) return std::nullopt;
+    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
+      for (const int shape : emitter.shapes)
+        if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[static_cast<std::size_t>(f)])
+          return LightState{light_params(description_, use, use.name, f), {}, shape};
+      return std::nullopt;
+    });
+    return finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
+  }
+
+ private:
+  template <class At>
+  Timeline<LightState> timeline(At&& at) const {
+    return Timeline<LightState>::of(description_.frames.count(), at,
+                                    [](const LightState& a, const LightState& b) { return a == b; });
+  }
+
+  std::optional<WorldLight> finish(const PluginUse& use, std::string name, const Plugin<MakeLight>& plugin,
+                                   const Timeline<LightState>& states) {
+    WorldLight light;
+    light.name = std::move(name), light.use = &use;
+    light.states.state_of = states.state_of;
+    const int errors = diagnostics_.error_count();
+    for (const LightState& state : states.states) {
+      LightContext context;
+      context.to_world = Transform(state.placement);
+      context.scene_center = sphere_.center, context.scene_radius = sphere_.radius;
+      if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
+      ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
+      light.states.states.emplace_back(plugin.make(reader, context));
+      if (diagnostics_.error_count() > errors) return std::nullopt;
+    }
+    return light;
+  }
+
+  const SceneDescription& description_;
+  const Geometry& geometry_;
+  BoundingSphere sphere_;
+  Diagnostics& diagnostics_;
+};
+
+/// Over all frames of the file, so that a frame's photons do not depend on which others are rendered.
+std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<const Light>>& states) {
+  std::vector<std::vector<int>> groups;
+  const auto at = [&](int s) -> const Light& { return *states[static_cast<std::size_t>(s)]; };
+  const auto join = [&](int state) {
+    for (std::vector<int>& group : groups) {
+      if (at(state).starts_like(at(group.front()))) return group.push_back(state);
+      if (std::all_of(group.begin(), group.end(), [&](int s) { return at(s).starts_like(at(state)); })) {
+        group.insert(group.begin(), state);
+        return;
+      }
+    }
+    groups.push_back({state});
+  };
+  for (int s = 0; s < static_cast<int>(states.size()); ++s) join(s);
+  return groups;
+}
+
+float mean_power(const WorldLight& light) {
+  std::vector<float> power;
+  for (const auto& state : light.states.states) power.push_back(luminance(state->power()));
+  double sum = 0;
+  for (const int s : light.states.state_of) sum += s < 0 ? 0 : static_cast<double>(power[static_cast<std::size_t>(s)]);
+  return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
+}
+
+}  // namespace
+
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+                                    const BoundingSphere& sphere, Diagnostics& diagnostics) {
+  LightMaker maker(description, geometry, sphere, diagnostics);
+  std::vector<WorldLight> lights;
+  // One that could not be made leaves an empty place, so that emitters keep their numbers; its error stops the scene.
+  for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
+  for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
+  if (diagnostics.error_count() > 0) return lights;
+  double total = 0;
+  for (WorldLight& light : lights) {
+    light.probability = mean_power(light);
+    if (!std::isfinite(light.probability))
+      diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
+                        "make it darker, or the scene smaller");
+    total += static_cast<double>(light.probability);
+  }
+  for (WorldLight& light : lights) light.alike = group_alike(light.states.states);
+  for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;
+  return lights;
+}
+
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames) {
+  std::vector<SceneLight::Alike> all;
+  for (const std::vector<int>& group : light.alike) {
+    const auto state_of = [&](int s) { return light.states.states[static_cast<std::size_t>(s)]; };
+    SceneLight::Alike alike{state_of(group.front()), {}, {}};
+    bool by_place = false;
+    for (const int s : group) {
+      const FrameSet set = frames_in_state(light.states, s, frames);
+      if (set.empty()) continue;
+      alike.states.push_back({set, state_of(s)});
+      const auto ratio = state_of(s)->ratio_to(*alike.first);
+      by_place |= !ratio;
+      alike.factors.push_back({set, ratio.value_or(Rgb())});
+    }
+    if (by_place) alike.factors.clear();
+    if (!alike.states.empty()) all.push_back(std::move(alike));
+  }
+  return all;
+}
+
+}  // namespace dspm

@@ -1,0 +1,31 @@
+// The lights of a scene with their states over the frames of the file, and how often each is chosen.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dspm/lights/light.h"
+#include "dspm/math/frames.h"
+#include "dspm/world/bounding_sphere.h"
+#include "dspm/world/geometry.h"
+
+namespace dspm {
+
+struct WorldLight {
+  Timeline<std::shared_ptr<const Light>> states;
+  float probability = 0;                // in proportion to the mean power over all frames
+  std::vector<std::vector<int>> alike;  // its states in groups whose photons start as those of the first
+  bool infinite = false;
+  bool is_delta = false;  // neither infinite nor of a shape
+  std::string name;       // for messages
+  const PluginUse* use = nullptr;
+};
+
+/// The directives' lights, then the geometry's emitters in their order.
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+                                    const BoundingSphere& sphere, Diagnostics& diagnostics);
+
+/// See SceneLight::alike; of a light that exists in these frames of the file.
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames);
+
+}  // namespace dspm

@@ -1,0 +1,66 @@
+// A texture or a material by name: from what it is made in each frame of the file, and what of it is made just now.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/lang/description.h"
+#include "dspm/math/transform.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/texture.h"
+#include "dspm/world/timeline.h"
+
+namespace dspm {
+
+/// What the text says of a name: the scene's own definition first, then those that take its place.
+struct Definition {
+  struct Use {
+    const PluginUse* plugin;
+    const Motion* motion;  // null: has no place
+    bool is_keyed() const { return plugin->params.is_keyed() || (motion && motion->is_keyed()); }
+  };
+  std::vector<Use> uses;
+  std::vector<std::size_t> use_of;  // by combination of variations
+};
+
+/// Where two axes replace the same name, the later one has its way.
+Definition definition_of(const SceneDescription& scene, const MaterialUse& own);
+Definition definition_of(const SceneDescription& scene, const TextureUse& own);
+
+template <class T>
+struct Look;
+
+/// A texture that is named by parameters, in one of its states.
+template <class T>
+struct Ingredient {
+  std::string name;
+  const Look<Texture<T>>* look;
+  int state;
+  friend bool operator==(const Ingredient& a, const Ingredient& b) { return a.look == b.look && a.state == b.state; }
+};
+
+/// What a texture or material is made from; where it is equal, so is what is made.
+struct Recipe {
+  const PluginUse* use = nullptr;
+  ParamList params;  // of one moment
+  Matrix4 placement;
+  std::vector<Ingredient<float>> numbers;
+  std::vector<Ingredient<Rgb>> colours;
+  friend bool operator==(const Recipe& a, const Recipe& b) {
+    return a.use->type == b.use->type && a.placement == b.placement && a.numbers == b.numbers &&
+           a.colours == b.colours && a.params.same_values(b.params);
+  }
+};
+
+template <class T>
+struct Look {
+  Timeline<Recipe> recipes;
+  mutable std::vector<std::weak_ptr<const T>> made;  // by state
+  std::vector<std::shared_ptr<const T>> kept;        // what is held even if no scene does
+  std::vector<int> lookups;  // by state: of textures, for one of this texture; up to kMostLookups
+};
+
+}  // namespace dspm

@@ -1,0 +1,264 @@
+#include "dspm/world/looks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+Param param_of(ParamType type, std::string name, Param::Values values, const SourceLocation& where) {
+  Param param;
+  param.type = type, param.name = std::move(name), param.values = std::move(values);
+  param.where = param.values_where = where;
+  return param;
+}
+
+std::vector<std::string> named_textures(const ParamList& params) {
+  std::vector<std::string> names;
+  for (const Param& param : params.params)
+    if (param.type == ParamType::texture)
+      for (const std::string& name : std::get<std::vector<std::string>>(param.values)) names.push_back(name);
+  return names;
+}
+
+/// A recipe that has not been worked out.
+struct Source {
+  Definition::Use use;
+  Frame moment;
+  std::vector<Ingredient<float>> numbers;
+  std::vector<Ingredient<Rgb>> colours;
+
+  friend bool operator==(const Source& a, const Source& b) {
+    return a.use.plugin == b.use.plugin && a.moment == b.moment && a.numbers == b.numbers && a.colours == b.colours;
+  }
+  Recipe recipe() const {
+    return {use.plugin, use.plugin->params.is_keyed() ? use.plugin->params.at(moment) : use.plugin->params,
+            use.motion ? use.motion->at(moment) : Matrix4(), numbers, colours};
+  }
+};
+
+/// With those that its textures take in turn. Deep ones would use up the stack, wide ones never end.
+constexpr int kMostLookups = 1000;
+int lookups_for(const Recipe& recipe) {
+  int sum = 1;
+  const auto add = [&](const auto& ingredients) {
+    for (const auto& each : ingredients)
+      sum = std::min(kMostLookups, sum + each.look->lookups[static_cast<std::size_t>(each.state)]);
+  };
+  add(recipe.numbers), add(recipe.colours);
+  return sum;
+}
+
+}  // namespace
+
+Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
+    : description_(description), diagnostics_(diagnostics) {
+  for (const TextureUse& use : description.textures) add_texture(use);
+  for (const MaterialUse& use : description.materials) {
+    const std::string& name = use.name.empty() ? use.type : use.name;
+    of_use_.push_back(add_material(use, fmt::format("material \"{}\"", name)));
+    if (!use.name.empty() && !by_name_.emplace(use.name, of_use_.back()).second)
+      diagnostics.error(use.where, fmt::format("there is a material named \"{}\" already", use.name));
+  }
+}
+
+template <class T>
+void Looks::add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const {
+  for (const std::string& name : named_textures(params))
+    if (const auto found = textures<T>().by_name.find(name); found != textures<T>().by_name.end())
+      list.push_back({name, found->second, found->second->recipes.at(frame)});
+}
+
+Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
+  const FileFrames& frames = description_.frames;
+  // A recipe without its parameters: most frames have one that has been met already.
+  const auto sources = Timeline<Source>::of(
+      frames.count(),
+      [&](Frame f) {
+        const Definition::Use& use = definition.uses[definition.use_of[frames.combination_of(f)]];
+        Source source{use, use.is_keyed() ? frames.moment(f) : 0, {}, {}};
+        add_ingredients(source.numbers, use.plugin->params, f);
+        add_ingredients(source.colours, use.plugin->params, f);
+        return std::optional(std::move(source));
+      },
+      [](const Source& a, const Source& b) { return a == b; });
+  Timeline<Recipe> recipes;
+  std::vector<int> recipe_of;
+  for (const Source& source : sources.states)
+    recipe_of.push_back(recipes.place(source.recipe(), [](const Recipe& a, const Recipe& b) { return a == b; }));
+  for (const int source : sources.state_of) recipes.state_of.push_back(recipe_of[static_cast<std::size_t>(source)]);
+  return recipes;
+}
+
+bool Looks::is_kept(const std::vector<int>& state_of, int state) const {
+  return state_of.size() <= kMaxFrames ||
+         std::all_of(state_of.begin(), state_of.end(), [&](int each) { return each == state; });
+}
+
+template <class T, class Make>
+bool Looks::look_at(Look<T>& look, Make&& make) {
+  std::set<const PluginUse*> wrong;  // is told once
+  for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
+    const Recipe& recipe = look.recipes.states[s];
+    look.made.emplace_back();
+    if (wrong.count(recipe.use) > 0) continue;
+    const int errors = diagnostics_.error_count();
+    const std::shared_ptr<const T> made = make(recipe, known_textures(recipe));
+    if (diagnostics_.error_count() > errors) wrong.insert(recipe.use);
+    look.made.back() = made;
+    if (is_kept(look.recipes.state_of, static_cast<int>(s))) look.kept.push_back(made);
+  }
+  return wrong.empty();
+}
+
+void Looks::add_texture(const TextureUse& own) {
+  if (own.is_spectrum)
+    add_texture_of<Rgb>(own);
+  else
+    add_texture_of<float>(own);
+}
+
+template <class T>
+void Looks::add_texture_of(const TextureUse& own) {
+  auto& [looks, by_name] = std::get<Textures<T>>(textures_);
+  Look<Texture<T>>& look = looks.emplace_back();
+  look.recipes = recipes_of(definition_of(description_, own));
+  for (const Recipe& recipe : look.recipes.states) look.lookups.push_back(lookups_for(recipe));
+  if (*std::max_element(look.lookups.begin(), look.lookups.end()) == kMostLookups)
+    diagnostics_.error(own.where,
+                       fmt::format("each lookup of texture \"{}\" takes {} others or more", own.name, kMostLookups),
+                       "a texture that names another one twice looks it up twice");
+  look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
+    return make_texture_of<T>(recipe, textures, diagnostics_);
+  });
+  by_name[own.name] = &look;
+  names_.add<T>(own.name, std::make_shared<ConstantTexture<T>>(T(0.5f)));
+}
+
+int Looks::add_material(const MaterialUse& own, std::string name) {
+  MaterialLook look;
+  look.name = std::move(name);
+  look.recipes = recipes_of(definition_of(description_, own));
+  const bool good = look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
+    const auto made = make_material(recipe, textures, diagnostics_);
+    look.bounds_a_body = look.bounds_a_body || (made && made->bounds_a_body());
+    return made;
+  });
+  if (!good) return -1;
+  materials_.push_back(std::move(look));
+  return material_count() - 1;
+}
+
+TextureSet Looks::known_textures(const Recipe& recipe) const {
+  TextureSet textures = names_;
+  const auto add_alive = [&](const auto& ingredient) {
+    if (auto alive = ingredient.look->made[static_cast<std::size_t>(ingredient.state)].lock())
+      textures.add(ingredient.name, std::move(alive));
+  };
+  for (const Ingredient<float>& each : recipe.numbers) add_alive(each);
+  for (const Ingredient<Rgb>& each : recipe.colours) add_alive(each);
+  return textures;
+}
+
+TextureSet Looks::made_textures(const Recipe& recipe, Diagnostics& diagnostics) const {
+  TextureSet textures;
+  for (const Ingredient<float>& each : recipe.numbers) textures.add(each.name, made(each, diagnostics));
+  for (const Ingredient<Rgb>& each : recipe.colours) textures.add(each.name, made(each, diagnostics));
+  return textures;
+}
+
+template <class T>
+TexturePtr<T> Looks::made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const {
+  const auto state = static_cast<std::size_t>(ingredient.state);
+  std::weak_ptr<const Texture<T>>& slot = ingredient.look->made[state];
+  TexturePtr<T> texture = slot.lock();
+  if (!texture) {
+    const Recipe& recipe = ingredient.look->recipes.states[state];
+    slot = texture = make_texture_of<T>(recipe, made_textures(recipe, diagnostics), diagnostics);
+  }
+  return texture;
+}
+
+template <class T>
+TexturePtr<T> Looks::make_texture_of(const Recipe& recipe, const TextureSet& textures, Diagnostics& diagnostics) const {
+  const PluginUse& use = *recipe.use;
+  ParamReader reader(recipe.params, fmt::format("texture \"{}\"", use.type), use.where, diagnostics,
+                     description_.main_directory());
+  return make_texture<T>(use.type, reader, {textures, Transform(recipe.placement), images_});
+}
+
+std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const TextureSet& textures,
+                                                     Diagnostics& diagnostics) const {
+  const PluginUse& use = *recipe.use;
+  const auto* plugin = material_plugins().find(use.type, use.type_where, diagnostics);
+  if (!plugin && !diagnostics.lenient()) return nullptr;
+  const ParamList none;  // with --lenient, what is not built becomes grey
+  if (!plugin) plugin = material_plugins().find("diffuse");
+  ParamReader reader(plugin->name == use.type ? recipe.params : none, fmt::format("material \"{}\"", use.type),
+                     use.where, diagnostics, description_.main_directory());
+  return plugin->make(reader, MaterialContext{textures});
+}
+
+std::vector<FrameStates<Material>> Looks::materials_in(const std::vector<Frame>& frames) const {
+  std::vector<FrameStates<Material>> materials;
+  Diagnostics diagnostics(true);
+  for (const MaterialLook& look : materials_) {
+    FrameStates<Material>& states = materials.emplace_back();
+    for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
+      const FrameSet set = frames_in_state(look.recipes, static_cast<int>(s), frames);
+      if (set.empty()) continue;
+      std::shared_ptr<const Material> material = look.made[s].lock();
+      const Recipe& recipe = look.recipes.states[s];
+      if (!material) look.made[s] = material = make_material(recipe, made_textures(recipe, diagnostics), diagnostics);
+      states.states.push_back({set, std::move(material)});
+    }
+  }
+  diagnostics.throw_if_errors();
+  return materials;
+}
+
+int Looks::find(const MaterialRef& ref) {
+  if (ref.index >= 0) return of_use_[static_cast<std::size_t>(ref.index)];
+  if (!ref.name.empty()) {
+    if (const auto found = by_name_.find(ref.name); found != by_name_.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [name, index] : by_name_) names.push_back(name);
+    diagnostics_.error(ref.where, fmt::format("there is no material named \"{}\"", ref.name),
+                       did_you_mean(ref.name, names));
+    return -1;
+  }
+  if (default_ < 0) {
+    MaterialUse& use = material_uses_.emplace_back();
+    use.type = "diffuse";
+    default_ = add_material(use, "the default material");
+  }
+  return default_;
+}
+
+int Looks::add(const FileMaterial& file, const SourceLocation& where) {
+  const std::string key = fmt::format("{}|{}", file.texture_file.string(), file.name);
+  if (const auto found = from_files_.find(key); found != from_files_.end()) return found->second;
+  if (!file.texture_file.empty()) {
+    TextureUse& texture = texture_uses_.emplace_back();
+    texture.type = "imagemap", texture.name = file.name, texture.is_spectrum = true;
+    texture.where = texture.type_where = where;
+    texture.params.params.push_back(
+        param_of(ParamType::text, "filename", std::vector{file.texture_file.string()}, where));
+    add_texture(texture);
+  }
+  MaterialUse& use = material_uses_.emplace_back();
+  use.type = "diffuse", use.params = file.diffuse;
+  use.where = use.type_where = where;
+  const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name));
+  from_files_.emplace(key, material);
+  return material;
+}
+
+}  // namespace dspm

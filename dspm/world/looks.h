@@ -1,0 +1,104 @@
+// Textures and materials of a scene, with their states over the frames of the file. All of them are looked at once, so
+// that errors are known before anything is rendered; where frames are many, what only some of them need is made anew
+// for each scene that needs it.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/material.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/textures/plugins.h"
+#include "dspm/world/look.h"
+
+namespace dspm {
+
+class Looks {
+ public:
+  Looks(const SceneDescription& description, Diagnostics& diagnostics);
+
+  /// Index of the material in force, pbrt's default for none; an unknown name is an error.
+  int find(const MaterialRef& ref);
+  /// A material that a geometry file brought along.
+  int add(const FileMaterial& material, const SourceLocation& where);
+
+  /// By index, in these frames of the file. Throws SceneError where a file has changed since it was looked at.
+  std::vector<FrameStates<Material>> materials_in(const std::vector<Frame>& frames) const;
+
+  /// How many pictures are in memory for textures.
+  int pictures_held() const { return images_.alive(); }
+
+  int material_count() const { return static_cast<int>(materials_.size()); }
+  /// Which state of the material holds, by frame of the file.
+  const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
+  /// Light passes into bodies of this material, in some frame.
+  bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
+  /// What the text says of it in a frame of the file.
+  const PluginUse& use_of(int material, Frame frame) const {
+    const Timeline<Recipe>& recipes = look(material).recipes;
+    return *recipes.states[static_cast<std::size_t>(recipes.at(frame))].use;
+  }
+  /// `material "glass"`, for messages.
+  const std::string& name_of(int material) const { return look(material).name; }
+
+ private:
+  struct MaterialLook : Look<Material> {
+    std::string name;
+    bool bounds_a_body = false;
+  };
+  template <class T>
+  struct Textures {
+    std::deque<Look<Texture<T>>> looks;  // addresses stay
+    std::map<std::string, const Look<Texture<T>>*> by_name;
+  };
+
+  const MaterialLook& look(int material) const { return materials_[static_cast<std::size_t>(material)]; }
+  template <class T>
+  const Textures<T>& textures() const {
+    return std::get<Textures<T>>(textures_);
+  }
+
+  void add_texture(const TextureUse& own);
+  template <class T>
+  void add_texture_of(const TextureUse& own);
+  int add_material(const MaterialUse& own, std::string name);
+
+  Timeline<Recipe> recipes_of(const Definition& definition) const;
+  template <class T>
+  void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const;
+  /// Whether a state is held, once made, as long as the world is there.
+  bool is_kept(const std::vector<int>& state_of, int state) const;
+  /// Makes every state to learn what is wrong, with `make(recipe, textures)`, and keeps those that are to be kept.
+  template <class T, class Make>
+  bool look_at(Look<T>& look, Make&& make);
+
+  TextureSet known_textures(const Recipe& recipe) const;
+  TextureSet made_textures(const Recipe& recipe, Diagnostics& diagnostics) const;
+  template <class T>
+  TexturePtr<T> made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const;
+  template <class T>
+  TexturePtr<T> make_texture_of(const Recipe& recipe, const TextureSet& textures, Diagnostics& diagnostics) const;
+  std::shared_ptr<const Material> make_material(const Recipe& recipe, const TextureSet& textures,
+                                                Diagnostics& diagnostics) const;
+
+  const SceneDescription& description_;
+  Diagnostics& diagnostics_;  // while the world is being made
+  mutable ImageCache images_;
+  TextureSet names_;  // of all textures so far, with something grey for each
+  std::tuple<Textures<float>, Textures<Rgb>> textures_;
+  std::vector<MaterialLook> materials_;
+  std::deque<TextureUse> texture_uses_;  // of geometry files
+  std::deque<MaterialUse> material_uses_;
+  std::vector<int> of_use_;  // by index into SceneDescription::materials
+  std::map<std::string, int> by_name_, from_files_;
+  int default_ = -1;
+};
+
+}  // namespace dspm

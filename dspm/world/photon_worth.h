@@ -1,0 +1,25 @@
+// What a file's photons are worth to each of its frames: photon paths choose lights, and those of lights infinitely far
+// away start, as suits all frames of the file.
+#pragma once
+
+#include <vector>
+
+#include "dspm/world/bounding_sphere.h"
+#include "dspm/world/geometry.h"
+#include "dspm/world/lighting.h"
+
+namespace dspm {
+
+/// Of one frame; both are 1 in a file that holds this frame alone.
+struct PhotonWorth {
+  /// The flux of the frame's lights is as noisy as with this share of the photons in a file of its own.
+  double by_choice = 1;
+  /// The share of photons from infinitely far that enter the sphere around what is in the frame.
+  double by_reach = 1;
+};
+
+/// By frame of the file, whose sphere and lights' probabilities these are.
+std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vector<WorldLight>& lights,
+                                      const BoundingSphere& sphere, int frames);
+
+}  // namespace dspm

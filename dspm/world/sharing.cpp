@@ -1,0 +1,136 @@
+#include "dspm/world/sharing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "dspm/math/frames.h"
+
+namespace dspm {
+namespace {
+
+std::string counted(std::size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
+
+/// How many of a thing's states occur in the frames; "not there" is one of them.
+std::size_t states_in(const std::vector<int>& state_of, std::span<const Frame> frames) {
+  std::set<int> seen;
+  for (const Frame f : frames) seen.insert(state_of[static_cast<std::size_t>(f)]);
+  return seen.size();
+}
+
+/// The shapes of a dynamic block (or all static ones) in these frames.
+struct Summary {
+  std::size_t states = 0;          // distinct sets of placed shapes over the frames
+  std::size_t frames_present = 0;  // with any of them
+  std::size_t places = 0, primitives = 0;
+  std::set<const Shape*> geometries;
+};
+
+Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Frame> frames) {
+  Summary s;
+  std::set<std::vector<const WorldShape*>> states;
+  std::set<const WorldShape*> places;
+  for (const Frame f : frames) {
+    std::vector<const WorldShape*> there;
+    for (const WorldShape* shape : shapes)
+      if (shape->present[static_cast<std::size_t>(f)]) there.push_back(shape);
+    s.frames_present += !there.empty();
+    places.insert(there.begin(), there.end());
+    states.insert(std::move(there));
+  }
+  s.states = states.size(), s.places = places.size();
+  for (const WorldShape* shape : places)
+    if (s.geometries.insert(shape->placed.shape).second)
+      s.primitives += static_cast<std::size_t>(shape->placed.shape->primitive_count());
+  return s;
+}
+
+std::string explain_block(const DynamicBlock& block, const Summary& s, std::size_t frames) {
+  const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
+  if (s.frames_present == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
+  if (s.states == 1)
+    return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name,
+                       stored);
+  const std::string where =
+      s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
+  const std::string how =
+      s.geometries.size() < s.places
+          ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
+          : fmt::format("{} of its geometry over the frames", counted(s.states, "state"));
+  return fmt::format("dynamic \"{}\": {}{} ({}). Paths that meet it split.", block.name, where, how, stored);
+}
+
+}  // namespace
+
+std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
+                                         const Looks& looks, const std::vector<WorldLight>& lights,
+                                         const Timeline<std::shared_ptr<const Camera>>& camera,
+                                         std::span<const Frame> frames) {
+  std::vector<std::string> lines;
+  const FileFrames& file = description.frames;
+  const std::string names = description.axes.empty() || frames.empty()
+                                ? ""
+                                : fmt::format(": {} to {}", file.label(frames.front()), file.label(frames.back()));
+  lines.push_back(fmt::format("{} rendered together{}.", counted(frames.size(), "frame"), names));
+
+  std::vector<const WorldShape*> still;
+  std::vector<std::vector<const WorldShape*>> moving(description.dynamic_blocks.size());
+  for (const WorldShape& shape : geometry.shapes())
+    (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
+  const Summary fixed = summary(still, frames);
+  lines.push_back(fmt::format("static: {} in {}: shared by all frames. Paths that meet nothing else are traced once.",
+                              counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape")));
+  for (std::size_t b = 0; b < moving.size(); ++b)
+    lines.push_back(explain_block(description.dynamic_blocks[b], summary(moving[b], frames), frames.size()));
+
+  for (int m = 0; m < looks.material_count(); ++m)
+    if (const std::size_t n = states_in(looks.states_of(m), frames); n > 1)
+      lines.push_back(
+          fmt::format("{}: {} over the frames. Paths that meet it stay together where its states send them "
+                      "the same way, as colours and textures do; others split.",
+                      looks.name_of(m), counted(n, "state")));
+  for (const WorldLight& light : lights) {
+    const std::size_t n = states_in(light.states.state_of, frames);
+    if (n > 1)
+      lines.push_back(
+          fmt::format("{}: {} over the frames. Photon paths are traced once for states that differ in strength or "
+                      "colour only, else "
+                      "once a state; those of other lights once.",
+                      light.name, counted(n, "state")));
+  }
+  const std::size_t camera_states = states_in(camera.state_of, frames);
+  lines.push_back(camera_states > 1
+                      ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
+                                    counted(camera_states, "state"))
+                      : "camera: the same in all frames: hit points are shared where nothing dynamic is seen.");
+  return lines;
+}
+
+std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
+                                       std::span<const Frame> frames) {
+  constexpr double kWorthTelling = 0.9;
+  const auto of = [&](Frame f, double PhotonWorth::*share) { return worth[static_cast<std::size_t>(f)].*share; };
+  const auto worst = [&](double PhotonWorth::*share) -> std::optional<Frame> {
+    const auto least =
+        std::min_element(frames.begin(), frames.end(), [&](Frame a, Frame b) { return of(a, share) < of(b, share); });
+    return least != frames.end() && of(*least, share) < kWorthTelling ? std::optional(*least) : std::nullopt;
+  };
+  const std::string all = counted(static_cast<std::size_t>(file.count()), "frame");
+  std::vector<std::string> lines;
+  if (const auto frame = worst(&PhotonWorth::by_choice))
+    lines.push_back(fmt::format(
+        "lights: photon paths choose them by their mean power over the {} of the file. Frame {} fares worst: "
+        "the flux of its lights is as noisy as with {:.2g}% of the photons in a file of its own.",
+        all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_choice)));
+  if (const auto frame = worst(&PhotonWorth::by_reach))
+    lines.push_back(
+        fmt::format("distant and infinite lights: their photons start on a disk that covers what is in any "
+                    "of the {} of the file. Frame {} fares worst: {:.2g}% of them would start in a file of "
+                    "its own.",
+                    all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_reach)));
+  return lines;
+}
+
+}  // namespace dspm

@@ -1,0 +1,27 @@
+// What frames share and what they do not, and why, in words: for --explain.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dspm/cameras/camera.h"
+#include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
+#include "dspm/world/geometry.h"
+#include "dspm/world/lighting.h"
+#include "dspm/world/photon_worth.h"
+
+namespace dspm {
+
+/// A sentence a line about the scene of these frames of the file.
+std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
+                                         const Looks& looks, const std::vector<WorldLight>& lights,
+                                         const Timeline<std::shared_ptr<const Camera>>& camera,
+                                         std::span<const Frame> frames);
+
+/// Where photons are worth less to some of these frames than in files of their own: how much, and why.
+std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
+                                       std::span<const Frame> frames);
+
+}  // namespace dspm

@@ -1,0 +1,70 @@
+// Which of a thing's distinct states holds in which frame of the file.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dspm/lang/file_frames.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+template <class State>
+struct Timeline {
+  std::vector<State> states;
+  std::vector<int> state_of;  // by frame of the file; -1: not there
+
+  /// The states that `at(frame)` (an optional State) takes over `frames` frames, equal ones once, in order of first
+  /// use.
+  template <class At, class Same>
+  static Timeline of(int frames, At&& at, Same&& same) {
+    Timeline line;
+    line.state_of.assign(static_cast<std::size_t>(frames), -1);
+    for (Frame f = 0; f < frames; ++f)
+      if (std::optional<State> state = at(f))
+        line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
+    return line;
+  }
+
+  /// Of a thing that is there in `present` (by frame of the file), and whose state, `at(moment)`, depends on the moment
+  /// alone.
+  template <class At, class Same>
+  static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same) {
+    constexpr int kUnknown = -1;
+    Timeline line;
+    line.state_of.assign(present.size(), -1);
+    std::vector<int> of_moment(static_cast<std::size_t>(frames.moments()), kUnknown);
+    for (std::size_t f = 0; f < present.size(); ++f) {
+      if (!present[f]) continue;
+      const Frame moment = frames.moment(static_cast<Frame>(f));
+      int& state = of_moment[static_cast<std::size_t>(moment - frames.moment(0))];
+      if (state == kUnknown) state = line.place(at(moment), same);
+      line.state_of[f] = state;
+    }
+    return line;
+  }
+
+  /// The index of that state, which is added where there is none like it.
+  template <class Same>
+  int place(State state, Same&& same) {
+    // Newest first: what changes from frame to frame seldom goes back.
+    for (std::size_t i = states.size(); i-- > 0;)
+      if (same(states[i], state)) return static_cast<int>(i);
+    states.push_back(std::move(state));
+    return static_cast<int>(states.size()) - 1;
+  }
+
+  int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
+};
+
+/// The frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered ones.
+template <class State>
+FrameSet frames_in_state(const Timeline<State>& line, int state, const std::vector<Frame>& rendered) {
+  FrameSet set;
+  for (std::size_t j = 0; j < rendered.size(); ++j)
+    if (line.at(rendered[j]) == state) set |= FrameSet::single(static_cast<Frame>(j));
+  return set;
+}
+
+}  // namespace dspm

@@ -1,0 +1,86 @@
+#include "dspm/world/variations.h"
+
+#include <algorithm>
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+const PartSwitch* find_switch(const Variation& variation, const std::string& part) {
+  const auto found = std::find_if(variation.parts.begin(), variation.parts.end(),
+                                  [&](const PartSwitch& each) { return each.part == part; });
+  return found == variation.parts.end() ? nullptr : &*found;
+}
+
+/// By variation of the axis.
+std::vector<bool> shown_along(const VariationAxis& axis, const std::string& part) {
+  const bool is_alternative = std::any_of(axis.variations.begin(), axis.variations.end(), [&](const Variation& each) {
+    const PartSwitch* const found = find_switch(each, part);
+    return found != nullptr && found->shown;
+  });
+  std::vector<bool> shown;
+  for (const Variation& each : axis.variations) {
+    const PartSwitch* const found = find_switch(each, part);
+    shown.push_back(found != nullptr ? found->shown : !is_alternative);
+  }
+  return shown;
+}
+
+ParamList at_moment(const ParamList& params, Frame moment) { return params.is_keyed() ? params.at(moment) : params; }
+
+float scale_of(const LightScale& scale, Frame moment) {
+  return numbers_of(*scale.params.at(moment).find("scale")).front();
+}
+
+/// By what the frame's variations multiply the lights of that name.
+float factor_of(const SceneDescription& scene, const std::string& light, Frame frame) {
+  float factor = 1;
+  for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
+    const auto choice = static_cast<std::size_t>(scene.frames.choice(frame, axis));
+    for (const LightScale& scale : scene.axes[axis].variations[choice].lights)
+      if (scale.light == light) factor *= scale_of(scale, scene.frames.moment(frame));
+  }
+  return factor;
+}
+
+}  // namespace
+
+std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
+  const FileFrames& frames = scene.frames;
+  std::vector<bool> present(static_cast<std::size_t>(frames.count()), true);
+  for (int b = dynamic_block; b >= 0; b = scene.dynamic_blocks[static_cast<std::size_t>(b)].outer) {
+    const DynamicBlock& block = scene.dynamic_blocks[static_cast<std::size_t>(b)];
+    for (Frame f = 0; f < frames.count(); ++f)
+      if (!block.moments.contains(frames.moment(f))) present[static_cast<std::size_t>(f)] = false;
+    for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
+      const std::vector<bool> shown = shown_along(scene.axes[axis], block.name);
+      for (Frame f = 0; f < frames.count(); ++f)
+        if (!shown[static_cast<std::size_t>(frames.choice(f, axis))]) present[static_cast<std::size_t>(f)] = false;
+    }
+  }
+  return present;
+}
+
+ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, Frame frame) {
+  const Frame moment = scene.frames.moment(frame);
+  ParamList params = at_moment(use.params, moment);
+  const float factor = name.empty() ? 1 : factor_of(scene, name, frame);
+  if (factor == 1) return params;
+  auto scale = std::find_if(params.params.begin(), params.params.end(),
+                            [](const Param& param) { return param.name == "scale"; });
+  if (scale == params.params.end()) {
+    Param one;
+    one.name = "scale", one.values = std::vector<float>{1};
+    one.where = one.values_where = use.where;
+    scale = params.params.insert(scale, std::move(one));
+  }
+  if (scale->type != ParamType::number && scale->type != ParamType::integer) return params;  // its reader says it
+  std::vector<float> numbers = numbers_of(*scale);
+  for (float& number : numbers) number *= factor;
+  scale->type = ParamType::number, scale->values = std::move(numbers);
+  return params;
+}
+
+}  // namespace dspm

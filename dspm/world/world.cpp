@@ -1,0 +1,168 @@
+#include "dspm/world/world.h"
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/world/geometry.h"
+#include "dspm/world/lighting.h"
+#include "dspm/world/sharing.h"
+#include "dspm/world/variations.h"
+
+namespace dspm {
+namespace {
+
+const CameraUse& camera_use(const SceneDescription& description) {
+  static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
+  return description.camera ? *description.camera : fallback;
+}
+
+Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
+                                                    Diagnostics& diagnostics) {
+  struct State {
+    ParamList params;
+    Matrix4 camera_from_world;
+  };
+  const CameraUse& use = camera_use(description);
+  Timeline<std::shared_ptr<const Camera>> cameras;
+  const auto* plugin = camera_plugins().find(use.type, use.type_where, diagnostics);
+  if (!plugin) return cameras;
+  const bool keyed = use.params.is_keyed();
+  const auto states = Timeline<State>::of_moments(
+      description.frames, presence(description, kAlwaysThere),
+      [&](Frame moment) {
+        return State{keyed ? use.params.at(moment) : use.params, use.camera_from_world.at(moment)};
+      },
+      [](const State& a, const State& b) {
+        return a.camera_from_world == b.camera_from_world && a.params.same_values(b.params);
+      });
+  cameras.state_of = states.state_of;
+  const int errors = diagnostics.error_count();
+  for (const State& state : states.states) {
+    ParamReader reader(state.params, "camera \"" + use.type + "\"", use.where, diagnostics);
+    const auto inverse = state.camera_from_world.inverse();
+    cameras.states.emplace_back(
+        plugin->make(reader, CameraContext{Transform(inverse.value_or(Matrix4())), options.width, options.height}));
+    if (diagnostics.error_count() > errors) break;
+  }
+  return cameras;
+}
+
+/// What the language knows and the renderer does not.
+void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
+  for (const MediumUse& use : description.media)
+    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": participating media are not built in dspm");
+  for (const MediumInterfaceUse& use : description.medium_interfaces)
+    if (!use.inside.empty() || !use.outside.empty())
+      diagnostics.unsupported(use.where, "participating media are not built in dspm");
+}
+
+template <class T>
+FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<Frame>& frames) {
+  FrameStates<T> result;
+  for (std::size_t s = 0; s < line.states.size(); ++s)
+    if (const FrameSet set = frames_in_state(line, static_cast<int>(s), frames); !set.empty())
+      result.states.push_back({set, line.states[s]});
+  return result;
+}
+
+FrameSet present_in(const WorldShape& shape, const std::vector<Frame>& frames) {
+  FrameSet set;
+  for (std::size_t j = 0; j < frames.size(); ++j)
+    if (shape.present[static_cast<std::size_t>(frames[j])]) set |= FrameSet::single(static_cast<Frame>(j));
+  return set;
+}
+
+}  // namespace
+
+struct World::Parts {
+  Parts(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
+      : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
+    refuse_media(text, diagnostics);
+    const bool whole = diagnostics.error_count() == 0;
+    if (whole && text.shapes.empty()) diagnostics.warning({}, "the scene has no shape");
+    if (whole && text.lights.empty() && text.area_lights.empty())
+      diagnostics.warning({}, "the scene has no light: its images will be black");
+    sphere = sphere_around(geometry.bounds());
+    lights = make_lights(text, geometry, sphere, diagnostics);
+    camera = make_camera(text, options, diagnostics);
+    const std::string name = options.accel.empty() ? "two-level" : options.accel;
+    accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
+  }
+
+  std::vector<PlacedShape> shapes_in(const std::vector<Frame>& frames) const {
+    std::vector<PlacedShape> shapes;
+    const auto directives = static_cast<int>(description.lights.size());
+    for (const WorldShape* shape : shapes_there(frames)) {
+      PlacedShape& placed = shapes.emplace_back(shape->placed);
+      placed.frames = present_in(*shape, frames);
+      placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
+    }
+    return shapes;
+  }
+  std::vector<const WorldShape*> shapes_there(const std::vector<Frame>& frames) const {
+    std::vector<const WorldShape*> there;
+    for (const WorldShape& shape : geometry.shapes())
+      if (!present_in(shape, frames).empty()) there.push_back(&shape);
+    return there;
+  }
+
+  const SceneDescription& description;
+  Looks looks;
+  Geometry geometry;
+  BoundingSphere sphere;
+  std::vector<WorldLight> lights;
+  Timeline<std::shared_ptr<const Camera>> camera;
+  const AccelPlugin* accel = nullptr;
+};
+
+World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
+    : parts_(std::make_unique<Parts>(description, options, diagnostics)) {}
+World::~World() = default;
+
+int World::frame_count() const { return parts_->description.frames.count(); }
+
+std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
+  auto scene = std::make_unique<Scene>();
+  scene->file_frames.assign(frames.begin(), frames.end());
+  scene->center = parts_->sphere.center, scene->radius = parts_->sphere.radius;
+  scene->shapes = parts_->shapes_in(scene->file_frames);
+  scene->materials = parts_->looks.materials_in(scene->file_frames);
+  for (const WorldLight& light : parts_->lights) {
+    if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
+                             alike_in(light, scene->file_frames), light.is_delta});
+  }
+  scene->camera = cut(parts_->camera, scene->file_frames);
+  Diagnostics ignored;
+  const ParamList none;
+  ParamReader reader(none, "accelerator", {}, ignored);
+  scene->accel = parts_->accel->make(reader, scene->shapes, scene->frames());
+  return scene;
+}
+
+const PluginUse& World::use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const {
+  switch (part.kind) {
+    case ScenePart::Kind::camera: break;
+    case ScenePart::Kind::material: return parts_->looks.use_of(part.index, frames[static_cast<std::size_t>(j)]);
+    case ScenePart::Kind::light: return *parts_->lights[static_cast<std::size_t>(part.index)].use;
+    case ScenePart::Kind::shape:
+      return *parts_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(part.index)]->use;
+  }
+  return camera_use(parts_->description);
+}
+
+int World::pictures_held() const { return parts_->looks.pictures_held(); }
+
+std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
+  return parts_->accel->bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
+                                      FrameSet::first(static_cast<int>(frames.size())));
+}
+
+std::vector<std::string> World::explain(std::span<const Frame> frames) const {
+  std::vector<std::string> lines =
+      explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
+  const auto worth = photon_worth(parts_->geometry, parts_->lights, parts_->sphere, frame_count());
+  for (std::string& line : explain_worth(parts_->description.frames, worth, frames)) lines.push_back(std::move(line));
+  return lines;
+}
+
+}  // namespace dspm

@@ -1,5 +1,0 @@
-// Nothing to complain about.
-#pragma once
-
-#include "core/vec.h"
-#include "shapes/shape.h"

@@ -1,0 +1,2 @@
+#include "dspm/app/options.h"
+#include "dspm/film/film.h"

@@ -1,0 +1,118 @@
+#include "dspm/output/contact_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dspm/output/bitmap_font.h"
+
+namespace dspm {
+namespace {
+
+bool overlap(const PixelRect& a, const PixelRect& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+TEST(ContactSheet, PlacesLieApartOnTheSheet) {
+  for (const int count : {1, 2, 3, 7, 8, 24, 25, 64, 500}) {
+    for (const auto& [width, height] :
+         {std::pair(512, 512), std::pair(1920, 1080), std::pair(100, 400), std::pair(16, 16)}) {
+      const SheetLayout layout(count, width, height);
+      EXPECT_LE(layout.sheet_width(), 2048);
+      EXPECT_GE(layout.columns * layout.rows, count);
+      EXPECT_LT(layout.columns * (layout.rows - 1), count) << "no row is empty";
+      const auto with_label = [&](int i) {
+        PixelRect place = layout.place(i);
+        place.y1 += kTextHeight * layout.text_scale;
+        return place;
+      };
+      for (int i = 0; i < count; ++i) {
+        const PixelRect place = with_label(i);
+        EXPECT_GT(place.x0, 0);
+        EXPECT_LT(place.x1, layout.sheet_width());
+        EXPECT_LE(place.y1, layout.sheet_height());
+        for (int j = std::max(0, i - layout.columns - 1); j < i; ++j) EXPECT_FALSE(overlap(with_label(j), place));
+      }
+    }
+  }
+}
+
+TEST(ContactSheet, TheGridSuitsTheImages) {
+  const SheetLayout eight(8, 256, 256), one(1, 640, 480), tall(4, 100, 400);
+  EXPECT_EQ(eight.columns, 4);
+  EXPECT_EQ(eight.rows, 2);
+  EXPECT_EQ(one.columns, 1);
+  EXPECT_EQ(one.image_width, 640) << "nothing is shrunk without need";
+  EXPECT_EQ(tall.columns, 4);
+}
+
+TEST(ContactSheet, ImagesAndLabelsAppear) {
+  const SheetLayout layout(3, 64, 48);
+  ContactSheet sheet(layout);
+  Image red(64, 48);
+  for (Rgb& pixel : red.pixels) pixel = {1, 0, 0};
+  const Rgb background = sheet.image().at(0, 0);
+  sheet.put(1, red, "0002");
+
+  const PixelRect place = layout.place(1);
+  int text_pixels = 0;
+  for (int y = 0; y < sheet.image().height; ++y) {
+    for (int x = 0; x < sheet.image().width; ++x) {
+      const Rgb& pixel = sheet.image().at(x, y);
+      const bool inside = x >= place.x0 && x < place.x1 && y >= place.y0 && y < place.y1;
+      if (inside) {
+        EXPECT_EQ(pixel, Rgb(1, 0, 0));
+      } else if (!(pixel == background)) {
+        ++text_pixels;
+        EXPECT_GE(y, place.y1);
+        EXPECT_GE(x, place.x0);
+        EXPECT_LT(x, place.x1);
+      }
+    }
+  }
+  EXPECT_GT(text_pixels, 20);
+}
+
+TEST(ContactSheet, LongLabelsAreCutOff) {
+  const SheetLayout layout(2, 32, 32);
+  ContactSheet sheet(layout);
+  sheet.put(0, Image(32, 32), "a-label-much-longer-than-the-image");
+  const Rgb background = sheet.image().at(0, 0);
+  for (int y = 0; y < sheet.image().height; ++y) {
+    for (int x = layout.place(0).x1; x < sheet.image().width; ++x) EXPECT_EQ(sheet.image().at(x, y), background);
+  }
+}
+
+TEST(BitmapFont, AllLettersDiffer) {
+  std::vector<Image> glyphs;
+  for (char c = ' '; c <= '~'; ++c) {
+    Image glyph(kTextAdvance, kTextHeight);
+    draw_text(glyph, 0, 0, std::string_view(&c, 1), 1, Rgb(1));
+    for (const Image& other : glyphs) EXPECT_FALSE(glyph == other) << c;
+    for (int y = 0; y < kTextHeight; ++y) EXPECT_EQ(glyph.at(kTextAdvance - 1, y), Rgb(0)) << "a gap follows " << c;
+    glyphs.push_back(glyph);
+  }
+}
+
+TEST(BitmapFont, AnL) {
+  Image image(7, 11);
+  draw_text(image, 1, 1, "L", 1, Rgb(1));
+  for (int y = 0; y < 11; ++y) {
+    for (int x = 0; x < 7; ++x) {
+      const bool stem = x == 1 && y >= 1 && y <= 7, foot = y == 7 && x >= 1 && x <= 5;
+      EXPECT_EQ(image.at(x, y), Rgb(stem || foot ? 1 : 0)) << x << ", " << y;
+    }
+  }
+}
+
+TEST(BitmapFont, WhatLiesOutsideIsCutOff) {
+  Image image(4, 4);
+  draw_text(image, -3, -3, "WWW", 3, Rgb(1));
+  draw_text(image, 1000, 2, "W\xff\n", 1, Rgb(1));
+}
+
+}  // namespace
+}  // namespace dspm

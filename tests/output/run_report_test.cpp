@@ -1,0 +1,63 @@
+#include "dspm/output/run_report.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/output/json_check.h"
+
+namespace dspm {
+namespace {
+
+Statistics interval(int iterations, double seconds) {
+  Statistics s;
+  s.iterations = iterations;
+  s.steps = {{"hit points", seconds}, {"photons", 2 * seconds}};
+  s.camera.segments = {10, 40};
+  s.camera.paths = 4;
+  s.camera.dynamic_paths = 1;
+  s.photons_stored = {1000, 3000};
+  s.energy = {{.emitted = 3, .absorbed = 2, .escaped = 1, .terminated = 0}};
+  s.bytes = 5;
+  return s;
+}
+
+TEST(RunReport, AddsIntervals) {
+  RunReport report;
+  report.add(interval(2, 1), {2});
+  report.add(interval(3, 10), {0});
+  const Statistics& s = report.statistics;
+  EXPECT_EQ(report.iterations, (std::vector<int>{2, 3}));
+  EXPECT_EQ(s.iterations, 5);
+  ASSERT_EQ(s.steps.size(), 2u);
+  EXPECT_EQ(s.steps[0].seconds, 11);
+  EXPECT_EQ(s.steps[1].seconds, 22);
+  EXPECT_EQ(s.camera.segments.separate, 80u);
+  EXPECT_EQ(s.energy.size(), 2u);
+  EXPECT_EQ(s.bytes, 5u);
+}
+
+TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
+  RunReport report;
+  report.add(interval(2, 1), {0});
+  report.seconds = 4;
+  SceneDescription description;
+  description.frames = FileFrames(3, {{}});
+  Job job;
+  job.description = &description;
+  job.scene_file = "a \"quoted\" name.dsc";
+  job.frames = {0, 2};
+  const std::string table = table_of(job, report), json = json_of(job, report);
+  EXPECT_NE(table.find("camera path segments                  10                40      4.00"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("3,000"), std::string::npos) << table;
+  EXPECT_TRUE(test::JsonCheck::valid(json)) << json;
+  EXPECT_NE(json.find("\"factor\": 3"), std::string::npos) << json;
+}
+
+TEST(RunReport, BytesAreReadable) {
+  EXPECT_EQ(readable_bytes(999), "999 B");
+  EXPECT_EQ(readable_bytes(12'345), "12.3 KB");
+  EXPECT_EQ(readable_bytes(678'200'000), "678.2 MB");
+}
+
+}  // namespace
+}  // namespace dspm

@@ -1,0 +1,63 @@
+// What comes of a scene's directives and the command line's options: which of them goes first, and what they come to.
+#include "dspm/world/job.h"
+
+#include <gtest/gtest.h>
+
+#include "dspm/testing/test_scene.h"
+
+namespace dspm {
+namespace {
+
+const std::string kWorld = "WorldBegin LightSource \"point\" Shape \"sphere\"";
+
+Job job_of(const std::string& directives, const Choices& options = {}) {
+  Job job = test::TestScene(directives + "\n" + kWorld, options).job();
+  job.description = nullptr;  // which has gone
+  return job;
+}
+
+TEST(Job, TheCommandLinesSeedGoesFirstThenTheIntegratorsTheSamplersAndTheOptions) {
+  const std::string option = "Option \"seed\" 1 ", sampler = "Sampler \"halton\" \"integer seed\" 2 ",
+                    integrator = "Integrator \"path\" \"integer seed\" 3 ";
+  EXPECT_EQ(job_of("").settings.seed, 0u);
+  EXPECT_EQ(job_of(option).settings.seed, 1u);
+  EXPECT_EQ(job_of(option + sampler).settings.seed, 2u);
+  EXPECT_EQ(job_of(option + sampler + integrator).settings.seed, 3u);
+  Choices options;
+  options.seed = 4;
+  EXPECT_EQ(job_of(option + sampler + integrator, options).settings.seed, 4u);
+}
+
+TEST(Job, SamplesOfAPixelAreTheIterationsOfIntegratorsThatNameNone) {
+  EXPECT_EQ(job_of("Sampler \"halton\" \"integer pixelsamples\" 12").settings.default_iterations, 12);
+  EXPECT_EQ(job_of("Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5").settings.default_iterations,
+            15);
+  EXPECT_EQ(job_of("Sampler \"stratified\" \"integer xsamples\" 3").settings.default_iterations, 12);
+}
+
+TEST(Job, PixelsAreJitteredUnlessTheSceneSaysElse) {
+  EXPECT_TRUE(job_of("").settings.jitter);
+  EXPECT_TRUE(job_of("Option \"disablepixeljitter\" false").settings.jitter);
+  EXPECT_FALSE(job_of("Option \"disablepixeljitter\" true").settings.jitter);
+}
+
+TEST(Job, AQuickLookTakesAQuarterOfTheIterationsAndOfEachSide) {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 24 ";
+  const std::string integrator = "Integrator \"path\" \"integer iterations\" 30";
+  Choices quick, quick_and_five;
+  quick.quick = quick_and_five.quick = true;
+  quick_and_five.iterations = 5;
+  const auto iterations_of = [&](const Choices& choices) {
+    test::TestScene test(film + integrator + "\n" + kWorld, choices);
+    const auto scene = test.scene({0});
+    return test.job().iterations(*test.integrator(*scene));
+  };
+  EXPECT_EQ(iterations_of(quick), 7);
+  EXPECT_EQ(iterations_of({}), 30);
+  EXPECT_EQ(iterations_of(quick_and_five), 5);
+  const test::TestScene test(film + integrator + "\n" + kWorld, quick);
+  EXPECT_EQ(test.job().settings.crop, (PixelRect{0, 0, 10, 6}));
+}
+
+}  // namespace
+}  // namespace dspm
