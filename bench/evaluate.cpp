@@ -2,7 +2,7 @@
 // out/results.md. Each section is a process of its own, so that none sees the memory of another, and its block is
 // written as soon as it is measured.
 //   evaluate [--quick] [--print] [words]          sections whose names contain one of the words, by default all
-//   evaluate --scene FILE [-D name=value] [words]  what any scene can be asked, on standard output
+//   evaluate --scene FILE [-D name=value] [words]  the sections that fit any scene, on standard output
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,7 +35,7 @@ fs::path document(const Setup& setup) {
   return fs::path(DSPM_SOURCE_DIR) / (setup.quick ? "out/results.md" : "docs/results.md");
 }
 
-/// A reduced run begins with the prose alone: figures of different runs do not belong together.
+/// A reduced run starts from the prose alone: figures of different runs do not belong together.
 void begin_document(const Setup& setup) {
   if (!setup.quick) return;
   std::string text = read_file(fs::path(DSPM_SOURCE_DIR) / "docs/results.md");
@@ -44,7 +44,7 @@ void begin_document(const Setup& setup) {
   write_file(document(setup), text);
 }
 
-/// Plots stand beside the document, and there before it shows them.
+/// Plots are files next to the document, written before it shows them.
 void write(const Section& section, const Findings& findings, const Setup& setup) {
   const fs::path target = document(setup), plots = target.parent_path() / "plots";
   fs::create_directories(plots);
@@ -112,7 +112,7 @@ int evaluate(const Arguments& arguments) {
   std::vector<Section> chosen;
   for (const Section& section : arguments.setup.scene.empty() ? sections() : scene_sections())
     if (asked_for(section, arguments.words)) chosen.push_back(section);
-  if (chosen.empty()) return fmt::print(stderr, "no section has such a name\n{}\n", section_list()), 2;
+  if (chosen.empty()) return fmt::print(stderr, "no section's name contains one of the words\n{}\n", section_list()), 2;
   if (!arguments.print) begin_document(arguments.setup);
   int failed = 0;
   for (const Section& section : chosen) failed += run_apart(section, arguments) != 0;
@@ -126,11 +126,13 @@ int evaluate(const Arguments& arguments) {
 
 int main(int count, char** values) {
   dspm::Arguments arguments;
-  CLI::App app("Measures dspm as docs/results.md tells, and writes the figures there.", "./dev bench");
-  app.add_flag("--quick", arguments.setup.quick, "a reduced run of some minutes, into out/results.md");
+  CLI::App app("Measures dspm as docs/results.md describes, and writes the figures there.", "./dev bench");
+  app.add_flag("--quick", arguments.setup.quick, "a reduced run of a few minutes, into out/results.md");
   app.add_flag("--print", arguments.print, "write to standard output instead");
   const auto scene = app.add_option("--scene", arguments.setup.scene, "measure this scene, on standard output");
-  app.add_option("-D", arguments.setup.defines, "name=value for its text")->allow_extra_args(false)->needs(scene);
+  app.add_option("-D", arguments.setup.defines, "name=value for the scene's text")
+      ->allow_extra_args(false)
+      ->needs(scene);
   app.add_option("words", arguments.words, "sections whose names contain one of them; none: all");
   app.footer(dspm::section_list());
   CLI11_PARSE(app, count, values);

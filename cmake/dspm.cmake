@@ -7,7 +7,7 @@ find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
 
 add_library(dspm_settings INTERFACE)
-target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR})
+target_include_directories(dspm_settings INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/made)
 # No contraction and no fast-math: equal paths must take equal decisions in every run, see docs/design.md.
 set(dspm_code_options -ffp-contract=off -fno-math-errno -msse4.2 -mpopcnt)
 target_compile_options(dspm_settings INTERFACE ${dspm_code_options}

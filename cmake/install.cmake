@@ -1,12 +1,12 @@
 # The installed package: the program, libdspm, the headers for modules, and find_package(dspm) with dspm_add_plugin.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-include(cmake/public_headers.cmake)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/dspm)
 
 # What modules inherit: the folder of the headers, and the settings under which frames stay equal to the bit.
-target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+  $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/made> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(libdspm INTERFACE cxx_std_20)
 target_compile_options(libdspm INTERFACE ${dspm_code_options})
 
@@ -23,6 +23,11 @@ configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL
 write_basic_package_version_file(dspmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT Development)
+
+install(FILES ${CMAKE_BINARY_DIR}/made/dspm/modules/interface.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dspm/modules COMPONENT Development)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Development FILES_MATCHING PATTERN "*.md")
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Development)
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 

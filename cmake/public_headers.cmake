@@ -1,15 +1,16 @@
-# What modules outside of the tree may include, as <dspm/...>. The first two lists, for modules and for their tests, are stable within
-# a minor version; the third is what dspm's own integrators are made of, and may change with any version.
+# Headers that modules outside the tree may include, as <dspm/...>. The first two lists, for modules and for their tests,
+# are stable within a minor version and include one another only; the third is what dspm's own integrators are made of,
+# and may change with any version.
 set(public_headers
   accel/accel.h
   cameras/camera.h
   colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h integrators/statistics.h
-  integrators/tiles.h
+  integrators/dimension.h integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h
+  integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h integrators/tiles.h
   lights/light.h
-  materials/bsdf.h materials/material.h materials/parameters.h materials/shading_frame.h
+  materials/bsdf.h materials/material.h materials/microfacet.h materials/parameters.h materials/shading_frame.h
   math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
   modules/module.h modules/stamp.h
   params/errors.h params/params.h params/registry.h
@@ -25,13 +26,13 @@ set(toolkit_headers
   cameras/projection.h
   colour/rgb_lanes.h
   grid/point_grid.h grid/points_within.h grid/refit.h
-  integrators/direct_light.h integrators/estimator.h integrators/gather.h integrators/hit_point.h
-  integrators/joint_path.h integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h
-  integrators/photon.h integrators/photon_grid.h integrators/photon_map.h integrators/progressive.h
-  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/seen_light.h integrators/strand.h
-  integrators/summed_iterations.h
+  integrators/branching_path.h integrators/camera_path.h integrators/direct_light.h integrators/estimator.h
+  integrators/final_gather.h integrators/gather.h integrators/hit_point.h integrators/joint_path.h
+  integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
+  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/progressive.h
+  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h
   lights/aim.h lights/strength.h
-  materials/fresnel.h materials/interface.h materials/microfacet.h
+  materials/fresnel.h materials/interface.h
   math/frame_lanes.h
   shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

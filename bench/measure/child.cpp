@@ -44,7 +44,7 @@ class TemporaryDirectory {
   _exit(127);
 }
 
-/// The number that stands behind the first such key of JSON.
+/// The number after the first occurrence of that key in the JSON.
 double number_in(std::string_view json, const char* key) {
   const std::size_t at = json.find(fmt::format("\"{}\":", key));
   if (at == json.npos) throw std::runtime_error(fmt::format("dspm's statistics lack {}", key));

@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// All frames of a scene at work: together, or one by one where the integrator knows a frame at a time.
+/// Renders all frames of a scene: together, or one by one if the integrator renders a frame at a time.
 class Renderer {
  public:
   Renderer(const LoadedScene& loaded, const Method& method) {

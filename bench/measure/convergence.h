@@ -11,12 +11,12 @@
 
 namespace dspm {
 
-/// An image a frame.
+/// One image per frame.
 using Images = std::vector<Image>;
 
-/// The mean over frames and pixels of |a - b| / (b + 1% of b's mean luminance), of luminance, at most 1 a pixel:
-/// relative, as dark parts are seen too, and neither a lamp's edge nor a firefly weighs more than a pixel that is all
-/// wrong.
+/// The mean over frames and pixels of |a - b| / (b + 1% of b's mean luminance), of luminance, at most 1 per pixel:
+/// relative, because dark areas are seen too, and bounded, so that neither a lamp's edge nor a firefly counts more than
+/// a completely wrong pixel.
 double error_of(const Images& images, const Images& truth);
 
 struct ErrorPoint {
@@ -34,23 +34,23 @@ struct Method {
 /// The error after 1, 2, 4, ... iterations, until they took `limit` seconds (of the integrator's steps).
 std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method, const Images& truth, double limit);
 
-/// The images of `method` after so many seconds.
+/// The images of `method` after that many seconds.
 Images render_for(const LoadedScene& loaded, const Method& method, double limit);
 
-/// An image of each of the scene's frames after so many iterations; `seed` is added to the job's.
+/// An image of each of the scene's frames after that many iterations; `seed` is added to the job's.
 Images rendered(const Scene& scene, const char* integrator, Job job, int seed, int iterations);
 
-/// What frames converge to: the mean of two runs whose seeds no comparison takes, and whose radii shrink faster (alpha
-/// 0.5), so that there is less bias.
+/// The reference: the mean of two runs with seeds that no comparison uses, and with radii that shrink faster (alpha
+/// 0.5), for less bias.
 Images long_run(const Scene& scene, const Job& job, int iterations);
 
-/// The pixels' mean of both.
+/// Pixel by pixel.
 Images mean_of(const Images& a, const Images& b);
 
-/// When `curve` comes down to `error`: a power law between its points, its first one where that is below; 0 where it
-/// does not.
+/// When `curve` falls to `error`, by a power law between its points; that of its first point if it is below already, 0
+/// if it never falls so low.
 double time_to(std::span<const ErrorPoint> curve, double error);
-/// The error after so many seconds, likewise; beyond its ends the curve's first or last.
+/// The error after that many seconds, likewise; beyond the curve's ends its first or last.
 double error_after(std::span<const ErrorPoint> curve, double seconds);
 
 }  // namespace dspm

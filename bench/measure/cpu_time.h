@@ -1,4 +1,4 @@
-// For work of one thread on a machine that others use as well.
+// To time the work of one thread on a machine that others use as well.
 #pragma once
 
 #include <ctime>

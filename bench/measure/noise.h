@@ -1,4 +1,4 @@
-// How noisy an image is: its squared distance from another one, relative to what is to be seen there.
+// How noisy an image is: its squared distance from another one, relative to the brightness there.
 #pragma once
 
 #include "dspm/image/image.h"
@@ -6,7 +6,7 @@
 namespace dspm {
 
 /// The mean over pixels and channels of (a - b)^2 / (t + 1% of the truth's mean)^2, where t is the truth's luminance,
-/// at most 1 each: relative, as dark parts are seen too, and bounded, as otherwise single fireflies would be all of it.
+/// at most 1 each: relative, because dark areas are seen too, and bounded, because single fireflies would dominate.
 ///   a an image, b the truth:     its squared error, bias and all
 ///   a and b of different seeds:  twice its variance, whatever the truth
 double relative_square(const Image& a, const Image& b, const Image& truth);

@@ -1,5 +1,5 @@
-// Integrators that take turns, iteration by iteration, so that a busy machine is busy for all of them: what they take
-// step by step, and the ratios of that.
+// Integrators that take turns, iteration by iteration, so that other load on the machine slows all of them alike: their
+// times step by step, and the ratios of these.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace dspm {
 /// The steps of an iteration, and last their sum.
 inline constexpr std::array<const char*, 5> kSteps = {"hit points", "photons", "photon map", "statistics", "all"};
 using StepSeconds = std::array<double, kSteps.size()>;
-/// By round, an iteration of each.
+/// One iteration per round.
 using Rounds = std::vector<StepSeconds>;
 
 /// One more iteration.
@@ -22,9 +22,9 @@ StepSeconds medians(const Rounds& rounds);
 /// Medians of the rounds' ratios.
 StepSeconds ratios(const Rounds& over, const Rounds& under);
 
-/// Runs that stand for one another, as several frames of a scene one by one: what they take is their mean.
+/// Runs that count as one, such as several frames of a scene one by one: their time is the mean.
 using Group = std::vector<Run>;
-/// By group. The first iteration, in which buffers grow, does not count where there are more.
+/// By group. The first iteration, in which buffers grow, does not count if there are more.
 std::vector<Rounds> in_turns(const std::vector<Group>& groups, int iterations);
 
 }  // namespace dspm

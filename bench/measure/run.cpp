@@ -21,7 +21,7 @@ Job with_param(Job job, const char* name, ParamType type, decltype(Param::values
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Nothing is wrong with a scene but files that are not there: meshes that have not been made.
+/// Whether all errors are missing files, such as meshes that have not been made.
 bool lacks_files_only(const SceneError& error) {
   std::istringstream text(error.what());
   for (std::string line; std::getline(text, line);)

@@ -1,4 +1,4 @@
-// An integrator at work, for what compares integrators.
+// Integrators with their scenes, for comparisons.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 
 namespace dspm {
 
-/// What cannot be measured here, as its models are not there, and why.
+/// Says why something cannot be measured here: its models are missing.
 class Skipped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,15 +22,15 @@ class Skipped : public std::runtime_error {
 
 /// One of our scenes: scenes/NAME.dsc.
 std::filesystem::path our_scene(const std::string& name);
-/// A file or folder of what is not ours and may be absent; throws Skipped.
+/// A file or folder that is not ours and may be absent; throws Skipped if it is.
 std::filesystem::path foreign(const std::string& name);
 
-/// Throws Skipped where the scene is not there or has errors, such as meshes that have not been made.
+/// Throws Skipped if the scene or files that it names are missing, such as meshes that have not been made.
 LoadedScene load(const std::filesystem::path& scene, const Choices& choices,
                  std::optional<Frame> only = std::nullopt);  // as if the file held that frame alone
-/// The scene's text has these values of its names, name=value.
+/// With values for names in the scene's text, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});
-/// The paper's first scene with its true models.
+/// The paper's first scene with its original models.
 LoadedScene load_sibenik_horse();
 
 struct Run {
@@ -38,7 +38,7 @@ struct Run {
   std::unique_ptr<Integrator> integrator;
 };
 
-/// The job with this integrator at work on the scene.
+/// This integrator with the job's settings, on the scene.
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene);
 /// The scene's own integrator with other settings, or another one.
 Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames);
@@ -51,7 +51,7 @@ Job with_text(Job job, const char* name, const char* value);
 Job with_integer(Job job, const char* name, int value);
 Job with_number(Job job, const char* name, float value);
 
-/// `count` of the frames, evenly spread, the first among them; all where there are fewer.
+/// `count` of the frames, evenly spread, the first among them; all if there are fewer.
 std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t count);
 
 /// Seconds of all steps so far.

@@ -1,4 +1,4 @@
-// Frames rendered together beside one frame alone: what each step takes, and what is counted of its work.
+// Frames rendered together against one frame alone: the time of each step, and its work in counts.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ struct Share {
   int frames = 0;
   StepSeconds together{}, dsppm{}, sppm{};  // medians of seconds; of one frame by either integrator
   StepSeconds over_dsppm{}, over_sppm{};    // medians of ratios
-  /// The work of all over that of the mean frame alone by sppm, counted in both: of several kinds the one that grows
-  /// least; 0 for the total.
+  /// The work of all over that of the mean frame alone by sppm, in counts: of several kinds the one that grows least; 0
+  /// for the total.
   StepSeconds counted{};
   double dynamic_photons = 0, dynamic_hit_points = 0;  // shares of the paths
 };
 
-/// `alone`: so many of the frames, evenly spread, are rendered one by one.
+/// `alone`: how many of the frames, evenly spread, are rendered one by one.
 Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations);
 
-/// A row a step.
+/// One row per step.
 std::string table_of(const Share& share);
 
 }  // namespace dspm

@@ -6,7 +6,7 @@
 namespace dspm {
 namespace {
 
-/// What all `frames` take one by one, from the mean of those that were measured.
+/// The time of all `frames` one by one, from the mean of those that were measured.
 Rounds for_all(Rounds means, std::size_t frames) {
   for (StepSeconds& round : means)
     for (double& seconds : round) seconds *= static_cast<double>(frames);

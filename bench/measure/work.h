@@ -1,4 +1,4 @@
-// What runs did, in counts, step by step: what is done together over what is done one by one.
+// The work of runs in counts, step by step, to compare frames together with frames one by one.
 #pragma once
 
 #include "bench/measure/rounds.h"
@@ -8,14 +8,14 @@ namespace dspm {
 /// By step: path segments, path segments, photons stored; gathers, distance tests and photons found.
 using Work = std::array<std::vector<double>, kSteps.size() - 1>;
 
-/// Of all that the run has done so far.
+/// Of the whole run so far.
 Work work_of(const Integrator& integrator);
 /// The mean of several runs.
 Work mean_work(const Group& runs);
 
-/// The most that `count` times the `separate` work can take over what `together` takes, by step, if either does a piece
-/// of work of the same kind in the same time: times of several kinds of work, each shared by a factor of its own, are
-/// shared by no more than the largest of the factors. Nothing for the total.
+/// The most, by step, that `count` times the `separate` work can take over the time of `together`, if both need the
+/// same time for the same kind of work: several kinds of work, each shared by a factor of its own, are shared by no
+/// more than the largest of these. 0 for the total.
 StepSeconds sharing_factors(const Work& separate, double count, const Work& together);
 
 }  // namespace dspm

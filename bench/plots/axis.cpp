@@ -51,7 +51,7 @@ double Axis::position(double value) const {
 
 Axis axis_for(std::span<const double> values, Scale scale) {
   double low = 0, high = 0;
-  bool any = scale == Scale::linear;  // 0 is in
+  bool any = scale == Scale::linear;  // 0 is included
   for (const double value : values) {
     if (!std::isfinite(value) || (scale == Scale::logarithmic && value <= 0)) continue;
     low = any ? std::min(low, value) : value;

@@ -19,13 +19,13 @@ struct Axis {
 };
 
 /// Spans all values, and 0 as well on a linear axis. Ticks are 1, 2 or 5 times powers of ten; a logarithmic axis over
-/// two decades and more has the powers only. Values that a logarithmic axis cannot show are left out of account.
+/// two decades and more has the powers only. Values that a logarithmic axis cannot show are ignored.
 Axis axis_for(std::span<const double> values, Scale scale);
 
 /// An axis with a tick at each of the values.
 Axis axis_of(std::span<const double> values, Scale scale);
 
-/// "0.05", "1", "200", "10,000": a tick's value for people.
+/// "0.05", "1", "200", "10,000".
 std::string tick_label(double value);
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// What plots have in common: the area within, the axes around it, the title above.
+// The frame of a plot: the area within, the axes around it, the title above.
 #pragma once
 
 #include <string>

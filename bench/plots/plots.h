@@ -27,7 +27,7 @@ struct LinePlot {
 
 struct BarSeries {
   std::string name;
-  std::vector<double> values;  // one a group; 0: no bar
+  std::vector<double> values;  // one per group; 0: no bar
   bool dashed = false;         // likewise
 };
 

@@ -1,5 +1,5 @@
-// A drawing in SVG: lines, areas and words. It follows the reader's light or dark scheme by itself, with its own paper
-// below, so that it can be read wherever it is shown. No scripts, no fonts of its own.
+// A drawing in SVG: lines, areas and words. It follows the reader's light or dark scheme, on its own background, so
+// that it is readable wherever it is shown. No scripts, no fonts of its own.
 #pragma once
 
 #include <span>
@@ -18,12 +18,12 @@ enum class Anchor { start, middle, end };
 struct SvgStyle {
   int series = -1;      // < 0: the colour of text and axes
   bool faint = false;   // grid lines
-  bool dashed = false;  // what is not measured but compared with
+  bool dashed = false;  // compared with, not measured
 };
 
 class Svg {
  public:
-  /// `title` is what a reader hears who cannot see it.
+  /// `title` is for screen readers.
   Svg(int width, int height, std::string_view title);
 
   void line(SvgPoint from, SvgPoint to, SvgStyle style);
@@ -31,7 +31,7 @@ class Svg {
   void dot(SvgPoint centre, SvgStyle style);
   void rectangle(SvgPoint corner, double width, double height, SvgStyle style);
   void text(SvgPoint at, std::string_view words, Anchor anchor, SvgStyle style = {}, int size = 12);
-  /// Read from below, along a vertical axis.
+  /// Upwards along a vertical axis.
   void upright_text(SvgPoint middle, std::string_view words);
 
   std::string finished() const { return body_ + "</svg>\n"; }
@@ -40,10 +40,10 @@ class Svg {
   std::string body_;
 };
 
-/// How wide the words will be, about, in pixels.
+/// The approximate width of the words, in pixels.
 double text_width(std::string_view words, int size = 12);
 
-/// `text` as XML wants it.
+/// For XML.
 std::string escaped(std::string_view text);
 
 }  // namespace dspm

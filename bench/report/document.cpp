@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kBegin = "<!-- figures: ", kBeginEnd = " -->", kEnd = "<!-- end -->";
 
-/// A block's name and where its content stands, from behind the first mark to the second.
+/// A block's name and the range of its content, from after the first mark to the second.
 struct Block {
   std::string_view name;
   std::size_t begin, end;
@@ -26,7 +26,7 @@ std::vector<Block> blocks(std::string_view document) {
       throw std::runtime_error(fmt::format("block {} of figures has no end", found.size() + 1));
     const std::string_view word = document.substr(name, name_end - name);
     if (std::any_of(found.begin(), found.end(), [&](const Block& b) { return b.name == word; }))
-      throw std::runtime_error(fmt::format("there are two blocks of figures named {}", word));
+      throw std::runtime_error(fmt::format("two blocks of figures are named {}", word));
     found.push_back({word, content, end});
     at = end;
   }

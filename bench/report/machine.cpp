@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-/// What follows `key` and a separator in the first line of the file that begins with it.
+/// The text after `key` and a separator in the first line of the file that begins with it.
 std::string value_in(const char* file, const std::string& key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -56,7 +56,7 @@ std::string machine_in_words() {
 
 std::string date_and_commit() {
   const std::string commit = output_of("git -C '" DSPM_SOURCE_DIR "' describe --always --exclude='*' 2>/dev/null");
-  // What is written here does not count.
+  // Without docs, which this program writes.
   const std::string changes = output_of("git -C '" DSPM_SOURCE_DIR "' status --porcelain -- . ':!docs' 2>/dev/null");
   const std::time_t now = std::time(nullptr);
   return fmt::format("{:%Y-%m-%d}, commit {}{}", *std::gmtime(&now), commit.empty() ? "unknown" : commit,

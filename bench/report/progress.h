@@ -1,4 +1,4 @@
-// What the evaluation is at, on stderr: standard output is for results.
+// Progress of the evaluation, on stderr: standard output is for results.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// A line with the time since the program's begin.
+/// A line with the time since the program's start.
 void say_line(const std::string& line);
 
 template <class... Values>

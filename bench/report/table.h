@@ -23,7 +23,7 @@ class Table {
   std::string text_;
 };
 
-/// Figures as tables show them; empty where there is none (0).
+/// Figures as tables show them; a missing ratio (0) is empty.
 inline std::string seconds_cell(double seconds) { return fmt::format("{:.3f}", seconds); }
 inline std::string ratio_cell(double ratio) { return ratio > 0 ? fmt::format("{:.2f}", ratio) : ""; }
 inline std::string percent_cell(double share) { return fmt::format("{:.1f}%", 100 * share); }

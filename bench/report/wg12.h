@@ -1,6 +1,5 @@
-// What the paper measured: Weiss and Grosch, Stochastic Progressive Photon Mapping for Dynamic Scenes, Eurographics
-// 2012, tables 1 to 3. On a machine of its time, 512 x 512 pixels, with models of theirs: what can be compared are
-// ratios.
+// The paper's measurements: Weiss and Grosch, Stochastic Progressive Photon Mapping for Dynamic Scenes, Eurographics
+// 2012, tables 1 to 3. On a machine of its time, 512 x 512 pixels, with models of its own: only ratios can be compared.
 #pragma once
 
 #include <array>

@@ -8,10 +8,10 @@
 namespace dspm {
 namespace {
 
-// Of the time that dsppm gets: what each of the reference's two runs gets, and sppm and path.
+// Times as multiples of dsppm's: of each of the reference's two runs, and of sppm and path.
 constexpr double kReference = 8, kSlow = 4;
 
-/// Small images, as references are long; photons for as many of them a pixel as 300,000 on 512 x 512.
+/// Small images, because references take long; as many photons per pixel as 300,000 on 512 x 512.
 Choices small(const Setup& setup, const char* integrator) {
   Choices choices;
   choices.defines = setup.defines;
@@ -32,7 +32,7 @@ std::vector<Method> photon_methods(const Job& given, int photons) {
           {"sppm, kz11", "sppm", with("kz11", "photons")}};
 }
 
-/// Of other seeds than all that is compared, and with radii that shrink faster: less bias, and time enough for noise.
+/// With seeds that no method uses, and with radii that shrink faster: less bias, and enough time against noise.
 struct Reference {
   Images truth;
   double uncertainty;  // half the difference of two independent runs
@@ -97,7 +97,7 @@ Findings measure_one(const std::filesystem::path& file, const Setup& setup) {
   }
   const auto& size = loaded.job.settings.crop;
   return {fmt::format(
-              "\n{}, {} frames of {} x {} pixels, {} photons an iteration; the reference is uncertain by {:.4f}:\n\n",
+              "\n{}, {} frames of {} x {} pixels, {} photons per iteration; the reference is uncertain by {:.4f}:\n\n",
               name, loaded.job.frames.size(), size.width(), size.height(), photons, reference.uncertainty) +
               table_of(curves, seconds) + "\n" + plot_link("error-" + name, "Error over time, " + name),
           {plot_of(name, curves)}};

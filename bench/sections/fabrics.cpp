@@ -24,7 +24,7 @@ struct Measured {
   double additional() const { return (over_one - 1) / (fabrics - 1); }
 };
 
-/// Of an interval over one fabric, the mean of some.
+/// Of an interval, over the mean of a few fabrics alone.
 double time_over_one(const LoadedScene& loaded, const FrameList& interval, int iterations) {
   std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, loaded.job, "dsppm", interval));
@@ -83,10 +83,11 @@ Findings measure_fabrics(const Setup& setup) {
   for (const int count : setup.quick ? std::vector<int>{1, 64} : std::vector<int>{1, 64, 128, 500})
     all.push_back(measure_one(loaded, count, setup.quick));
   const Measured& last = all.back();
-  return {fmt::format("{}\nOf {} fabrics each additional one takes {} of one frame's time (asked: at most {}).\n\n{}",
-                      table_of(all), last.fabrics, percent_cell(last.additional()), percent_cell(kAskedShare),
-                      plot_link("fabrics", "Peak memory over the number of fabrics")),
-          {plot_of(all)}};
+  return {
+      fmt::format("{}\nWith {} fabrics, each additional one takes {} of one frame's time (required: at most {}).\n\n{}",
+                  table_of(all), last.fabrics, percent_cell(last.additional()), percent_cell(kAskedShare),
+                  plot_link("fabrics", "Peak memory over the number of fabrics")),
+      {plot_of(all)}};
 }
 
 }  // namespace dspm

@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> scene_files(bool quick) {
   if (std::filesystem::is_directory(folder))
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.path().extension() == ".dsc") files.push_back(entry.path());
-  if (files.size() != kSide * kSide) throw Skipped(fmt::format("there are {} scenes in figure9", files.size()));
+  if (files.size() != kSide * kSide) throw Skipped(fmt::format("figure9 has {} scenes instead of 9", files.size()));
   std::sort(files.begin(), files.end());
   if (!quick) return files;
   return {files[0], files[kSide - 1], files[(kSide - 1) * kSide], files[kSide * kSide - 1]};

@@ -29,7 +29,7 @@ LinePlot plot_of(const std::vector<Measured>& all, const char* title, const char
   return plot;
 }
 
-/// The median over rounds of the most frames' time over that of one interval.
+/// The median over rounds: the time of all frames over that of one interval.
 std::string last_ratio(const std::vector<Measured>& all) {
   const Measured& whole = all.back();
   const Measured& part =
@@ -54,15 +54,15 @@ Findings measure_frames(const Setup& setup) {
       m.peak_bytes = std::max(m.peak_bytes, report.peak_bytes);
     }
   }
-  Table table({"frames", fmt::format("s for {} iterations", iterations), "s a frame", "peak, MB"});
+  Table table({"frames", fmt::format("s for {} iterations", iterations), "s per frame", "peak, MB"});
   for (const Measured& m : all)
     table.row({std::to_string(m.frames), fmt::format("{:.2f}", median(m.seconds)),
                fmt::format("{:.4f}", median(m.seconds) / m.frames), megabytes_cell(m.peak_bytes)});
-  const LinePlot time = plot_of(all, "Time a frame over the number of frames", "seconds a frame", Scale::linear,
+  const LinePlot time = plot_of(all, "Time per frame over the number of frames", "seconds per frame", Scale::linear,
                                 [](const Measured& m) { return median(m.seconds) / m.frames; });
   const LinePlot memory = plot_of(all, "Peak memory over the number of frames", "MB", Scale::linear,
                                   [](const Measured& m) { return m.peak_bytes / 1e6; });
-  return {table.text() + "\n" + last_ratio(all) + "\n" + plot_link("frames-time", "Time a frame") +
+  return {table.text() + "\n" + last_ratio(all) + "\n" + plot_link("frames-time", "Time per frame") +
               plot_link("frames-memory", "Peak memory"),
           {{"frames-time", svg_of(time)}, {"frames-memory", svg_of(memory)}}};
 }

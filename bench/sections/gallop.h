@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-/// Both throw Skipped where the scene's meshes have not been made.
+/// Both throw Skipped if the scene's meshes have not been made.
 LoadedScene load_gallop(int frames);
 ChildReport render_gallop(int frames, const char* estimator, int iterations);
 

@@ -22,7 +22,7 @@ const wg12::HorseRow* paper_row(int frames) {
   return nullptr;
 }
 
-/// One after the other; the scenes differ in their number of frames, which rises.
+/// One after the other; the scenes differ in their number of frames, which increases.
 std::vector<Measured> measure_all(const std::vector<LoadedScene>& scenes, bool quick) {
   const TurnSettings settings{.iterations = quick ? 3 : 6, .separate = quick ? 4u : 64u};
   std::vector<Measured> all;

@@ -1,5 +1,5 @@
-// An animator's 24 frames: a lamp dims, the camera moves, nothing else. The time over that of frames that are all
-// alike, and over that of one.
+// An animator's 24 frames: a lamp dims, the camera moves, nothing else. Their time over that of 24 equal frames, and
+// over that of one.
 #include "bench/measure/rounds.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
@@ -71,8 +71,8 @@ Findings measure_lamp(const Setup& setup) {
   const Rounds& one = rounds[std::size(kCases)];
   const StepSeconds move = ratios(rounds[kMoves], one);
   return {
-      fmt::format("{}\nA lamp that dims takes {:.2f} times as long as steady ones (asked: at most {}), two of them "
-                  "{:.2f} times. While the camera moves, photons take {:.2f} times as long as for one frame (asked: "
+      fmt::format("{}\nA lamp that dims takes {:.2f} times as long as steady ones (required: at most {}), two of them "
+                  "{:.2f} times. While the camera moves, photons take {:.2f} times as long as for one frame (required: "
                   "at most {}), everything {:.2f} times.\n",
                   tables(rounds), ratios(rounds[kDims], rounds[kSteady]).back(), kAsked,
                   ratios(rounds[kBothDim], rounds[kSteady]).back(), move[1], kAsked, move.back()),

@@ -17,11 +17,11 @@ namespace dspm {
 namespace {
 
 constexpr int kPhotons = 300000 / 16;  // for a quarter of the width and height
-constexpr int kOwnSeed = 500;          // what a frame has in its own file shares no seed with the joint run
+constexpr int kOwnSeed = 500;          // a frame in a file of its own shares no seed with the joint run
 
 struct Product {
   std::filesystem::path file;
-  double time = 0, noise = 0;  // at most, as was asked; 0: nothing was asked
+  double time = 0, noise = 0;  // at most, as required; 0: not required
 };
 
 std::vector<Product> products(const Setup& setup) {
@@ -29,7 +29,7 @@ std::vector<Product> products(const Setup& setup) {
   return {{our_scene("chair-finishes"), 3, 1.1}, {our_scene("chair-gloss"), 6, 1.3}};
 }
 
-/// All of dsppm over sppm in files of their own at equal iterations, by variation, ascending.
+/// dsppm over sppm in files of their own, at equal iterations, by variation, ascending.
 struct Noise {
   int iterations;
   std::vector<double> deviations;  // standard deviations
@@ -38,7 +38,7 @@ struct Noise {
 
 struct NoiseSettings {
   int iterations, seeds, reference;
-  std::size_t variations;  // at most so many are compared
+  std::size_t variations;  // at most this many are compared
 };
 
 /// By seed.
@@ -64,7 +64,7 @@ Squares squares(const std::vector<Images>& by_seed, std::size_t frame, const Ima
   return sum;
 }
 
-/// Each variation among all others, and by sppm in a file of its own.
+/// Each variation among all others against that by sppm in a file of its own.
 Noise measure_noise(const Product& product, const Choices& choices, const NoiseSettings& settings) {
   const LoadedScene loaded = load(product.file, choices);
   const Job job = with_integer(loaded.job, "photons", kPhotons);
@@ -113,9 +113,9 @@ Measured measure_one(const Product& product, const Setup& setup) {
 }
 
 std::string totals(const std::vector<Measured>& all) {
-  Table table({"scene", "variations", "time over one frame's, dsppm", "sppm", "asked",
+  Table table({"scene", "variations", "time over one frame's, dsppm", "sppm", "required",
                "standard deviation over that in a file of its own: worst", "median", "error likewise: worst", "median",
-               "asked"});
+               "required"});
   for (const Measured& m : all)
     table.row({m.name, std::to_string(m.share.frames), ratio_cell(m.share.over_dsppm.back()),
                ratio_cell(m.share.over_sppm.back()), ratio_cell(m.product.time), ratio_cell(m.noise.deviations.back()),

@@ -1,4 +1,4 @@
-// WG12's table 2: peak memory over the number of frames, and what it grows by.
+// WG12's table 2: peak memory over the number of frames, and its growth.
 #include "bench/measure/child.h"
 #include "bench/measure/run.h"
 #include "bench/plots/plots.h"
@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kPaperGrowth = 25;  // MB a frame from 8 to 32: (874 - 282) / 24
+constexpr double kPaperGrowth = 25;  // MB per frame from 8 to 32: (874 - 282) / 24
 
 struct Measured {
   int frames;
@@ -36,13 +36,13 @@ std::string table_of(const std::vector<Measured>& all) {
   return table.text();
 }
 
-/// From 8 frames on, as for fewer some buffers are no larger.
+/// From 8 frames on, because up to there some buffers do not grow.
 std::string growth(const std::vector<Measured>& all) {
   const Measured &first = all[1], &last = all.back();
   const auto a_frame = [&](double from, double to) { return (to - from) / 1e6 / (last.frames - first.frames); };
   const ChildReport &a = first.report, &b = last.report;
   return fmt::format(
-      "From {} to {} frames the peak grows by {:.1f} MB a frame (WG12: {:.0f}): pixels, photons and hit points by "
+      "From {} to {} frames the peak grows by {:.1f} MB per frame (WG12: {:.0f}): pixels, photons and hit points by "
       "{:.1f}, "
       "trees by {:.1f}, meshes and all else by {:.1f}.\n",
       first.frames, last.frames, a_frame(a.peak_bytes, b.peak_bytes), kPaperGrowth,

@@ -1,5 +1,5 @@
-// A frame among others against the same frame in a file of its own, where photons are worth less to it among others:
-// lights are chosen for all frames of a file alike, and the disk of distant ones covers what is in any of them.
+// A frame among others against the same frame in a file of its own, in scenes whose photons are worth less to it among
+// others: lights are chosen for all frames of a file alike, and the disk of distant ones covers what is in any of them.
 #include <cmath>
 
 #include "bench/measure/convergence.h"
@@ -15,13 +15,13 @@
 namespace dspm {
 namespace {
 
-constexpr int kOwnSeed = 500;  // what a frame has in its own file shares no seed with the joint run
+constexpr int kOwnSeed = 500;  // a frame in a file of its own shares no seed with the joint run
 
 struct Case {
   std::filesystem::path file;
   bool quick;          // a quarter of the width and height
-  int photons;         // an iteration
-  std::size_t frames;  // so many are compared
+  int photons;         // per iteration
+  std::size_t frames;  // this many are compared
 };
 
 std::vector<Case> cases() {
@@ -83,14 +83,14 @@ double mean_error(const Images& by_seed, const Images& truth) {
   return sum / static_cast<double>(by_seed.size());
 }
 
-/// Up to a factor, as all images are as many: from the differences of seeds, so without bias.
+/// Up to a factor that is the same for equally many images. From differences between seeds, so without bias.
 double deviation(const Images& by_seed, const Images& truth) {
   double sum = 0;
   for (std::size_t s = 1; s < by_seed.size(); ++s) sum += relative_square(by_seed[s], by_seed[s - 1], truth.front());
   return std::sqrt(sum);
 }
 
-/// Of the joint run's time for as many iterations, a frame's share.
+/// In a frame's share of the joint run's time.
 int iterations_in_time(const LoadedScene& loaded, const Job& job, const Own& own, const Effort& effort) {
   std::vector<Group> groups(2);
   groups[0].push_back(start(loaded, job, "dsppm", job.frames));
@@ -105,7 +105,7 @@ struct Measured {
   std::string name;
   std::size_t frames;
   std::vector<Row> rows;
-  std::string told;  // what --explain says of it
+  std::string told;  // by --explain
 };
 
 Measured measure_one(const Case& c, const Effort& effort) {

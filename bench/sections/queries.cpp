@@ -1,6 +1,6 @@
-// What a partition query costs, against three other ways to the same answer, on scenes that are generated here:
+// The cost of a partition query, against three other ways to the same answer, on scenes that are generated here:
 //   frame by frame   a query for each of the frames alone, on the same trees
-//   tree a frame     the static tree once, then for each frame a tree of its own over what is there in that frame
+//   tree per frame   the static tree once, then for each frame a tree of its own over what is there in that frame
 //   restarts         WG12's scheme: the nearest hit of any frame, and again from the ray's origin for the frames left
 // The ways take turns on a thousand rays at a time, and of several turns the fastest counts.
 #include <algorithm>
@@ -73,8 +73,10 @@ struct Way {
   const char* name;
   void (*answer)(const Trees&, const Query&);
 };
-constexpr Way kWays[] = {
-    {"Mrays/s", partition}, {"frame by frame", frame_by_frame}, {"tree a frame", tree_a_frame}, {"restarts", restarts}};
+constexpr Way kWays[] = {{"Mrays/s", partition},
+                         {"frame by frame", frame_by_frame},
+                         {"tree per frame", tree_a_frame},
+                         {"restarts", restarts}};
 
 /// Seconds that each of the ways takes for all queries.
 std::vector<double> take_turns(const Trees& trees, const std::vector<Query>& queries) {

@@ -1,4 +1,4 @@
-// The rays whose partition is measured: as a render's, from the camera and on from what they meet.
+// The rays of the measured queries: like a render's, from the camera, then from the surfaces that they meet.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct Query {
   FrameSet frames;
 };
 
-/// One a pixel, for all frames.
+/// One per pixel, for all frames.
 std::vector<Query> camera_rays(const QueryScene& scene);
 /// One diffuse bounce from everything that `queries` meet, in the frames that meet it.
 std::vector<Query> bounced(const QueryScene& scene, const Accel& accel, const std::vector<Query>& queries);

@@ -1,4 +1,4 @@
-// A part of the evaluation: it measures one thing and tells it as Markdown for a block of docs/results.md.
+// A section of the evaluation: it measures one thing and reports it as Markdown for a block of docs/results.md.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace dspm {
 
 struct Setup {
   bool quick = false;                // a reduced run: fewer scenes, frames and iterations
-  std::string scene;                 // a scene file in place of the section's own; empty: the section's own
+  std::string scene;                 // a scene file instead of the section's own; empty: the section's own
   std::vector<std::string> defines;  // name=value for it
 };
 

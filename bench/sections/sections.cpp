@@ -14,9 +14,9 @@ std::string plot_link(const std::string& name, const std::string& sentence) {
 
 std::span<const Section> sections() {
   static constexpr Section kSections[] = {
-      {"machine", "what is measured on", measure_machine},
+      {"machine", "the machine of the measurements", measure_machine},
       {"horse", "WG12 table 1: the speedup over the number of frames", measure_horse},
-      {"sibenik", "the same with the paper's own models, where they are", measure_sibenik},
+      {"sibenik", "the same with the paper's own models, if they are there", measure_sibenik},
       {"scenes", "WG12 table 3: disco, water and material", measure_scenes},
       {"figure9", "WG12 figure 9: the speedup over the shares of dynamic photons and hit points", measure_figure9},
       {"looks", "variations of a product against one of them, and their noise", measure_looks},
@@ -28,8 +28,8 @@ std::span<const Section> sections() {
       {"threads", "from one thread to all", measure_threads},
       {"error", "time to equal error of the integrators and estimators", measure_error},
       {"queries", "partition queries against other ways to the same answer", measure_queries},
-      {"sppm", "one frame, beside other renderers", measure_sppm},
-      {"reading", "scenes' text and meshes in bytes a second", measure_reading},
+      {"sppm", "one frame, against other renderers", measure_sppm},
+      {"reading", "scenes' text and meshes in bytes per second", measure_reading},
   };
   return kSections;
 }

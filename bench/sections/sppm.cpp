@@ -1,4 +1,4 @@
-// Seconds an iteration of sppm on a box with glass and a box with a fine mesh, as other renderers were measured.
+// Seconds per iteration of sppm on a box with glass and a box with a fine mesh, measured like other renderers.
 #include <array>
 
 #include "bench/measure/child.h"
@@ -13,10 +13,10 @@ namespace {
 struct Row {
   const char* direct;
   StepSeconds seconds{};
-  double rays = 0;  // an iteration
+  double rays = 0;  // per iteration
 };
 
-/// Means over the second two thirds of the iterations.
+/// Means over the last two thirds of the iterations.
 Row measure(const LoadedScene& loaded, const char* direct, int iterations) {
   const Run run = start(loaded, with_text(loaded.job, "direct", direct), "sppm", loaded.job.frames);
   Row row{direct};
@@ -34,7 +34,7 @@ double peak_bytes(const std::filesystem::path& scene, int iterations) {
   return run_dspm({scene.string(), "--integrator=sppm", fmt::format("--iterations={}", iterations)}).peak_bytes;
 }
 
-/// Seconds an iteration of others, as they were handed to us: nothing here runs them.
+/// Seconds per iteration of others, as reported to us: nothing here runs them.
 struct Peer {
   const char* name;
   double glassball, blob;
@@ -71,8 +71,8 @@ Findings measure_sppm(const Setup& setup) {
   return {
       table.text() +
           "\nThe next table is quoted: measured once before 2026-11-21 on another machine (2 cores of the Sapphire "
-          "Rapids class), 2 threads, means of iterations 17 to 48 at the same settings. Nothing in it was run beside "
-          "what stands above.\n\n" +
+          "Rapids class), 2 threads, means of iterations 17 to 48 at the same settings. None of it was run together "
+          "with the measurements above.\n\n" +
           peers.text(),
       {}};
 }

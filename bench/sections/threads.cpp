@@ -21,7 +21,7 @@ std::vector<int> thread_counts() {
   return counts;
 }
 
-/// Medians of each number of threads; all take turns on runs of their own.
+/// Medians for each number of threads; all take turns on runs of their own.
 std::vector<StepSeconds> measure(const LoadedScene& loaded, const char* integrator, const std::vector<Frame>& frames,
                                  int iterations) {
   const std::vector<int> counts = thread_counts();

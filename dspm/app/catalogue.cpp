@@ -13,7 +13,7 @@ namespace {
 
 std::string full_name(const CatalogueEntry& entry) { return entry.kind + ":" + entry.name; }
 
-/// A line a parameter under a line of headings, in columns as wide as their contents.
+/// One line per parameter under a line of headings, in columns as wide as their contents.
 std::string table_of(std::vector<ParamInfo> params) {
   params.insert(params.begin(), {"type", "name", "default", "", "meaning"});
   std::size_t types = 0, names = 0, defaults = 0;
@@ -60,7 +60,7 @@ std::string describe_plugins(std::string_view name) {
   if (!text.empty()) return text;
   const std::string guess = did_you_mean(name, names);
   throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", name,
-                               guess.empty() ? "dspm --list names them all as kind and name" : guess));
+                               guess.empty() ? "dspm --list shows all kinds and names" : guess));
 }
 
 }  // namespace dspm

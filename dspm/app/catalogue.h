@@ -6,9 +6,9 @@
 
 namespace dspm {
 
-/// Every kind with its plugins, a line each.
+/// Every kind with its plugins, one per line.
 std::string list_plugins();
-/// The parameters of a `kind:name`, or of each plugin of the name; throws UsageError where there is none.
+/// The parameters of a `kind:name`, or of each plugin of that name; throws UsageError if there is none.
 std::string describe_plugins(std::string_view name);
 
 }  // namespace dspm

@@ -79,7 +79,7 @@ int run_command_line(const std::vector<std::string>& arguments) {
   } catch (const std::exception& error) {
     say(is_out_of_memory(error) ? "out of memory" : error.what());
   } catch (...) {
-    say("what is no exception of C++");
+    say("something that is not a std::exception");
   }
   return InterruptRequests::exit_code(1);
 }

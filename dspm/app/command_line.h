@@ -1,4 +1,4 @@
-// The command line: which task, and what the exit code is.
+// The command line: its task and the exit code.
 #pragma once
 
 #include <string>

@@ -33,7 +33,7 @@ void on_terminate() {
   } catch (const std::exception& error) {
     say(error.what());
   } catch (...) {
-    say("an error that is no exception of C++");
+    say("something that is not a std::exception was thrown");
   }
   say("\n");
   end_suddenly(1);

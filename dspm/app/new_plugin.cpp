@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the scene says of a kind: the usual, and what puts the new plugin in its place.
+/// The scene's line for a kind: the usual one, and the one with the new plugin.
 struct SceneLine {
   const char *kind, *usual, *own;
 };
@@ -38,7 +38,7 @@ constexpr SceneLine kSceneLines[] = {
 
 using Words = std::map<std::string, std::string, std::less<>>;
 
-/// A line that comes to nothing is left out.
+/// A line that becomes empty is left out.
 std::string filled(std::string_view text, const Words& words) {
   std::string result;
   while (!text.empty()) {
@@ -74,21 +74,21 @@ void check(std::string_view kind, const std::string& name, const fs::path& folde
   for (const SceneLine& line : kSceneLines) kinds.emplace_back(line.kind);
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw UsageError(
-        fmt::format("--new-plugin {}: there is no such kind; there are: {}", kind, fmt::join(kinds, ", ")));
+        fmt::format("--new-plugin {}: there is no such kind; choose one of: {}", kind, fmt::join(kinds, ", ")));
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || name[0] < 'a' || name == "test")
     throw UsageError(fmt::format(
         "--new-plugin {} {}: a name is made of a-z, 0-9 and _, begins with a letter, and is not \"test\"", kind, name));
   if (kind == "integrator" && is_name_of_path(name))
     throw UsageError(
-        fmt::format("--new-plugin: scenes of pbrt mean \"path\" by the integrator \"{}\"; take another name", name));
-  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: there is a {} \"{}\" already", kind, name));
+        fmt::format("--new-plugin: in pbrt scenes the integrator \"{}\" means \"path\"; choose another name", name));
+  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: a {} \"{}\" exists already", kind, name));
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
-    throw UsageError(fmt::format("--new-plugin: {} is there already, and not empty", folder.string()));
+    throw UsageError(fmt::format("--new-plugin: {} exists already, and is not an empty folder", folder.string()));
 }
 
-/// As it is where it may be, else quoted.
+/// Quoted if necessary.
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -97,14 +97,14 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// What CMake must be told to find the package of this very program; nothing where it looks anyway.
+/// The option by which CMake finds the package of this very program; empty if CMake looks there anyway.
 std::string package_place(const fs::path& program) {
   const fs::path folder = program.parent_path(), prefix = folder.parent_path();
   if (folder.filename() != "bin" || prefix == "/usr" || prefix == "/usr/local") return {};
   return " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
 }
 
-/// That build, test and try it.
+/// Commands that build, test and try it.
 std::string commands(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);

@@ -1,4 +1,4 @@
-// A project to start a plugin from, for those who write one outside of dspm's tree.
+// A starter project for a plugin outside of dspm's tree.
 #pragma once
 
 #include <filesystem>

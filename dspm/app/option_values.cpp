@@ -56,7 +56,7 @@ double seconds_of(char unit) {
   }
 }
 
-/// 1 for "" and "B", 1e9 for "G" and "GB", 2^30 for "Gi" and "GiB", in any letter case; 0 for what is none.
+/// 1 for "" and "B", 1e9 for "G" and "GB", 2^30 for "Gi" and "GiB", in any letter case; else 0.
 double bytes_of(std::string_view unit) {
   if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.remove_suffix(1);
   if (unit.empty()) return 1;
@@ -81,7 +81,7 @@ std::optional<FrameRange> frame_range(std::string_view text) {
   return FrameRange{*first, *last, *step};
 }
 
-/// `-Seed=3` to `seed`: what is compared.
+/// `-Seed=3` to `seed`, for comparison.
 std::string plain_name(std::string_view argument) {
   std::string name;
   for (const char c : argument.substr(0, argument.find('=')))
@@ -92,7 +92,7 @@ std::string plain_name(std::string_view argument) {
 }  // namespace
 
 std::vector<Frame> parse_frames(std::string_view text) {
-  std::vector<bool> wanted;  // however often: a list would grow with each range that is named
+  std::vector<bool> wanted;  // a flag per frame: a list would grow with each repeated range
   for (const std::string_view part : split(text, ',')) {
     const auto range = frame_range(part);
     if (!range) throw UsageError(fmt::format("--frames {}: expected frames from 1 on, such as 1-8,12 or 1-32:4", text));

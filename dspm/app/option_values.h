@@ -1,4 +1,4 @@
-// The values of command line options that are more than a number or a word. All throw UsageError, naming what was
+// The values of command line options that are more than a number or a word. All throw UsageError, quoting what was
 // given.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace dspm {
 
-/// "1-8,12,1-32:4" (every fourth from 1 to 32): ascending frames without repetition, counted from 0 where the text
-/// counts from 1.
+/// "1-8,12,1-32:4" (every fourth from 1 to 32): ascending frames without repetition, counted from 0; the text counts
+/// from 1.
 std::vector<Frame> parse_frames(std::string_view text);
 /// "30s", "1h30m", "1.5h"; a bare number is seconds.
 double parse_duration(const char* option, std::string_view text);
@@ -24,7 +24,7 @@ std::array<double, 4> parse_crop_window(std::string_view text);
 std::array<int, 4> parse_pixel_bounds(std::string_view text);
 
 /// Options as pbrt lets them be written (one dash or two; letter case, '-' and '_' in the name do not matter) in the
-/// spelling of `names`. What is no option of that list stays as it is.
+/// spelling of `names`. Other arguments stay unchanged.
 std::vector<std::string> canonical_spelling(const std::vector<std::string>& arguments,
                                             const std::vector<std::string>& names);
 

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kMaxCount = 1'000'000'000, kMaxThreads = 1024;
 constexpr const char* kDescription =
-    "dspm renders all frames of a scene together, sharing what does not differ between them.\n"
+    "dspm renders all frames of a scene together and shares the work that they have in common.\n"
     "Exit codes: 0 done, 1 the scene or the render failed, 2 usage, 130 interrupted (images are written).\n";
 
-/// So that "" is no way to leave an option out.
+/// Else "" would count as an option that is not given.
 const CLI::Validator kNamesAFile([](const std::string& name) { return name.empty() ? "a file's name is missing" : ""; },
                                  "");
 
@@ -35,7 +35,8 @@ void add_count(CLI::App& app, const char* names, Count& count, int lowest, int h
 }
 
 void add_scene(CLI::App& app, Options& o) {
-  app.add_option("scene", o.scenes, "scene files (.dsc or .pbrt, perhaps .gz), read in this order; -: standard input")
+  app.add_option("scene", o.scenes,
+                 "scene files (.dsc or .pbrt, optionally .gz), read in this order; -: standard input")
       ->type_name("");
   app.add_option("-D", o.defines, "replace $name in the scene's text")
       ->allow_extra_args(false)
@@ -44,10 +45,10 @@ void add_scene(CLI::App& app, Options& o) {
       ->allow_extra_args(false)
       ->check(kNamesAFile)
       ->type_name("FILE");
-  app.add_option("--sandbox", o.sandbox, "for scenes of strangers: touch no file outside of DIR, load no plugins")
+  app.add_option("--sandbox", o.sandbox, "for untrusted scenes: touch no file outside of DIR, load no plugins")
       ->check(kNamesAFile)
       ->type_name("DIR");
-  app.add_flag("--lenient", o.lenient, "what dspm lacks of pbrt is a warning, not an error");
+  app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
   app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
   app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")
       ->type_name("NAME");
@@ -62,26 +63,26 @@ void add_tasks(CLI::App& app, Options& o) {
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
-  add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, as of material:dielectric",
+  add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, such as those of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
   app.add_option_function<std::vector<std::string>>(
          "--new-plugin", [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
-         "write a project to start a plugin from: integrator ambient my-folder")
+         "write a starter project for a plugin: integrator ambient my-folder")
       ->expected(3)
       ->type_name("KIND NAME DIR");
 }
 
 void add_work(CLI::App& app, Options& o) {
-  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: as many as there are cores)");
+  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: one per core)");
   // Image headers keep it as a double.
-  app.add_option("--seed", o.seed, "of the random numbers")
+  app.add_option("--seed", o.seed, "seed of the random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53).description(""))
       ->type_name("N");
-  add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths a pixel; 0: until stopped");
-  add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths an iteration");
+  add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
+  add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
-  add_text(app, "--patience", "TIME", "tell who is at work where a step takes longer than this (default: 1m)",
+  add_text(app, "--patience", "TIME", "say who is at work if a step takes longer than this (default: 1m)",
            [&](const std::string& text) { o.patience = parse_duration("--patience", text); });
   add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",
            [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });
@@ -101,27 +102,27 @@ void add_output(CLI::App& app, Options& o) {
   app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")
       ->check(kNamesAFile)
       ->type_name("FILE");
-  app.add_flag("--png", o.png, "write tone mapped PNG as well");
+  app.add_flag("--png", o.png, "also write tone mapped PNGs");
   app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
       ->check(kNamesAFile)
       ->type_name("FILE");
-  app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; takes ffmpeg")
+  app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; needs ffmpeg")
       ->check(kNamesAFile)
       ->type_name("FILE");
-  add_text(app, "--write-every", "TIME", "write the images now and then: every 30s, 10m, or so many iterations",
+  add_text(app, "--write-every", "TIME", "write the images so far: every 30s, 10m, or so many iterations",
            [&](const std::string& text) { o.write_every = parse_interval("--write-every", text); });
   app.add_option("--checkpoint", o.checkpoint, "keep the state of the render in this file, for --resume")
       ->check(kNamesAFile)
       ->type_name("FILE");
   add_text(app, "--checkpoint-every", "TIME", "how often: every 30s, 10m (the default), or so many iterations",
            [&](const std::string& text) { o.checkpoint_every = parse_interval("--checkpoint-every", text); });
-  app.add_option("--resume", o.resume, "go on from this checkpoint, and keep it up to date")
+  app.add_option("--resume", o.resume, "continue from this checkpoint, and keep it up to date")
       ->check(kNamesAFile)
       ->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
-  app.add_flag("--stats{table}", o.stats, "a table of times and counts at the end; in FILE: for programs");
+  app.add_flag("--stats{table}", o.stats, "print a table of times and counts at the end; with FILE: as JSON");
 }
 
 std::string help_of(const CLI::App& app) {

@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The options of the command line.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ enum class Task { render, check, format, list, describe, list_variations, new_pl
 struct Options : Choices, OutputSettings, CheckpointSettings {
   Task task = Task::render;
   std::vector<std::string> scenes;   // "-": standard input
-  std::vector<std::string> modules;  // files that bring plugins along
-  std::string sandbox;               // the directory beyond which no file is touched; empty: there is none
+  std::vector<std::string> modules;  // files with plugins
+  std::string sandbox;               // the directory outside of which no file is touched; empty: no sandbox
   std::string described;             // [kind:]name
   std::vector<std::string> created;  // a new plugin's kind, name and folder
   bool explain = false, quiet = false;
@@ -26,7 +26,7 @@ struct Options : Choices, OutputSettings, CheckpointSettings {
   Interval write_every;
   int threads = 0;         // 0: all
   double time_limit = 0;   // seconds; 0: none
-  double patience = 60;    // seconds, before it is told who does not come back
+  double patience = 60;    // seconds before a message says who does not return
   std::size_t memory = 0;  // bytes that a run may take; 0: no bound
 };
 

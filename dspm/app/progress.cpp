@@ -17,7 +17,7 @@ namespace {
 constexpr double kSecondsBetweenBars = 0.2, kSecondsBetweenLines = 10;
 constexpr int kBarWidth = 32;
 
-/// A line can be overwritten there.
+/// A terminal on which a line can be overwritten.
 bool stderr_is_terminal() {
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";

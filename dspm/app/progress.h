@@ -1,4 +1,4 @@
-// How far a run is, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere.
+// The progress of a run, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class Progress {
     int intervals = 1;
   };
   Progress(const Extent& extent, bool quiet);
-  /// Leaves the bar's line.
+  /// Clears the bar's line.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -23,7 +23,7 @@ class Progress {
   void begin(int interval, int iterations);
   /// `iterations` of the interval (counted from 0) are done.
   void step(int interval, int iterations);
-  /// Other output follows: the bar makes room for it.
+  /// Clears the bar's line, as other output follows.
   void clear();
 
  private:
@@ -33,7 +33,7 @@ class Progress {
 
   Extent extent_;
   bool quiet_, terminal_;
-  double before_ = 0;      // the share that earlier runs have done
+  double before_ = 0;      // the fraction that earlier runs have done
   double next_ = 0;        // seconds at which the next line is due
   std::size_t width_ = 0;  // of the bar's line on the terminal
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -67,9 +67,9 @@ class Render final : public SessionObserver {
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
     if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
     results_.write(intervals_[progress.index], integrator, progress.seconds, images);
-    if (images == Images::so_far) results_.tell_faults();
+    if (images == Images::so_far) results_.report_faults();
   }
-  void iteration_failed() override { results_.tell_missing(); }
+  void iteration_failed() override { results_.report_missing(); }
   void interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) override;
   bool end_wanted() const override { return InterruptRequests::signal() != 0; }
   bool images_wanted() override { return ImageRequests::take(); }
@@ -79,7 +79,7 @@ class Render final : public SessionObserver {
   void save(const IntervalProgress& progress, Integrator& integrator) {
     saved_ = progress.iterations;
     results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(progress, integrator); });
-    results_.tell_faults();
+    results_.report_faults();
   }
 
   const LoadedScene& loaded_;
@@ -106,12 +106,12 @@ int Render::run() {
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
   results_.say_end(report_.seconds, end_wanted());
   if (end_wanted() && !checkpoints_.path().empty())
-    messages_.say("--resume {} goes on from here", checkpoints_.path().string());
+    messages_.say("--resume {} continues from here", checkpoints_.path().string());
   return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
 }
 
 void Render::interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) {
-  if (progress.index + 1 < intervals_.size()) results_.tell_faults();
+  if (progress.index + 1 < intervals_.size()) results_.report_faults();
   report_.tree_bytes = std::max(report_.tree_bytes, scene.accel->memory());
   report_.add(integrator.statistics(), intervals_[progress.index]);
 }
@@ -136,7 +136,7 @@ void explain(const World& world, const std::vector<FrameList>& intervals) {
     for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
 }
 
-/// Calls task(render, loaded scene, messages) once all is ready. `step`: what comes before.
+/// Calls task(render, loaded scene, messages) once all is ready. `step`: names the preparation.
 template <class Task>
 int with_render(const Options& options, const char* step, const Task& task) {
   const ImageRequests image_requests;

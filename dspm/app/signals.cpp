@@ -13,7 +13,8 @@ constexpr unsigned kSecondsToFinish = 10;  // an iteration
 volatile std::sig_atomic_t received = 0, images_wanted = 0, is_terminal = 0;
 
 extern "C" void on_end_wanted(int number) {
-  constexpr char kWord[] = "\ndspm: after this iteration, or when it has taken ten seconds more; once more: at once\n";
+  constexpr char kWord[] =
+      "\ndspm: ending after this iteration, or in ten seconds if it takes longer; Ctrl-C again ends at once\n";
   if (received != 0) end_suddenly(128 + number);
   received = number;
   alarm(kSecondsToFinish);

@@ -1,6 +1,5 @@
-// What signals ask of a run. The first Ctrl-C asks for an end after the iteration, which is given up after ten seconds
-// where it can be (system/cancellation.h); the second ends the program at once. SIGHUP and SIGUSR1 ask for the images so
-// far.
+// Signals to a run. The first Ctrl-C asks for an end after the iteration, which is cancelled after ten seconds if it
+// can be (system/cancellation.h); the second ends the program at once. SIGHUP and SIGUSR1 ask for the images so far.
 #pragma once
 
 #include <csignal>
@@ -8,7 +7,7 @@
 
 namespace dspm {
 
-/// Handlers as long as it lives.
+/// Handlers for as long as it lives.
 class SignalHandlers {
  public:
   SignalHandlers() = default;
@@ -21,7 +20,7 @@ class SignalHandlers {
   std::map<int, struct sigaction> before_;
 };
 
-/// SIGHUP and SIGUSR1, from the moment on where a run begins.
+/// SIGHUP and SIGUSR1, from the start of a run.
 class ImageRequests {
  public:
   ImageRequests();
@@ -32,7 +31,7 @@ class ImageRequests {
   SignalHandlers handlers_;
 };
 
-/// SIGINT and SIGTERM, from the moment on where files are written.
+/// SIGINT and SIGTERM, from the moment that files are written.
 class InterruptRequests {
  public:
   InterruptRequests();
@@ -40,9 +39,9 @@ class InterruptRequests {
   InterruptRequests(const InterruptRequests&) = delete;
   InterruptRequests& operator=(const InterruptRequests&) = delete;
 
-  /// The signal that came; 0: none. It is remembered.
+  /// The signal that came, now or earlier; 0: none.
   static int signal();
-  /// 128 + the signal that came, 130 for Ctrl-C; `otherwise` where none did.
+  /// 128 + the signal that came, 130 for Ctrl-C; `otherwise` if none did.
   static int exit_code(int otherwise) { return signal() != 0 ? 128 + signal() : otherwise; }
 
  private:

@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kLongest = 1e8;  // seconds: years, as clocks count them
+constexpr double kLongest = 1e8;  // seconds, about three years: the clock can count them
 
 template <class Body>
 std::thread started(const Body& body) {

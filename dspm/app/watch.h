@@ -1,4 +1,4 @@
-// Tells who is at work when a step takes so long that it may never end.
+// Reports who is at work when a step takes so long that it may never end.
 #pragma once
 
 #include <chrono>
@@ -11,14 +11,14 @@ namespace dspm {
 
 class Watch {
  public:
-  /// A step may take `patience` seconds; then it is told, and again after twice the time, and so on. Throws
-  /// std::runtime_error where it finds no thread for itself.
+  /// A step may take `patience` seconds; then a message says so, and again after twice the time, and so on. Throws
+  /// std::runtime_error if it cannot start its thread.
   explicit Watch(double patience);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// A new step begins: "iteration 3". `own`: who does it where no module is found at work; may be empty.
+  /// A new step begins: "iteration 3". `own`: who does it if no module is found at work; may be empty.
   void begin(std::string step, std::string own);
   std::string step() const { return step_; }
 

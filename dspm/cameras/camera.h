@@ -14,10 +14,10 @@ namespace dspm {
 
 /// How a camera sees a point.
 struct Sighting {
-  Vec2 film;              // in pixels of the full image; may lie beside it
+  Vec2 film;              // in pixels of the full image; may lie outside it
   Vec3 w;                 // from the point towards the camera, unit length
   float distance;         // to the lens
-  float pixels_per_area;  // film that an area around the point and perpendicular to w takes
+  float pixels_per_area;  // film covered per area at the point, perpendicular to w
 };
 
 class Camera {
@@ -27,8 +27,8 @@ class Camera {
   virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
   /// The distance between neighbouring pixels' rays, in world units, at a path length from the camera.
   virtual float pixel_spacing(float path_length) const = 0;
-  /// Where ray(film, lens) goes through p. Nothing where no ray does, or where the camera cannot tell: light that is
-  /// traced towards such a camera does not reach it.
+  /// The film position whose ray(film, lens) passes through p. Nullopt if no ray does, or if the camera cannot compute
+  /// it: light that is traced towards such a camera does not reach it.
   virtual std::optional<Sighting> sight(const Vec3& /*p*/, Vec2 /*lens*/) const { return std::nullopt; }
 };
 

@@ -5,7 +5,7 @@
 //
 // | parameter        | default       | meaning |
 // | ---------------- | ------------- | ------- |
-// | fov              | 90            | degrees that -1 to 1 of the screen take: the angle over the shorter axis |
+// | fov              | 90            | degrees that -1 to 1 of the screen cover: the angle over the shorter axis |
 // | lensradius       | 0             | of the thin lens, in camera space |
 // | focaldistance    | 1e6           | distance of the plane of focus along z |
 // | frameaspectratio | the film's    | width over height of the screen |

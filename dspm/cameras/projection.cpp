@@ -17,7 +17,7 @@ void fit(Screen& screen, float aspect) {
 void read_window(ParamReader& reader, Screen& screen) {
   const std::vector<float> window = reader.numbers(
       "screenwindow",
-      "left, right, bottom, top of the screen, mirrored where reversed; by default the shorter axis is -1 to 1");
+      "left, right, bottom, top of the screen, mirrored if reversed; by default the shorter axis is -1 to 1");
   if (window.empty()) return;
   if (window.size() != 4 || window[0] == window[1] || window[2] == window[3]) {
     reader.error("screenwindow", "parameter \"screenwindow\" of " + reader.subject() +
@@ -27,7 +27,8 @@ void read_window(ParamReader& reader, Screen& screen) {
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
 }
 
-// dspm renders moments: lang refuses transforms that move while the shutter is open, so that it only sets Job::exposure.
+// dspm renders moments: lang refuses transforms that move while the shutter is open, so the shutter only sets
+// Job::exposure.
 void read_shutter(ParamReader& reader) {
   reader.number("shutteropen", 0, "s", "when the shutter opens; images are multiplied by the seconds until it closes");
   reader.number(
@@ -64,11 +65,10 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
   const float film_aspect = static_cast<float>(context.width) / static_cast<float>(context.height);
   fit(p.screen, read_positive(reader, "frameaspectratio", film_aspect, "", "width over height of the screen"));
   read_window(reader, p.screen);
-  p.lens.radius = reader.number("lensradius", 0, "scene units", "radius of the lens; 0: all is sharp");
+  p.lens.radius = reader.number("lensradius", 0, "scene units", "radius of the lens; 0: everything is sharp");
   if (p.lens.radius < 0)
-    reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be below 0");
-  p.lens.focal_distance =
-      read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane that is sharp");
+    reader.error("lensradius", "parameter \"lensradius\" of " + reader.subject() + " must not be negative");
+  p.lens.focal_distance = read_positive(reader, "focaldistance", 1e6f, "scene units", "distance of the plane of focus");
   read_shutter(reader);
   return p;
 }
@@ -76,7 +76,8 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
 Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
   const Vec3 way = to_world.vector(origin - p), local = normalize(origin - p);
   const Vec3 x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
-  // A thin tube along w: its volume grows by the determinant, its length as w does, so its section by the quotient.
+  // A thin tube along w: its volume scales by the determinant, its length as w does, so its cross-section by the
+  // quotient.
   const float section = std::abs(dot(cross(x, y), z)) / length(to_world.vector(local));
   return {film, normalize(way), length(way), pixels / (std::abs(local.z) * section)};
 }

@@ -1,5 +1,5 @@
-// What the projective cameras share: which part of the screen a pixel sees, the thin lens, and their parameters. All in
-// camera space: x to the right, y up, z forward.
+// Shared by the projective cameras: the area of the screen that a pixel sees, the thin lens, and their parameters. All
+// in camera space: x to the right, y up, z forward.
 #pragma once
 
 #include "dspm/cameras/camera.h"
@@ -18,7 +18,7 @@ struct Screen {
     return {left + film.x / static_cast<float>(width) * (right - left),
             top - film.y / static_cast<float>(height) * (top - bottom)};
   }
-  /// Back from at().
+  /// The inverse of at().
   Vec2 film_at(Vec2 s) const {
     return {(s.x - left) / (right - left) * static_cast<float>(width),
             (top - s.y) / (top - bottom) * static_cast<float>(height)};
@@ -28,7 +28,7 @@ struct Screen {
   }
 };
 
-/// A disk in the plane z = 0 of the ray's origin; what a pixel sees is sharp in the plane z = focal_distance.
+/// A disk in the plane z = 0 of the ray's origin; the image is sharp in the plane z = focal_distance.
 struct ThinLens {
   float radius = 0, focal_distance = 1e6f;
 
@@ -43,10 +43,10 @@ struct Projection {
   ThinLens lens;
 };
 
-/// Reads what the projective cameras have in common. Wrong values are errors, and their defaults hold.
+/// Reads the parameters that the projective cameras share. Wrong values are errors, and their defaults apply.
 Projection read_projection(ParamReader& reader, const CameraContext& context);
 
-/// A number that must be above 0; else an error, and the fallback holds.
+/// A number that must be above 0; else an error, and the fallback applies.
 float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
                     std::string_view sentence);
 
@@ -55,7 +55,7 @@ inline Ray carried(const Transform& to_world, const Ray& ray) {
   return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
 }
 
-/// A sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to z takes `pixels` at p.
+/// A sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to z covers `pixels` at p.
 Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
 
 /// The edge of a square as large as the rectangle that the camera-space vectors (size.x, 0, 0) and (0, size.y, 0) span

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/file_access.h"
 #include "dspm/system/state_in_memory.h"
@@ -19,7 +20,7 @@
 namespace dspm {
 namespace {
 
-static_assert(std::endian::native == std::endian::little);  // as numbers are in the file
+static_assert(std::endian::native == std::endian::little);  // like the numbers in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
 constexpr int kMostIterations = 1'000'000'000;
@@ -29,7 +30,7 @@ constexpr std::size_t kBlock = 1 << 20;
 
 class LoadingStream final : public StateStream {
  public:
-  /// As many bytes as there may be from where the file stands.
+  /// Reads at most `left` bytes, from the file's current position.
   LoadingStream(std::istream& file, std::uint64_t left) : file_(file), left_(left) {}
   std::uint64_t left() const { return left_; }
 
@@ -70,12 +71,12 @@ void persist(IntervalState& interval, StateStream& state) {
   state.part(interval.size);
 }
 
-/// One by one: a count without contents must cost nothing.
+/// One by one: a large count without contents must not allocate.
 template <class T>
 void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
   std::uint64_t count = all.size();
   state.part(count);
-  if (count > most) fail("it tells of too many things");
+  if (count > most) fail("it has too many entries");
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i == all.size()) all.emplace_back();
     persist(all[i], state);
@@ -95,7 +96,7 @@ std::uint64_t head_bytes(std::vector<Fact>& facts, std::vector<IntervalState>& i
 
 constexpr std::uint64_t kHeadAt = kMagic.size();
 
-/// Calls fn(block) for the next `count` bytes, a block at a time. Whether they could be read.
+/// Calls fn(block) for the next `count` bytes, a block at a time. False: they could not be read.
 template <class Fn>
 bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
   std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count)));
@@ -112,7 +113,7 @@ bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
 class Checksum {
  public:
   void add(std::string_view block) {
-    if (block.empty()) return;  // zlib takes a null pointer for a wish to begin anew
+    if (block.empty()) return;  // zlib takes a null pointer as a request to start over
     value_ = crc32_z(value_, reinterpret_cast<const Bytef*>(block.data()), block.size());
   }
   std::uint32_t value() const { return static_cast<std::uint32_t>(value_); }
@@ -161,7 +162,7 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     const std::uint64_t size = std::filesystem::file_size(path);
     std::array<char, kMagic.size()> magic{};
     file_.read(magic.data(), magic.size());
-    if (std::string_view(magic.data(), magic.size()) != kMagic) fail("it is no checkpoint of this version of dspm");
+    if (std::string_view(magic.data(), magic.size()) != kMagic) fail("it is not a checkpoint of this version of dspm");
     std::uint32_t checksum = 0;
     if (size < kHeadAt + sizeof(checksum)) fail("it ends too early");
     Checksum actual;
@@ -187,7 +188,7 @@ void CheckpointFile::load(std::size_t interval, Integrator& integrator) const {
     file_.clear();
     file_.seekg(static_cast<std::streamoff>(state.offset));
     LoadingStream stream(file_, state.size);
-    if (!integrator.persist(stream) || stream.left() != 0) fail("it is of another integrator");
+    if (!integrator.persist(stream) || stream.left() != 0) fail("it belongs to another integrator");
   } catch (const std::exception& error) {
     fail(fmt::format("checkpoint {}: {}", path_.string(), error.what()));
   }
@@ -220,22 +221,16 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
     if (state != nullptr && i == state->interval)
       state->integrator.persist(saving);
     else if (written->intervals_[i].size > 0 && !before->copy(i, saving))
-      throw WriteError(path, "the checkpoint before it cannot be read");
+      throw WriteError(path, "the previous checkpoint cannot be read");
   const std::uint32_t checksum = saving.checksum();
   file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});
   try {
-    written->open(file.temporary());  // so that it is this very file, whatever has its name later
+    written->open(file.temporary());  // so that it is this very file, whichever file has its name later
   } catch (const std::runtime_error& error) {
     throw WriteError(path, error.what());
   }
   file.commit();
   return written;
-}
-
-std::optional<std::uint64_t> state_bytes(Integrator& integrator) {
-  CountingStream counting;
-  if (!integrator.persist(counting)) return std::nullopt;
-  return counting.count();
 }
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// A checkpoint as a file: of which render it is, and the state of each of its frame intervals. It replaces the one
-// before in one step, and a checksum tells of damage.
+// A checkpoint file: which render it belongs to, and the state of each of its frame intervals. It replaces the previous
+// one atomically, and a checksum reveals damage.
 #pragma once
 
 #include <cstdint>
@@ -17,38 +17,38 @@
 
 namespace dspm {
 
-/// Where an interval stands.
+/// How far an interval has come.
 struct IntervalState {
   FrameList frames;
-  int iterations = 0;                  // done; 0: there is no state
+  int iterations = 0;                  // done; 0: no state
   double seconds = 0;                  // that they took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
 
 class CheckpointFile {
  public:
-  /// What such a file begins with; then its head, the states, and the checksum of both.
+  /// The first bytes of the file; then come its head, the states, and the checksum of both.
   static constexpr std::string_view kMagic = "dspm checkpoint 2\n";
 
-  /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, where it is damaged or
-  /// none.
+  /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
+  /// checkpoint.
   explicit CheckpointFile(const std::filesystem::path& path);
 
   const std::vector<Fact>& facts() const { return facts_; }
   const std::vector<IntervalState>& intervals() const { return intervals_; }
-  /// Into an integrator that was made for that interval.
+  /// Loads the state into an integrator that was made for that interval.
   void load(std::size_t interval, Integrator& integrator) const;
 
-  /// Whether it is this file that has the name now.
+  /// Whether `path` names this very file now.
   bool is_at(const std::filesystem::path& path) const;
 
-  /// An interval's state that is to be saved.
+  /// An interval's state to save.
   struct NewState {
     std::size_t interval;
     Integrator& integrator;
   };
-  /// Writes `path` anew, with the state of one interval or of none; those of the others come from `before`, which may be
-  /// null or the file that is replaced. Throws WriteError; the file is then as before.
+  /// Writes `path` anew, with the state of one interval or of none; the other states come from `before`, which may be
+  /// null or the file that is replaced. Throws WriteError; the old file then stays.
   static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const std::vector<Fact>& facts,
                                                      std::vector<IntervalState> intervals, const NewState* state,
                                                      const CheckpointFile* before);
@@ -57,17 +57,14 @@ class CheckpointFile {
   CheckpointFile() = default;
   class SavingStream;
   void open(const std::filesystem::path& path);
-  /// Whether it could be read.
+  /// False: it could not be read.
   bool copy(std::size_t interval, SavingStream& to) const;
 
   std::filesystem::path path_;
   std::uint64_t device_ = 0, inode_ = 0;
-  mutable std::ifstream file_;  // stays readable when another one takes its name
+  mutable std::ifstream file_;  // stays readable when another file takes its name
   std::vector<Fact> facts_;
   std::vector<IntervalState> intervals_;
 };
-
-/// Bytes of its state; nothing where there are no checkpoints of it.
-std::optional<std::uint64_t> state_bytes(Integrator& integrator);
 
 }  // namespace dspm

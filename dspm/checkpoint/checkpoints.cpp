@@ -6,6 +6,7 @@
 
 #include "dspm/math/frames.h"
 #include "dspm/session/distinct_files.h"
+#include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/readable.h"
 
@@ -27,7 +28,7 @@ std::string in_words(const Interval& every) {
   return every.seconds > 0 ? readable_time(every.seconds) : fmt::format("{} iterations", every.iterations);
 }
 
-/// Damage that is no accident would end in frames that are not there.
+/// A forged file could name frames that do not exist.
 void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, const std::string& file) {
   FrameList all;
   bool valid = true;
@@ -44,11 +45,11 @@ void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, 
 void refuse_to_overwrite(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return;
-  throw UsageError(fmt::format("--checkpoint {}: it is there already; --resume {} goes on with it, or remove it first",
+  throw UsageError(fmt::format("--checkpoint {}: it exists already; continue it by --resume {}, or remove it first",
                                path.string(), path.string()));
 }
 
-/// Where the file is not this run's.
+/// For a file that is not this run's.
 void leave_to_others(const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(path, ignored)) throw WriteError(path, "another program has put a file of its own there");
@@ -91,12 +92,12 @@ double Checkpoints::seconds() const {
 void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& first) {
   if (!writes()) return;
   const std::optional<std::uint64_t> bytes = state_bytes(first);
-  if (!bytes) throw UsageError("--checkpoint: this integrator keeps no checkpoints (Integrator::persist)");
+  if (!bytes) throw UsageError("--checkpoint: this integrator does not support checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
   std::vector<IntervalState> states = this->states();
   if (states.empty())
     for (const FrameList& interval : intervals) states.push_back({interval});
-  // Takes the name at once, and keeps what was resumed also where nothing is left to do.
+  // Takes the name at once, and keeps the resumed state even if nothing is left to do.
   if (last_ == nullptr || !last_->is_at(path_)) {
     leave_to_others(path_);
     last_ = CheckpointFile::write(path_, facts_, std::move(states), nullptr, last_.get());
@@ -111,7 +112,7 @@ IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrato
   const IntervalState& state = states[interval];
   if (state.iterations == 0) return {interval, 0, 0};
   last_->load(interval, integrator);
-  messages_.say("resumed behind iteration {}{}", state.iterations,
+  messages_.say("resumed after iteration {}{}", state.iterations,
                 states.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states.size()) : "");
   return {interval, state.iterations, state.seconds};
 }

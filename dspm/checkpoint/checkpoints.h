@@ -1,4 +1,4 @@
-// --checkpoint and --resume: a render that ends early goes on later, to the same bits.
+// --checkpoint and --resume: a render that ends early continues later, and ends with the same bits.
 #pragma once
 
 #include <memory>
@@ -20,27 +20,27 @@ struct CheckpointSettings {
 
 class Checkpoints {
  public:
-  /// Throws UsageError where a checkpoint would be lost, SceneError with what has changed since the one to be resumed,
-  /// std::runtime_error where it cannot be read.
+  /// Throws UsageError if a checkpoint would be lost, SceneError with what has changed since the one to resume,
+  /// std::runtime_error if it cannot be read.
   Checkpoints(const Job& job, const CheckpointSettings& settings, Messages& messages);
 
-  /// Of the run that is resumed; empty: there is none.
+  /// Of the resumed run; empty if there is none.
   std::vector<FrameList> intervals() const;
-  /// Of the run that is resumed, over all intervals.
+  /// Of the resumed run, over all intervals.
   double seconds() const;
 
-  /// Before the first iteration. Throws where the file cannot be written or is too large for the disk.
+  /// Before the first iteration. Throws if the file cannot be written or is too large for the disk.
   void begin(const std::vector<FrameList>& intervals, Integrator& first);
-  /// Loads where the interval stands; without a state, it is at its beginning.
+  /// Loads the interval's state and returns its progress; without a state, it is at its beginning.
   IntervalProgress resume(std::size_t interval, Integrator& integrator) const;
   bool due(int iterations) { return writes() && schedule_.due(iterations); }
-  /// Does nothing where none is asked for. Throws WriteError.
+  /// Does nothing if no checkpoint is written. Throws WriteError.
   void save(const IntervalProgress& progress, Integrator& integrator);
   const std::filesystem::path& path() const { return path_; }
 
  private:
   bool writes() const { return !path_.empty(); }
-  /// In the last one.
+  /// Of the last checkpoint.
   std::vector<IntervalState> states() const;
 
   Messages& messages_;
@@ -48,7 +48,7 @@ class Checkpoints {
   Interval every_;
   WriteSchedule schedule_;
   std::vector<Fact> facts_;
-  std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null before begin(): none yet
+  std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
 };
 
 }  // namespace dspm

@@ -36,20 +36,20 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));
 }
 
-/// By it lights are chosen and ties decided.
+/// It decides ties and how lights are chosen.
 void add_order(const std::vector<ScenePartDigest>& parts, std::vector<Fact>& facts) {
   std::string names;
   for (const ScenePartDigest& part : parts) names += part.name + "\n";
   facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
 }
 
-/// As the scene names it, so that a folder may go elsewhere.
+/// As the scene names it, so that its folder may be moved.
 fs::path short_name(const fs::path& file, const fs::path& folder) {
   const fs::path relative = file.lexically_relative(folder);
   return relative.empty() || *relative.begin() == ".." ? file : relative;
 }
 
-/// But for the scene's text, which counts by what it says.
+/// Except for the scene's text, of which only the meaning counts.
 void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
   std::set<fs::path> texts;
   std::error_code ignored;
@@ -80,7 +80,7 @@ std::vector<Fact> facts_of(const Job& job) {
 }
 
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics) {
-  constexpr const char* kWayOut = "a checkpoint goes on with the same scene only; to begin anew, use another one";
+  constexpr const char* kWayOut = "a checkpoint continues only the same scene; to start over, use another checkpoint";
   auto before = by_name(then);
   for (const Fact& fact : now) {
     std::vector<const Fact*>& same = before[fact.name];
@@ -98,7 +98,7 @@ void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagno
   }
   for (const auto& [name, left] : before)
     for (std::size_t i = 0; i < left.size(); ++i)
-      diagnostics.error({}, fmt::format("{} of the checkpoint is not there any more", name), kWayOut);
+      diagnostics.error({}, fmt::format("{} has been removed since the checkpoint", name), kWayOut);
 }
 
 }  // namespace dspm

@@ -8,18 +8,19 @@
 
 namespace dspm {
 
-/// Something that the images depend on; `text` is what it is, or a digest of it.
+/// Something that the images depend on; `text` is its value or a digest of it.
 struct Fact {
   std::string name, text;
   bool is_digest = false;
   SourceLocation where = {};  // in the scene; not kept in checkpoints
 };
 
-/// After the world was made: the files that were read for it are among them. What changes no pixel is not (names of
-/// images, iterations to go, threads, the accelerator), nor is the memory bound, which changes rounding only.
+/// To be called after the world is made, as the files read for it are included. Settings that change no pixel are not
+/// (names of images, iterations to go, threads, the accelerator), nor is the memory bound, which only changes rounding.
 std::vector<Fact> facts_of(const Job& job);
 
-/// An error for each that is not the same, or is there in one only; in the order of `now`, then what it lacks.
+/// An error for each fact that differs or is in only one of the lists: in the order of `now`, then those only in
+/// `then`.
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics);
 
 }  // namespace dspm

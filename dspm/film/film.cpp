@@ -8,18 +8,18 @@ namespace dspm {
 
 namespace {
 
-/// Nothing where the parameter is absent or, after an error, where it has not four values.
+/// Nullopt if the parameter is absent or, after an error, if it does not have four values.
 template <class T>
 std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, const std::vector<T>& values) {
   if (values.empty()) return std::nullopt;
   if (values.size() != 4) {
-    reader.error(name, std::to_string(values.size()) + " values where four are expected: x0 x1 y0 y1");
+    reader.error(name, std::to_string(values.size()) + " values, but four are expected: x0 x1 y0 y1");
     return std::nullopt;
   }
   return std::array<T, 4>{values[0], values[1], values[2], values[3]};
 }
 
-/// A side that is no side becomes `fallback`, so that one error is not followed by others.
+/// An invalid side becomes `fallback`, so that one error does not cause others.
 void check_side(ParamReader& reader, const char* name, int& side, int fallback) {
   constexpr int kMaxSide = 1 << 16;
   if (side >= 1 && side <= kMaxSide) return;
@@ -50,8 +50,9 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   film->height = reader.integer("yresolution", film->height, "pixels", "height of the full image");
   film->filename = reader.text("filename", film->filename, "the image file, .exr or .png; frames are numbered");
   film->crop_window =
-      four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the part to render"));
-  film->pixel_bounds = four(reader, "pixelbounds", reader.integers("pixelbounds", "x0 x1 y0 y1 in pixels: likewise"));
+      four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the region to render"));
+  film->pixel_bounds =
+      four(reader, "pixelbounds", reader.integers("pixelbounds", "x0 x1 y0 y1 in pixels: the region to render"));
   film->diagonal = reader.number("diagonal", 35, "mm", "diagonal of the film") / 1000;
   film->iso = reader.number("iso", film->iso, "", "speed of the film: 200 doubles the values of 100");
   film->max_component = reader.number("maxcomponentvalue", film->max_component, "",
@@ -59,7 +60,8 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   film->save_half = reader.flag("savefp16", film->save_half, "half precision in the EXR file, else single");
   reader.unsupported("whitebalance", "white balance");
   if (reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly") != "cie1931") {
-    reader.diagnostics().unsupported(reader.where("sensor"), "sensors other than \"cie1931\" are not built in dspm");
+    reader.diagnostics().unsupported(reader.where("sensor"),
+                                     "sensors other than \"cie1931\" are not supported by dspm");
   }
   reader.finish();
   check(reader, *film);
@@ -69,7 +71,7 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
 }  // namespace
 
 PluginTable<Plugin<MakeFilm>>& film_plugins() {
-  static PluginTable<Plugin<MakeFilm>> table("film", {{"rgb", "colour images, one a frame", make_rgb}},
+  static PluginTable<Plugin<MakeFilm>> table("film", {{"rgb", "colour images, one per frame", make_rgb}},
                                              {"gbuffer", "spectral"});
   return table;
 }

@@ -1,6 +1,6 @@
-// What the Film directive says, as plain settings, and the arithmetic that follows from it.
+// The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp has the table of parameters. pbrt's other films (gbuffer, spectral) and its real sensors are not built.
+// film.cpp lists the parameters. pbrt's other films (gbuffer, spectral) and its real sensors are not supported.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace dspm {
 struct FilmSettings {
   int width = 1280, height = 720;                   // of the full image
   std::string filename = "pbrt.exr";                // .exr or .png; frames are numbered, see image_name.h
-  std::optional<std::array<float, 4>> crop_window;  // x0 x1 y0 y1 in 0..1; goes before pixel_bounds
+  std::optional<std::array<float, 4>> crop_window;  // x0 x1 y0 y1 in 0..1; takes precedence over pixel_bounds
   std::optional<std::array<int, 4>> pixel_bounds;   // x0 x1 y0 y1
   float diagonal = 0.035f;                          // of the film, in metres
   float iso = 100;
@@ -28,7 +28,7 @@ struct FilmSettings {
   bool save_half = true;  // else single precision
 };
 
-/// The pixels to render: pbrt's rounding. Empty where nothing of the image is left.
+/// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.
 PixelRect crop_of(const FilmSettings& film);
 /// A quarter of the resolution, for a quick look.
 void make_quick(FilmSettings& film);

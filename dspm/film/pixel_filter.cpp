@@ -3,7 +3,7 @@
 //   PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
 //   PixelFilter "triangle" "float xradius" 2 "float yradius" 2
 // Radii and sigma are in pixels. The gaussian is lowered so that it ends in 0 at its radius, as in pbrt. Filters with
-// negative lobes (mitchell, sinc) cannot be sampled by importance without negative weights and are not built.
+// negative lobes (mitchell, sinc) cannot be importance-sampled without negative weights and are not supported.
 // Reference: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., section 8.8.
 #include "dspm/film/pixel_filter.h"
 
@@ -55,7 +55,7 @@ std::unique_ptr<PixelFilter> make_triangle(ParamReader& reader) {
   return std::make_unique<PixelFilter>(FilterProfile(x, {0, 1, 0}), FilterProfile(y, {0, 1, 0}));
 }
 
-/// 256 steps over at most 6 sigma a side: the density is off by less than 3e-4 of its maximum.
+/// 256 steps over at most 6 sigma per side: the density is off by less than 3e-4 of its maximum.
 FilterProfile gaussian_profile(float radius, float sigma) {
   constexpr int kSteps = 256;
   const double reach = std::min(radius, 6 * sigma);
@@ -83,7 +83,7 @@ PluginTable<Plugin<MakePixelFilter>>& pixel_filter_plugins() {
       "filter",
       {
           {"gaussian", "a gaussian that ends in 0 at its radius", make_gaussian},
-          {"box", "every place within the radius counts alike", make_box},
+          {"box", "every place within the radius counts equally", make_box},
           {"triangle", "falls linearly to 0 at its radius", make_triangle},
       },
       {"mitchell", "sinc"});

@@ -1,5 +1,5 @@
-// How a pixel averages the image plane around its centre. Filters are sampled by importance: camera paths are spread
-// around the centre as the filter says and then all count alike. Plugins: box, triangle, gaussian (pixel_filter.cpp).
+// How a pixel averages the image plane around its centre. Filters are importance-sampled: camera paths are distributed
+// around the centre like the filter, and all count equally. Plugins: box, triangle, gaussian (pixel_filter.cpp).
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace dspm {
 
-/// An even density on [-radius, radius], linear between equidistant nodes, and drawing from it by inversion.
+/// An even density on [-radius, radius], linear between equidistant nodes, sampled by inversion.
 class FilterProfile {
  public:
   /// `weights` at the nodes from -radius to radius: not negative, not all 0; at least two.
@@ -24,7 +24,7 @@ class FilterProfile {
  private:
   float radius_;
   std::vector<float> weights_;
-  std::vector<float> cumulative_;  // share of the mass below each node
+  std::vector<float> cumulative_;  // fraction of the mass below each node
 };
 
 class PixelFilter {

@@ -1,4 +1,4 @@
-// A rectangle of pixels, as crops are.
+// A rectangle of pixels, such as a crop.
 #pragma once
 
 namespace dspm {

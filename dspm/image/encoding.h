@@ -1,4 +1,4 @@
-// Between the numbers of image files and linear light.
+// Conversion between the numbers of image files and linear light.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace dspm {
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
-/// The linear value of `encoded`; automatic leaves it as it is.
+/// The linear value of `encoded`; automatic leaves it unchanged.
 float decode(ColorEncoding encoding, float encoded);
 
 /// Linear values of the integers 0 .. levels - 1, where levels - 1 stands for 1; automatic is sRGB here.
 std::vector<float> decoding_table(ColorEncoding encoding, int levels);
 
-/// What a screen shows, eight bits a channel in the order of the pixels: 0..1 (linear) as sRGB, the rest is clamped;
-/// NaN is black.
+/// Bytes for a screen, eight bits per channel in the order of the pixels: linear 0..1 as sRGB, other values are
+/// clamped; NaN is black.
 std::string srgb_bytes(const Image& image);
 
 }  // namespace dspm

@@ -68,7 +68,7 @@ class MemoryOutput : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// Bytes of an attribute of that type, where all have the same. [OpenEXR File Layout, openexr.com]
+/// The size of an attribute of that type in bytes, if it is always the same. [OpenEXR File Layout, openexr.com]
 std::optional<std::size_t> bytes_of(std::string_view type) {
   static constexpr std::pair<std::string_view, std::size_t> table[] = {{"box2f", 16},
                                                                        {"box2i", 16},
@@ -99,7 +99,7 @@ std::optional<std::size_t> bytes_of(std::string_view type) {
   return std::nullopt;
 }
 
-/// A list of channels ends where an empty name stands: that must be at its end. Behind each name stand 16 bytes.
+/// A list of channels ends with an empty name, which must be at its end. Each name is followed by 16 bytes.
 bool is_channel_list(std::string_view value) {
   while (true) {
     const std::size_t name = value.find('\0');
@@ -114,9 +114,10 @@ bool is_whole(std::string_view type, std::string_view value) {
   return type == "chlist" ? is_channel_list(value) : value.size() == bytes_of(type).value_or(value.size());
 }
 
-/// The library allocates what a header's attributes say before it finds the file to be shorter, and for most types goes
-/// by what it has read, not by the size that the file says; here they are walked first, and both must agree. An
-/// attribute is a name, a type, both ended by a zero byte, a size and as many bytes; no name ends a part's.
+/// The library allocates what a header's attributes claim before it finds the file to be shorter, and for most types it
+/// relies on what it has read, not on the size that the file states. So they are checked here first, and both must
+/// agree. An attribute is a name and a type, both ended by a zero byte, a size, and that many bytes; an empty name ends
+/// the attributes of an EXR part.
 void check_attributes(std::string_view bytes) {
   const auto damaged = [] { return std::runtime_error("its header is damaged"); };
   if (bytes.size() < 8) throw damaged();
@@ -140,14 +141,15 @@ void check_attributes(std::string_view bytes) {
   }
 }
 
-/// It also allocates tables by the image's size before we see that: these bounds make it refuse absurd ones.
+/// The library also allocates tables by the image's size before we see it: these bounds make it refuse absurd sizes.
 void bound_sizes() {
   constexpr int kMaxSide = 1 << 17, kMaxTile = 1 << 12;
   Imf::Header::setMaxImageSize(kMaxSide, kMaxSide);
   Imf::Header::setMaxTileSize(kMaxTile, kMaxTile);
 }
 
-/// An image of the data window's size, once that is known to be sane; rows of tiles are held whole while they are read.
+/// An image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while they are
+/// read.
 Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
@@ -158,7 +160,7 @@ Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   return sized_image(width, height, file_bytes);
 }
 
-/// R, G and B, or where they are not complete Y alone.
+/// R, G and B, or Y alone if they are incomplete.
 std::vector<const char*> channels_to_read(const Imf::ChannelList& channels) {
   std::vector<const char*> names = {"R", "G", "B"};
   const auto missing = [&](const char* name) { return channels.findChannel(name) == nullptr; };
@@ -166,7 +168,7 @@ std::vector<const char*> channels_to_read(const Imf::ChannelList& channels) {
   if (missing(names.front())) {
     std::string there;
     for (auto c = channels.begin(); c != channels.end(); ++c) there += std::string(" ") + c.name();
-    throw std::runtime_error("it has neither the channels R, G, B nor Y, but:" + there);
+    throw std::runtime_error("it has neither the channels R, G, B nor Y, only:" + there);
   }
   for (const char* name : names) {
     const Imf::Channel& channel = channels[name];

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// What stands in an image file beside the pixels. The names must not be those of OpenEXR's own attributes.
+/// The contents of an image file besides the pixels. The names must not be those of OpenEXR's own attributes.
 struct ExrHeader {
   std::map<std::string, std::string> texts;
   std::map<std::string, int> integers;
@@ -23,10 +23,10 @@ struct ExrHeader {
 enum class ExrPixels { half, single };
 
 bool is_exr(std::string_view bytes);
-/// The data window of the first part; what is missing of R, G, B is an error unless there is Y. Throws std::exception.
+/// The data window of the first part; a missing R, G or B is an error unless there is Y. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
-/// One part with the channels R, G, B, compressed without loss. Halves end at 65504: what is brighter is clamped to
+/// One part with the channels R, G, B, compressed without loss. Halves end at 65504: brighter values are clamped to
 /// that.
 void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
                ExrPixels pixels = ExrPixels::half);

@@ -35,7 +35,7 @@ class HdrReader {
     if (!encoded) return read_flat(row);
     for (int i = 0; i < 2; ++i) byte();
     const int high = byte(), low = byte();
-    if (static_cast<std::size_t>(high << 8 | low) != width) fail("a row has another width than the image");
+    if (static_cast<std::size_t>(high << 8 | low) != width) fail("a row differs in width from the image");
     for (std::size_t channel = 0; channel < 4; ++channel) read_runs(row.data() + channel * width, width);
   }
 
@@ -53,9 +53,9 @@ class HdrReader {
     const std::size_t width = row.size() / 4;
     for (std::size_t x = 0; x < width; ++x) {
       for (std::size_t channel = 0; channel < 4; ++channel) row[channel * width + x] = byte();
-      // Mantissas are normalised, so 1 1 1 can be no colour: it was the mark of a run before 1991.
+      // Mantissas are normalised, so 1 1 1 cannot be a colour: before 1991 it marked a run.
       if (row[x] == 1 && row[width + x] == 1 && row[2 * width + x] == 1)
-        fail("its old run-length encoding is not read");
+        fail("its old run-length encoding is not supported");
     }
   }
 
@@ -86,7 +86,7 @@ Image image_of(std::string_view resolution, std::size_t file_bytes) {
   return sized_image(number(resolution.substr(second + 4)), number(resolution.substr(3, second - 3)), file_bytes);
 }
 
-/// The exponent is biased by 128, the mantissa m stands for m / 256; exponent 0 is black.
+/// The exponent is biased by 128; the mantissa m stands for m / 256; exponent 0 is black.
 Rgb color_of(unsigned char r, unsigned char g, unsigned char b, unsigned char exponent) {
   if (exponent == 0) return {};
   const float scale = std::ldexp(1.f, exponent - 136);

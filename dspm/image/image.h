@@ -27,18 +27,18 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// What the numbers of a file mean; a value v in 0..1 of it stands for decode(v).
+/// The meaning of a file's numbers: a value v in 0..1 stands for decode(v).
 struct ColorEncoding {
   enum class Kind { automatic, srgb, linear, gamma };
   Kind kind = Kind::automatic;  // sRGB in PNG and JPEG, linear in EXR and HDR
   float exponent = 1;           // of gamma: v^exponent is linear
 
-  /// pbrt's words: "sRGB", "linear", "gamma 2.2"; nothing for others.
+  /// pbrt's words: "sRGB", "linear", "gamma 2.2"; nullopt for others.
   static std::optional<ColorEncoding> parse(std::string_view words);
 };
 
-/// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y) or Radiance HDR; which of them, the first bytes say. Alpha
-/// is ignored. Throws std::runtime_error, naming the file and the cause; never allocates for more than kMaxPixels.
+/// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y) or Radiance HDR, told apart by their first bytes. Alpha is
+/// ignored. Throws std::runtime_error, naming the file and the cause; never allocates for more than kMaxPixels.
 Image read_image(const std::filesystem::path& path, ColorEncoding encoding = {});
 
 inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;

@@ -18,7 +18,8 @@ namespace dspm {
 
 namespace {
 
-/// libjpeg reports errors by a jump, over which no destructor runs: what is allocated lies here, outside of the jump.
+/// libjpeg reports errors by a longjmp, which runs no destructors: all that is allocated is held here, outside the
+/// jump.
 struct JpegReader {
   JpegReader() {
     jpeg.err = jpeg_std_error(&errors);
@@ -35,12 +36,12 @@ struct JpegReader {
     jpeg->err->format_message(jpeg, reader.message);
     std::longjmp(reader.jump, 1);
   }
-  /// Warnings are harmless, but for the one of a file that ends too early: libjpeg would fill the rest with grey.
+  /// Warnings are harmless, except the one about a file that ends too early: libjpeg would fill the rest with grey.
   static void on_message(j_common_ptr jpeg, int level) {
     if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) on_error(jpeg);
   }
 
-  /// Each scan goes over the whole image, and may take a few bytes of the file. libjpeg itself writes ten.
+  /// Each scan covers the whole image, and may take only a few bytes of the file. libjpeg itself writes ten scans.
   static void on_progress(j_common_ptr jpeg) {
     constexpr int kMostScans = 100;
     auto& reader = *static_cast<JpegReader*>(jpeg->client_data);

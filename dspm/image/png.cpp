@@ -18,7 +18,7 @@ namespace dspm {
 
 namespace {
 
-/// libpng reports errors by a jump, over which no destructor runs: what is allocated lies here, outside of the jump.
+/// libpng reports errors by a longjmp, which runs no destructors: all that is allocated is held here, outside the jump.
 struct PngReader {
   explicit PngReader(std::string_view file) : bytes(file) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &on_error, &on_warning);

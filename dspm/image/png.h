@@ -12,7 +12,7 @@ bool is_png(std::string_view bytes);
 /// Any kind of PNG; 16 bits are kept. Throws std::runtime_error with the cause.
 Image decode_png(std::string_view bytes, ColorEncoding encoding);
 
-/// Eight bits a channel, sRGB: 0..1 of `image` (linear) is what can be shown, the rest is clamped; NaN is black.
+/// Eight bits per channel, sRGB: values of `image` (linear) outside 0..1 are clamped; NaN is black.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace dspm

@@ -19,7 +19,7 @@ Image decode_image(std::string_view bytes, ColorEncoding encoding) {
   if (is_png(bytes)) return decode_png(bytes, encoding);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, encoding);
   if (!is_exr(bytes) && !is_hdr(bytes)) {
-    throw std::runtime_error("it is neither a PNG, JPEG, OpenEXR nor Radiance HDR file");
+    throw std::runtime_error("it is not a PNG, JPEG, OpenEXR or Radiance HDR file");
   }
   Image image = is_exr(bytes) ? decode_exr(bytes) : decode_hdr(bytes);
   for (Rgb& pixel : image.pixels)
@@ -28,19 +28,19 @@ Image decode_image(std::string_view bytes, ColorEncoding encoding) {
 }
 
 Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_bytes) {
-#ifdef DSPM_FUZZ  // millions of inputs are to be tried, and large images take long
+#ifdef DSPM_FUZZ  // fuzzing tries millions of inputs, and large images take long
   constexpr std::size_t kPixelsPerByte = 8, kOnTrust = std::size_t{1} << 12;
 #else
-  // Pictures of something hold far less than 256 pixels a byte, but an image of one colour may reach thousands. Up to
-  // 16 million are taken on trust, so that a file below 200 kB never takes more than a gigabyte.
+  // Real pictures have far fewer than 256 pixels per byte, but an image of one colour may reach thousands. Up to 16
+  // million are taken on trust, so that a file below 200 kB never takes more than a gigabyte.
   constexpr std::size_t kPixelsPerByte = 256, kOnTrust = std::size_t{1} << 24;
 #endif
   const std::size_t most = std::min(kMaxPixels, std::max(kOnTrust, kPixelsPerByte * file_bytes));
-  if (width < 1 || height < 1) throw std::runtime_error("it has no size");
+  if (width < 1 || height < 1) throw std::runtime_error("its size is invalid");
   if (static_cast<std::size_t>(width) > most / static_cast<std::size_t>(height)) {
     throw std::runtime_error(
-        fmt::format("{} x {} pixels are too many for {} bytes: at most {} million are read; make it "
-                    "smaller",
+        fmt::format("{} x {} pixels are too many for {} bytes: at most {} million are read; make the "
+                    "image smaller",
                     width, height, file_bytes, most / 1'000'000));
   }
   return Image(static_cast<int>(width), static_cast<int>(height));

@@ -1,12 +1,12 @@
-// Making an image smaller.
+// Shrinks images.
 #pragma once
 
 #include "dspm/image/image.h"
 
 namespace dspm {
 
-/// Every new pixel is the mean of the area that it covers, parts of pixels by their share: the image's mean is kept.
-/// Made for smaller sizes; a larger one repeats pixels.
+/// Every new pixel is the mean of the area that it covers, with partly covered pixels weighted by area: the image's
+/// mean is kept. Meant for smaller sizes; larger ones repeat pixels.
 Image shrunk(const Image& image, int width, int height);
 
 }  // namespace dspm

@@ -22,32 +22,40 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-/// Chooses a light and a direction by the path's numbers at `bounce` and calls fn(FrameSet, const Rgb&, giver) with the
-/// radiance that the surface (`point`, of `hit`) sends towards wo by it, for the frames in which nothing lies between.
-/// `weight(wi, pdf_w)` multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and is 0 for
-/// delta lights. Radiance that is not finite is handed on; giver() is then who gave it.
+/// The frames in which nothing lies on the segment, with what is left there of its light: fn(FrameSet, const Rgb&
+/// transmittance).
+template <class Fn>
+void for_each_open(const Scene& scene, const Ray& segment, FrameSet frames, Fn&& fn) {
+  const FrameSet open = frames - scene.accel->occluded(segment, frames);
+  if (!open.empty()) fn(open, Rgb(1));
+}
+
+/// Chooses a light and a direction by the path's numbers for its next bounce and calls fn(FrameSet, const Rgb&, giver)
+/// with the radiance that the vertex sends back along the path by it, for those of `frames` in which nothing lies
+/// between. `weight(wi, pdf_w)` multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and
+/// is 0 for delta lights. Radiance that is not finite is handed on; giver() is then who gave it.
 template <class Weight, class Fn>
-void sample_direct_light(const Scene& scene, FrameSet frames, const RayHit& hit, const SurfacePoint& point,
-                         const Bsdf& bsdf, const Vec3& wo, LobeSet lobes, const PathRandom& random, int bounce,
-                         std::uint64_t& shadow_rays, Weight&& weight, Fn&& fn) {
-  const ChosenLight chosen = scene.choose_light(random.number(bounce, kLightChoice));
+void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
+                         const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {
+  const ChosenLight chosen = scene.choose_light(path.random.number(path.bounces + 1, kLightChoice));
   if (chosen.probability == 0) return;
-  const Vec2 u = random.pair(bounce, kLightPoint);
+  const Vec2 u = path.random.pair(path.bounces + 1, kLightPoint);
+  const SurfacePoint& point = vertex.point;
   scene.lights[static_cast<std::size_t>(chosen.index)].states.for_each(
       frames, [&](FrameSet common, const Light& light) {
         const auto lit = light.illuminate(point.p, u);
         if (!lit) return;
         const float pdf_w = chosen.probability * lit->pdf_w;
-        const Rgb f = bsdf.evaluate(wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
+        const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
         const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
         if (is_black(radiance)) return;
         const auto giver = [&] {
-          return is_finite(f) ? ScenePart{ScenePart::Kind::light, chosen.index} : material_part(scene, hit);
+          return is_finite(f) ? ScenePart{ScenePart::Kind::light, chosen.index} : vertex.material_part();
         };
         if (!is_finite(radiance)) return fn(common, radiance, giver);
-        ++shadow_rays;
-        const FrameSet free = common - scene.accel->occluded(shadow_ray(point, *lit), common);
-        if (!free.empty()) fn(free, radiance, giver);
+        ++counts.shadow_rays;
+        for_each_open(scene, shadow_ray(point, *lit), common,
+                      [&](FrameSet open, const Rgb& transmittance) { fn(open, radiance * transmittance, giver); });
       });
 }
 

@@ -27,13 +27,13 @@ class PixelEstimator {
   virtual void see(const SeenLight& light) = 0;
   /// Once an iteration, after all gathers.
   virtual void end_iteration() = 0;
-  /// All that lasts beyond an iteration; see Integrator::persist. Loads in the midst of one, too, where it is given up.
+  /// All that lasts beyond an iteration; see Integrator::persist.
   virtual void persist(StateStream& state) = 0;
   /// Radiance after the iterations so far.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Nothing where only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
-  /// Behind persist(), where an iteration is given up: what is kept for its end alone is as it was at its start.
+  /// Between iterations, or after one that threw: drops what was kept for its end alone.
   virtual void forget_iteration() {}
 };
 

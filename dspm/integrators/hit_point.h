@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -32,13 +33,6 @@ struct Scattering {
   LobeSet lobes;   // that gather here
   bool transmits;  // photons on the other side of the surface count as well
   int material;    // index into the scene's
-};
-
-/// Light that a camera path saw itself: emission, or sampled direct light; radiance times throughput.
-struct SeenLight {
-  int pixel;
-  FrameSet frames;
-  Rgb radiance;
 };
 
 struct HitPointSettings {

@@ -38,8 +38,8 @@ class Integrator {
   virtual int iterations() const = 0;
   /// The settings that matter to its user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// All frames take one step; iterations count from 0 and come in order. Where it ends by Cancelled, nothing has
-  /// changed.
+  /// All frames take one step; iterations count from 0 and come in order. May throw; persist() then loads what was saved
+  /// before, and a session does that for iterations that are given up.
   virtual void iterate(int iteration) = 0;
   /// Radiance of a frame of the interval after the iterations so far, over the crop.
   virtual Image estimate(Frame frame) const = 0;

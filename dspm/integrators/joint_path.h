@@ -1,4 +1,4 @@
-// Frames whose paths go the same way though what they meet differs: they stay one path, with strands.
+// Frames that are scattered alike by surfaces that differ stay one path, with strands.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace dspm {
 
-/// How some frames of a path go on.
-struct Way {
+/// How some frames of a path are scattered.
+struct Scattered {
   FrameSet frames;
   Rgb factor;
   BsdfSample sample;
   bool rough;  // a rough lobe was chosen
 
-  std::optional<Rgb> along(const Way& first) const {
+  std::optional<Rgb> along(const Scattered& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale;
     return same && rough == first.rough ? std::optional(factor) : std::nullopt;

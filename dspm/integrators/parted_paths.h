@@ -6,26 +6,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "dspm/integrators/path_step.h"
-#include "dspm/math/rng.h"
+#include "dspm/integrators/camera_path.h"
 
 namespace dspm {
 
-struct PartedPath {
-  PathState path;
-  PathRandom random;
-  const Camera* camera;
-  int pixel;
-};
-
 class PartedPaths {
  public:
-  void add(const PartedPath& path, const HitPartition& parts) {
+  void add(const CameraPath& path, const HitPartition& parts) {
     for (const FrameHit& part : parts) waiting_.push_back({part, static_cast<std::uint32_t>(paths_.size())});
     paths_.push_back(path);
   }
 
-  /// Calls fn(const PartedPath&, const FrameHit&) for each part, in the order of their lowest frames.
+  /// Calls fn(const CameraPath&, const FrameHit&) for each part, in the order of their lowest frames.
   template <class Fn>
   void for_each(Fn&& fn) {
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const Waiting& a, const Waiting& b) {
@@ -39,7 +31,7 @@ class PartedPaths {
     FrameHit part;
     std::uint32_t path;
   };
-  std::vector<PartedPath> paths_;
+  std::vector<CameraPath> paths_;
   std::vector<Waiting> waiting_;
 };
 

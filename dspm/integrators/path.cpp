@@ -12,10 +12,11 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/branching_path.h"
+#include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/direct_light.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/path_step.h"
 #include "dspm/integrators/summed_iterations.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
@@ -29,7 +30,7 @@ namespace {
 
 constexpr int kTileSide = 16;
 
-struct TracedPath : PathState {
+struct TracedPath : CameraPath {
   Vec3 from;  // where the segment starts: the last surface's point
   // Of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes.
   float pdf_w = 0;
@@ -41,111 +42,99 @@ float balance(float own, float other) { return own > 0 ? own / (own + other) : 0
 class PixelTracer {
  public:
   PixelTracer(const Scene& scene, const RenderSettings& render, int max_depth, SeenLightSums& out)
-      : scene_(scene), render_(render), max_depth_(max_depth), out_(out) {}
+      : scene_(scene), render_(render), max_depth_(max_depth), out_(out), branches_(scene, counts_) {}
 
   void trace(int x, int y, std::uint64_t iteration) {
-    const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
-    pixel_ = pixel_in_crop(render_.crop, x, y);
-    const Vec2 film = film_point(render_, x, y, random);
-    scene_.camera.for_each(scene_.frames(), [&](FrameSet frames, const Camera& camera) {
-      TracedPath path;
-      path.ray = camera.ray(film, random.pair(0, kLightDirection));
-      path.throughput = Rgb(1), path.frames = frames;
-      if (is_finite(path.ray))
-        stack_.push(path);
-      else
-        reject(frames, {ScenePart::Kind::camera});
-    });
-    run(random);
-    ++counts_.paths;
-    counts_.dynamic_paths += met_dynamic_;
-    met_dynamic_ = false;
+    start_camera_paths(
+        scene_, render_, x, y, iteration,
+        [&](const CameraPath& path) {
+          branches_.push({path, Vec3(), 0});
+        },
+        [&](const CameraPath& path) { reject(path, path.frames, {ScenePart::Kind::camera}); });
+    branches_.follow(*this);
+    branches_.count_path();
   }
 
   const PathCounts& counts() const { return counts_; }
   const Rejections& rejections() const { return rejections_; }
 
  private:
-  void run(const PathRandom& random) {
-    while (!stack_.empty()) {
-      const TracedPath path = stack_.pop();
-      met_dynamic_ |= path.frames != scene_.frames();
-      counts_.segments.add(path.frames.count());
-      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) follow(path, part, random);
-    }
-  }
+  friend BranchingPath<TracedPath>;
 
-  void follow(const TracedPath& path, const FrameHit& part, const PathRandom& random) {
-    if (part.hit.missed()) return escape(path, part.frames);
-    const Vec3 wo = -path.ray.direction;
-    const SurfacePoint point = scene_.surface_point(part.hit);
-    if (!is_finite(point)) return reject(part.frames, shape_part(part.hit));
-    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
-      met_dynamic_ |= frames != scene_.frames();
-      add_emission(path, {frames, part.hit}, point, wo);
+  bool postpones(const TracedPath&, const HitPartition&) { return false; }
+
+  void arrived(const TracedPath& path, const Vertex& vertex) {
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      add_emission(path, vertex, frames);
       if (path.bounces >= max_depth_) return;
-      sample_direct_light(
-          scene_, frames, part.hit, point, bsdf, wo, bsdf.all_lobes(), random, path.bounces + 1, counts_.shadow_rays,
-          [&](const Vec3& wi, float pdf_w) {
-            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
-          },
-          [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(lit, path.throughput * radiance, giver); });
+      add_direct_light(path, vertex, frames, bsdf);
       TracedPath branch = path;
       branch.frames = frames;
-      scatter(branch, part.hit, point, bsdf, wo, random);
+      scatter(branch, vertex, bsdf);
     });
   }
 
-  void escape(const TracedPath& path, FrameSet frames) {
+  void escaped(const TracedPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
-                      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+                      add(path, lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
                           [&] { return light_part(scene_, scene_light); });
                     });
   }
 
-  void add_emission(const TracedPath& path, const FrameHit& part, const SurfacePoint& point, const Vec3& wo) {
-    for_each_emission(scene_, part, point, wo, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
-      const PlacedShape& shape = scene_.shapes[static_cast<std::size_t>(part.hit.shape)];
-      const float other = scene_.lights[static_cast<std::size_t>(shape.light)].probability *
-                          light.pdf_w(path.from, point, part.hit.primitive);
-      add(lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
-          [&] { return emitter_part(scene_, part.hit); });
+  void lost(const TracedPath& path, FrameSet frames, const ScenePart& giver) { reject(path, frames, giver); }
+
+  void add_emission(const TracedPath& path, const Vertex& vertex, FrameSet frames) {
+    for_each_emission(scene_, vertex, frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      float weight = 1;
+      if (path.pdf_w > 0) {
+        const float chosen = scene_.lights[static_cast<std::size_t>(vertex.shape.light)].probability;
+        weight = balance(path.pdf_w, chosen * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
+      }
+      add(path, lit, path.throughput * radiance * weight, [&] { return vertex.emitter_part(); });
     });
   }
 
-  void scatter(TracedPath& path, const RayHit& hit, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-               const PathRandom& random) {
-    const int bounce = path.bounces;
-    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::radiance, bsdf.all_lobes());
-    if (!sample) return;
-    extend(path, point, *sample);
-    if (!is_finite(path.ray) || !is_finite(path.throughput)) return reject(path.frames, material_part(scene_, hit));
-    path.from = point.p;
-    path.pdf_w = sample->specular ? 0 : sample->pdf_w;
-    if (!is_black(path.throughput) &&
-        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), random.number(bounce, kRoulette)))
-      stack_.push(path);
+  void add_direct_light(const TracedPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const auto weight = [&](const Vec3& wi, float pdf_w) {
+      return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
+    };
+    sample_direct_light(
+        scene_, path, vertex, frames, bsdf, bsdf.all_lobes(), counts_, weight,
+        [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(path, lit, path.throughput * radiance, giver); });
   }
 
-  /// `giver`: who is at fault where it is not finite.
-  template <class WhoGave>
-  void add(FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    if (is_finite(radiance)) return out_.add({pixel_, frames, radiance});
-    reject(frames, giver());
+  void scatter(TracedPath& path, const Vertex& vertex, const Bsdf& bsdf) {
+    const int bounce = path.bounces;
+    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
+    if (!sample) return;
+    extend(path, vertex.point, *sample);
+    if (!is_finite(path.ray) || !is_finite(path.throughput)) return reject(path, path.frames, vertex.material_part());
+    path.from = vertex.point.p;
+    path.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    if (!is_black(path.throughput) &&
+        survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
+      branches_.push(path);
   }
-  void reject(FrameSet frames, const ScenePart& giver) { rejections_.add(giver, frames, pixel_); }
+
+  /// `giver`: who is at fault if it is not finite.
+  template <class WhoGave>
+  void add(const TracedPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+    if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance});
+    reject(path, frames, giver());
+  }
+  void reject(const CameraPath& path, FrameSet frames, const ScenePart& giver) {
+    rejections_.add(giver, frames, path.pixel);
+  }
 
   const Scene& scene_;
   const RenderSettings& render_;
   int max_depth_;
   SeenLightSums& out_;
-  PathStack<TracedPath> stack_;
-  int pixel_ = 0;
-  bool met_dynamic_ = false;
   PathCounts counts_;
   Rejections rejections_;
+  BranchingPath<TracedPath> branches_;
 };
 
 class Path final : public Integrator {

@@ -1,5 +1,5 @@
-// One step of a path, for camera and photon paths of every integrator: what a path is, where it goes on, and how it
-// ends.
+// One step of a path, for camera and photon paths of every integrator: its state, the vertex that it comes to, how it is
+// extended, and how it ends.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <span>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/integrators/statistics.h"
+#include "dspm/integrators/dimension.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
@@ -28,70 +28,64 @@ struct PathState {
   float length = 0;        // of the segments so far, in world units
   float eta_scale = 1;     // of the refractions so far: what throughput will get back on the way out
   StrandList strands = 0;  // what frames carry times the throughput, where they differ
+  PathRandom random = {};  // the path's, the same for all its branches
 };
-
-/// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at
-/// the vertex of bounce b takes those of b + 1.
-enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
-
-/// The paths still to be followed. Their sets are disjoint, so there are never more than frames.
-template <class Path = PathState>
-class PathStack {
- public:
-  bool empty() const { return count_ == 0; }
-  /// The path's copy in the stack, to be changed in place until the next push or pop.
-  Path& push(const Path& path) { return paths_[static_cast<std::size_t>(count_++)] = path; }
-  Path pop() { return paths_[static_cast<std::size_t>(--count_)]; }
-  void drop() { --count_; }
-
- private:
-  std::array<Path, kMaxFrames> paths_;
-  int count_ = 0;
-};
-
-inline const FrameStates<Material>& material_at(const Scene& scene, const RayHit& hit) {
-  return scene.materials[static_cast<std::size_t>(scene.shapes[static_cast<std::size_t>(hit.shape)].material)];
-}
 
 inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
 inline bool is_finite(const SurfacePoint& point) {
   return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
 }
 
-/// Calls fn(FrameSet, const Bsdf&) for each scattering that the part's frames find at its hit: one, unless the material
+/// Where a path meets a surface, in frames that meet the same.
+struct Vertex {
+  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part)
+      : hit(part.hit),
+        point(scene.surface_point(part.hit)),
+        wo(-ray.direction),
+        frames(part.frames),
+        shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
+        material(scene.materials[static_cast<std::size_t>(shape.material)]) {}
+
+  RayHit hit;
+  SurfacePoint point;
+  Vec3 wo;  // back along the path, unit length
+  FrameSet frames;
+  const PlacedShape& shape;
+  const FrameStates<Material>& material;
+
+  /// The material is not the same in all of the frames.
+  bool differs() const { return material.differs_in(frames); }
+
+  // Whose plugin something is, for what it gives that is not finite.
+  ScenePart shape_part() const { return {ScenePart::Kind::shape, hit.shape}; }
+  ScenePart material_part() const { return {ScenePart::Kind::material, shape.material}; }
+  ScenePart emitter_part() const { return {ScenePart::Kind::light, shape.light}; }
+};
+
+/// Calls fn(FrameSet, const Bsdf&) for each scattering that the vertex's frames find there: one, unless the material
 /// differs between them.
 template <class Fn>
-void for_each_surface(const Scene& scene, const FrameHit& part, const SurfacePoint& point, Fn&& fn) {
-  material_at(scene, part.hit).for_each(part.frames, [&](FrameSet frames, const Material& material) {
+void for_each_surface(const Vertex& vertex, Fn&& fn) {
+  vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& material) {
     BsdfSlot slot;
-    fn(frames, material.bsdf(point, slot));
+    fn(frames, material.bsdf(vertex.point, slot));
   });
 }
 
-/// Of whose plugin something is, for what it gives that is not finite.
-inline ScenePart shape_part(const RayHit& hit) { return {ScenePart::Kind::shape, hit.shape}; }
-inline ScenePart material_part(const Scene& scene, const RayHit& hit) {
-  return {ScenePart::Kind::material, scene.shapes[static_cast<std::size_t>(hit.shape)].material};
-}
-inline ScenePart emitter_part(const Scene& scene, const RayHit& hit) {
-  return {ScenePart::Kind::light, scene.shapes[static_cast<std::size_t>(hit.shape)].light};
-}
 inline ScenePart light_part(const Scene& scene, const SceneLight& light) {
   return {ScenePart::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
-/// The light that a hit surface itself sends towards w, frame by frame where it differs: fn(FrameSet, const Rgb&, const
+/// The surface's own emission back along the path, frame by frame where it differs: fn(FrameSet, const Rgb&, const
 /// Light&).
 template <class Fn>
-void for_each_emission(const Scene& scene, const FrameHit& part, const SurfacePoint& point, const Vec3& w, Fn&& fn) {
-  const PlacedShape& shape = scene.shapes[static_cast<std::size_t>(part.hit.shape)];
-  if (shape.light < 0) return;
-  scene.lights[static_cast<std::size_t>(shape.light)].states.for_each(part.frames,
-                                                                      [&](FrameSet frames, const Light& light) {
-                                                                        const Rgb radiance = light.emitted(point, w);
-                                                                        if (!is_black(radiance))
-                                                                          fn(frames, radiance, light);
-                                                                      });
+void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames, Fn&& fn) {
+  if (vertex.shape.light < 0) return;
+  const SceneLight& light = scene.lights[static_cast<std::size_t>(vertex.shape.light)];
+  light.states.for_each(frames, [&](FrameSet lit, const Light& state) {
+    const Rgb radiance = state.emitted(vertex.point, vertex.wo);
+    if (!is_black(radiance)) fn(lit, radiance, state);
+  });
 }
 
 /// Light from infinitely far for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
@@ -129,30 +123,29 @@ inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
   return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~bsdf.lobes(least_alpha));
 }
 
-inline LobeChoice choose_lobes(const Bsdf& bsdf, const Vec3& wo, float least_alpha, const PathRandom& random,
-                               int bounce) {
+inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vec3& wo, float least_alpha) {
   const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
   const float rough_chance = bsdf.share(wo, rough);
-  if (random.number(bounce, kSplit) < rough_chance) return {rough, rough_chance, true};
+  if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};
   return {smooth, 1 - rough_chance, false};
 }
 
-inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const Vec3& wo, const PathRandom& random, int bounce,
+inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& path, const Vec3& wo,
                                              Transport transport, LobeSet lobes) {
-  const Vec2 u = random.pair(bounce, kScatter);
-  return bsdf.sample(wo, {u.x, u.y, random.number(bounce, kLobe)}, transport, lobes);
+  const Vec2 u = path.random.pair(path.bounces, kScatter);
+  return bsdf.sample(wo, {u.x, u.y, path.random.number(path.bounces, kLobe)}, transport, lobes);
 }
 
-/// Moves `path` on along the sampled direction; its throughput is left to the caller.
-inline void move_on(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
+/// The path's next segment, along the sampled direction; its throughput is left to the caller.
+inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
   path.ray = point.spawn(sample.wi);
   ++path.bounces;
 }
 inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.throughput *= sample.weight;
-  move_on(path, point, sample);
+  extend_ray(path, point, sample);
 }
 
 inline constexpr int kFirstRouletteBounce = 4;  // of camera paths

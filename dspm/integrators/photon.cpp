@@ -1,6 +1,7 @@
 #include "dspm/integrators/photon.h"
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/photon_starts.h"
 #include "dspm/math/frames.h"
@@ -26,24 +27,22 @@ double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>
 class PhotonTracer {
  public:
   PhotonTracer(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts, PhotonTrace& out)
-      : scene_(scene), settings_(settings), starts_(starts), frames_(scene.frames()), out_(out) {}
+      : scene_(scene),
+        settings_(settings),
+        starts_(starts),
+        frames_(scene.frames()),
+        out_(out),
+        branches_(scene, out.paths) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
-    const PathRandom random(settings_.seed, settings_.stream, path_index, iteration);
-    start(random);
-    ++out_.paths.paths;
-    met_dynamic_ = false;
-    while (!stack_.empty()) {
-      const PhotonPath path = stack_.pop();
-      met_dynamic_ |= path.frames != frames_;
-      const HitPartition parts = scene_.accel->partition(path.ray, path.frames);
-      out_.paths.segments.add(path.frames.count());
-      for (const FrameHit& part : parts) follow(path, part, random);
-    }
-    out_.paths.dynamic_paths += met_dynamic_;
+    start(PathRandom(settings_.seed, settings_.stream, path_index, iteration));
+    branches_.follow(*this);
+    branches_.count_path();
   }
 
  private:
+  friend BranchingPath<PhotonPath>;
+
   void start(const PathRandom& random) {
     const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
     if (chosen.probability == 0) return;
@@ -56,11 +55,11 @@ class PhotonTracer {
         reject(start.frames, {ScenePart::Kind::light, chosen.index});
         continue;
       }
-      PhotonPath& path = stack_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
-      path.strands = start.strands;
+      PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
+      path.random = random, path.strands = start.strands;
       path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.index)].is_delta;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.index)) {
-        stack_.drop();
+        branches_.drop();
         continue;
       }
       balance(path, path.frames, &EnergyBalance::emitted);
@@ -80,57 +79,58 @@ class PhotonTracer {
     return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
 
-  void follow(const PhotonPath& path, const FrameHit& part, const PathRandom& random) {
-    if (part.hit.missed()) return balance(path, part.frames, &EnergyBalance::escaped);
-    met_ = &part.hit;
-    const Vec3 wo = -path.ray.direction;
-    const SurfacePoint point = scene_.surface_point(part.hit);
-    if (!is_finite(point)) {
-      reject(part.frames, shape_part(part.hit));
-      return balance(path, part.frames, &EnergyBalance::absorbed);
-    }
-    if (material_at(scene_, part.hit).differs_in(part.frames)) return follow_together(path, part, point, wo, random);
-    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (bsdf.lobes(settings_.least_alpha) != 0) store(path, frames, point, wo);
-      if (is_hidden_on(path, bsdf)) store_hidden(path, frames, point, wo);
-      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
+  bool postpones(const PhotonPath&, const HitPartition&) { return false; }
+
+  void escaped(const PhotonPath& path, FrameSet frames) { balance(path, frames, &EnergyBalance::escaped); }
+
+  void lost(const PhotonPath& path, FrameSet frames, const ScenePart& giver) {
+    reject(frames, giver);
+    balance(path, frames, &EnergyBalance::absorbed);
+  }
+
+  void arrived(const PhotonPath& path, const Vertex& vertex) {
+    if (vertex.differs()) return scatter_together(path, vertex);
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (bsdf.lobes(settings_.least_alpha) != 0) store(path, vertex, frames);
+      if (is_hidden_on(path, bsdf)) store_hidden(path, vertex, frames);
+      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
-        go_on(path, point, sample, rough, {&all, 1}, random);
+        extend(path, vertex, sample, rough, {&all, 1});
       });
     });
   }
 
-  [[gnu::noinline]] void follow_together(const PhotonPath& path, const FrameHit& part, const SurfacePoint& point,
-                                         const Vec3& wo, const PathRandom& random) {
+  [[gnu::noinline]] void scatter_together(const PhotonPath& path, const Vertex& vertex) {
     FrameSet gathering, hidden;
-    FrameArray<Way> ways;
-    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
+    FrameArray<Scattered> scattered;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
       if (is_hidden_on(path, bsdf)) hidden |= frames;
-      way_on(path, frames, bsdf, point, wo, random, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
-        ways.add({frames, factor, sample, rough});
+      scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
+        scattered.add({frames, factor, sample, rough});
       });
     });
-    if (!gathering.empty()) store(path, gathering, point, wo);
-    if (!hidden.empty()) store_hidden(path, hidden, point, wo);
-    for_each_joint(ways, settings_.share_paths, [&](const Way& first, std::span<const FrameFactor> factors) {
-      go_on(path, point, first.sample, first.rough, factors, random);
+    if (!gathering.empty()) store(path, vertex, gathering);
+    if (!hidden.empty()) store_hidden(path, vertex, hidden);
+    for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
+      extend(path, vertex, first.sample, first.rough, factors);
     });
   }
 
-  void store(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
-    if ((path.kind & settings_.kinds) != 0) store(out_.photons, path, frames, point, wi);
+  void store(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
+    if ((path.kind & settings_.kinds) != 0) store(out_.photons, path, vertex, frames);
   }
-  void store_hidden(const PhotonPath& path, FrameSet frames, const SurfacePoint& point, const Vec3& wi) {
-    store(out_.hidden, path, frames, point, wi);
+  void store_hidden(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
+    store(out_.hidden, path, vertex, frames);
   }
   /// Light that comes straight from the light is found by shadow rays.
   bool is_hidden_on(const PhotonPath& path, const Bsdf& bsdf) const {
     return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, settings_.least_alpha) != 0;
   }
 
-  void store(std::vector<Photon>& photons, const PhotonPath& path, FrameSet frames, const SurfacePoint& point,
-             const Vec3& wi) {
+  void store(std::vector<Photon>& photons, const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
+    const SurfacePoint& point = vertex.point;
+    const Vec3& wi = vertex.wo;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
       // Where the normals disagree about the side, no scattering function gives anything.
@@ -146,47 +146,45 @@ class PhotonTracer {
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
   template <class Fn>
-  void way_on(const PhotonPath& path, FrameSet frames, const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo,
-              const PathRandom& random, Fn&& fn) {
-    const int bounce = path.bounces;
-    if (bounce + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
+  void scatter(const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf, Fn&& fn) {
+    if (path.bounces + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
     // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, bounce);
+    const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
     if (kind_after(path, choice.rough) == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
       return balance(path, frames, &EnergyBalance::terminated);
-    const auto sample = sample_bsdf(bsdf, wo, random, bounce, Transport::flux, choice.lobes);
+    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, choice.lobes);
     const bool valid = !sample || is_finite(sample->wi);
-    if (!valid) reject(frames, material_part(scene_, *met_));
+    if (!valid) reject(frames, vertex.material_part());
     if (!sample || !valid) return balance(path, frames, &EnergyBalance::absorbed);
-    fn(*sample, choice.rough, sample->weight * (shading_correction(point, wo, sample->wi) / choice.chance));
+    const float correction = shading_correction(vertex.point, vertex.wo, sample->wi);
+    fn(*sample, choice.rough, sample->weight * (correction / choice.chance));
   }
 
-  void go_on(const PhotonPath& path, const SurfacePoint& point, const BsdfSample& sample, bool rough,
-             std::span<const FrameFactor> factors, const PathRandom& random) {
-    PhotonPath& branch = stack_.push(path);
+  void extend(const PhotonPath& path, const Vertex& vertex, const BsdfSample& sample, bool rough,
+              std::span<const FrameFactor> factors) {
+    PhotonPath& branch = branches_.push(path);
     branch.kind = kind_after(path, rough);
     branch.hidden = path.hidden && sample.specular;
-    move_on(branch, point, sample);
-    if (!scatter(branch, factors, random.number(path.bounces, kRoulette))) stack_.drop();
+    extend_ray(branch, vertex.point, sample);
+    if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }
 
-  /// Whether the path goes on, in some of its frames.
-  bool scatter(PhotonPath& path, std::span<const FrameFactor> factors, float u) {
-    met_dynamic_ |= factors[0].frames != frames_;
-    const auto roulette = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
+  /// Multiplies the factors in. Whether the path survives, in some of its frames.
+  bool roulette(PhotonPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, float u) {
+    const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_finite(after);
-      if (!valid) reject(frames, material_part(scene_, *met_));
+      if (!valid) reject(frames, vertex.material_part());
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
-      const Rgb left = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+      const Rgb surviving = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
       EnergyBalance change;
       if (valid)
-        change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(left);
+        change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(surviving);
       else
         change.terminated = sum(before);
       balance(weights, frames, [&](EnergyBalance& e, const Rgb& grey) { e += change * static_cast<double>(grey.r); });
-      return left;
+      return surviving;
     };
-    return multiply(path, factors, out_.strands, ByRatio::yes, roulette);
+    return multiply(path, factors, out_.strands, ByRatio::yes, left);
   }
 
   void reject(FrameSet frames, const ScenePart& giver) { out_.rejections.add(giver, frames); }
@@ -213,9 +211,7 @@ class PhotonTracer {
   const PhotonStarts& starts_;
   FrameSet frames_;
   PhotonTrace& out_;
-  PathStack<PhotonPath> stack_;
-  const RayHit* met_ = nullptr;  // where the path just now has arrived
-  bool met_dynamic_ = false;
+  BranchingPath<PhotonPath> branches_;
 };
 
 void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {

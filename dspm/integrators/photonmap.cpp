@@ -11,10 +11,9 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/final_gather.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/path_step.h"
-#include "dspm/integrators/radiance_estimate.h"
 #include "dspm/integrators/summed_iterations.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
@@ -39,7 +38,6 @@ struct PhotonMapSettings {
 };
 
 constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
-constexpr int kGatherBounces = 4;  // smooth lobes that a final gather ray follows
 
 HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
   return {
@@ -134,110 +132,39 @@ class PhotonMapper final : public Integrator {
     account(tiles_, statistics);
   }
 
+  void gather_tile(const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums, TileCounts& counts) const {
+    const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance) {
+      sums.add({hit.pixel, frames, radiance});
+    };
+    const auto estimate = [&](const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how) {
+      estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,
+                        [&](FrameSet frames, const Rgb& radiance) { add(hit, frames, radiance); });
+    };
+    FinalGather final_gather(scene_, render_, {settings_.final_gather, settings_.least_alpha}, global_, global_how_,
+                             counts.gather, counts.paths, add);
+    for (const SeenLight& light : tile.seen) sums.add(light);
+    for (const HitPoint& hit : tile.glossy) estimate(hit, hidden_, caustic_how_);
+    for (const HitPoint& hit : tile.hit_points) {
+      estimate(hit, caustic_, caustic_how_);
+      if (settings_.final_gather == 0)
+        estimate(hit, global_, global_how_);
+      else
+        final_gather.gather(hit, *tile.scattering_of(hit), iteration);
+    }
+  }
+
   void gather_tiles(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kGather]);
     std::vector<TileCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
-      const auto add_to = [&sums](const HitPoint& hit) {
-        return [&sums, &hit](FrameSet frames, const Rgb& radiance) { sums.add({hit.pixel, frames, radiance}); };
-      };
-      for (const SeenLight& light : tiles_[tile].seen) sums.add(light);
-      for (const HitPoint& hit : tiles_[tile].glossy)
-        estimate_radiance(hit, tiles_[tile].scattering_of(hit), hidden_, caustic_how_, counts[tile].gather,
-                          add_to(hit));
-      for (const HitPoint& hit : tiles_[tile].hit_points) {
-        const auto add = add_to(hit);
-        const Scattering* scattering = tiles_[tile].scattering_of(hit);
-        estimate_radiance(hit, scattering, caustic_, caustic_how_, counts[tile].gather, add);
-        if (settings_.final_gather == 0)
-          estimate_radiance(hit, scattering, global_, global_how_, counts[tile].gather, add);
-        else
-          final_gather(hit, *scattering, iteration, counts[tile], add);
-      }
+      gather_tile(tiles_[tile], iteration, sums, counts[tile]);
     });
     std::vector<GatherCounts> gathers;
     for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
     account(gathers, statistics);
     statistics.bytes = std::max(
         statistics.bytes, global_.bytes() + caustic_.bytes() + hidden_.bytes() + done_.bytes() + bytes_of(tiles_));
-  }
-
-  /// Light that arrives by way of other rough surfaces: rays into the scene that end in the global map.
-  template <class Add>
-  void final_gather(const HitPoint& hit, const Scattering& scattering, std::uint64_t iteration, TileCounts& counts,
-                    Add&& add) const {
-    SurfacePoint point;
-    point.p = hit.p, point.p_error = scattering.p_error, point.ng = point.ns = hit.ng;
-    const int x = render_.crop.x0 + hit.pixel % render_.crop.width(),
-              y = render_.crop.y0 + hit.pixel / render_.crop.width();
-    for (int ray = 0; ray < settings_.final_gather; ++ray) {
-      const PathRandom random(
-          render_.seed, Stream::final_gather, camera_path_index(render_, x, y),
-          iteration * static_cast<std::uint64_t>(settings_.final_gather) + static_cast<std::uint64_t>(ray));
-      const auto sample =
-          sample_bsdf(*scattering.bsdf, scattering.wo, random, 0, Transport::radiance, scattering.lobes);
-      if (!sample) continue;
-      PathState path;
-      path.throughput = hit.throughput / static_cast<float>(settings_.final_gather);
-      path.frames = hit.frames;
-      extend(path, point, *sample);
-      if (!is_valid(path, hit, scattering.material, counts)) continue;
-      follow_gather_ray(path, hit, random, counts, add);
-    }
-  }
-
-  template <class Add>
-  void follow_gather_ray(const PathState& start, const HitPoint& from, const PathRandom& random, TileCounts& counts,
-                         Add&& add) const {
-    PathStack<> stack;
-    stack.push(start);
-    while (!stack.empty()) {
-      const PathState path = stack.pop();
-      counts.paths.segments.add(path.frames.count());
-      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames)) {
-        if (part.hit.missed()) continue;
-        const SurfacePoint point = scene_.surface_point(part.hit);
-        if (!is_finite(point)) {
-          counts.gather.rejections.add(shape_part(part.hit), part.frames, from.pixel);
-          continue;
-        }
-        const int material = material_part(scene_, part.hit).index;
-        for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
-          PathState branch = path;
-          branch.frames = frames;
-          end_or_follow(branch, point, bsdf, material, from, random, stack, counts, add);
-        });
-      }
-    }
-  }
-
-  template <class Add>
-  void end_or_follow(PathState& path, const SurfacePoint& point, const Bsdf& bsdf, int material, const HitPoint& from,
-                     const PathRandom& random, PathStack<>& stack, TileCounts& counts, Add&& add) const {
-    const Vec3 wo = -path.ray.direction;
-    const LobeChoice choice = choose_lobes(bsdf, wo, settings_.least_alpha, random, path.bounces);
-    path.throughput *= 1 / choice.chance;
-    if (choice.rough) {
-      HitPoint hit = from;
-      hit.p = point.p, hit.ng = dot(wo, point.ng) < 0 ? -point.ng : point.ng;
-      hit.throughput = path.throughput, hit.frames = path.frames;
-      const Scattering scattering{BsdfSlot::copy_of(bsdf),      wo,      point.p_error, choice.lobes,
-                                  bsdf.transmits(choice.lobes), material};
-      estimate_radiance(hit, &scattering, global_, global_how_, counts.gather, add);
-      return;
-    }
-    if (path.bounces >= kGatherBounces) return;
-    const auto sample = sample_bsdf(bsdf, wo, random, path.bounces, Transport::radiance, choice.lobes);
-    if (!sample) return;
-    extend(path, point, *sample);
-    if (!is_black(path.throughput) && is_valid(path, from, material, counts)) stack.push(path);
-  }
-
-  static bool is_valid(const PathState& path, const HitPoint& from, int material, TileCounts& counts) {
-    const bool valid = is_finite(path.throughput) && is_finite(path.ray);
-    if (!valid) counts.gather.rejections.add({ScenePart::Kind::material, material}, path.frames, from.pixel);
-    return valid;
   }
 
   PhotonMapSettings settings_;

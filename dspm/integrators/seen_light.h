@@ -4,11 +4,17 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/integrators/hit_point.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/state_stream.h"
 
 namespace dspm {
+
+/// Light that a camera path saw itself: emission, or sampled direct light; radiance times throughput.
+struct SeenLight {
+  int pixel;
+  FrameSet frames;
+  Rgb radiance;
+};
 
 class SeenLightSums {
  public:

@@ -1,5 +1,5 @@
-// Where an integrator stands that keeps nothing but sums. An iteration works on a copy, so that it may be given up halfway
-// and leaves no trace.
+// Where an integrator stands that keeps nothing but sums. An iteration works on a copy, so that one that throws leaves no
+// trace.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,6 @@
 #include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
-#include "dspm/system/cancellation.h"
 
 namespace dspm {
 
@@ -26,7 +25,6 @@ class SummedIterations {
   /// One more iteration: calls work(sums, statistics) with what it is to add to.
   template <class Work>
   void advance(Work&& work) {
-    const Cancellable nothing_is_lost;
     next_ = done_;
     work(next_.sums, next_.statistics);
     ++next_.statistics.iterations;

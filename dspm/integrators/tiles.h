@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "dspm/integrators/dimension.h"
 #include "dspm/integrators/integrator.h"
-#include "dspm/integrators/path_step.h"
+#include "dspm/math/rng.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {

@@ -61,14 +61,15 @@ GraphicsState BlockStack::close(Block::Kind kind, const SourceLocation& where, c
     return current;
   }
   if (innermost().kind != kind) {
-    diagnostics_.error(
-        where,
-        fmt::format("{} closes {} of {}", end_of(kind), begin_of(innermost()), place_of(innermost().where, where)),
-        innermost().kind == Block::Kind::import
-            ? "an imported file cannot close blocks that were opened outside it"
-            : fmt::format("{} ends with {}", begin_word(innermost().kind), end_of(innermost().kind)));
+    diagnostics_.error(where,
+                       fmt::format("{} does not match {} ({})", end_of(kind), begin_of(innermost()),
+                                   place_of(innermost().where, where)),
+                       innermost().kind == Block::Kind::import
+                           ? "an imported file cannot close blocks that were opened outside it"
+                           : fmt::format("{} ends with {}", begin_word(innermost().kind), end_of(innermost().kind)));
     if (innermost().kind == Block::Kind::import) return current;
-    // Either an inner block was left open or the wrong end was written: close up to a block of the kind, or this one.
+    // Either an inner block was left open or the wrong end was written: close up to a block of that kind, or only this
+    // one.
     const auto barrier = std::find_if(blocks_.rbegin(), blocks_.rend(), [&](const Block& block) {
       return block.kind == kind || block.kind == Block::Kind::import;
     });

@@ -1,4 +1,4 @@
-// The blocks of a scene's text that are open: AttributeBegin, DynamicBegin, VariationBegin, an imported file, ...
+// The open blocks of a scene's text: AttributeBegin, DynamicBegin, VariationBegin, an imported file, ...
 #pragma once
 
 #include <initializer_list>
@@ -10,35 +10,35 @@
 
 namespace dspm {
 
-/// A block of the text, with what will be in force again behind it.
+/// A block of the text, with the state to restore after it.
 struct Block {
   enum class Kind { attribute, transform, dynamic, object, axis, variation, import };
   Kind kind;
-  std::string name;  // empty where the kind has none
+  std::string name;  // empty if the kind has none
   SourceLocation where;
   GraphicsState outer;
-  bool has_keys = false;  // one group of Keyframes a block
+  bool has_keys = false;  // one group of Keyframes per block
 };
 
-/// `DynamicBegin "horse"`, and what ends it: `DynamicEnd`.
+/// `DynamicBegin "horse"`, and its end: `DynamicEnd`.
 std::string begin_of(const Block& block);
 std::string_view end_of(Block::Kind kind);
-/// "line 12", with the file where it is another one than that of `seen_from`.
+/// "line 12", or "file:12" if the file is not that of `seen_from`.
 std::string place_of(const SourceLocation& where, const SourceLocation& seen_from);
 
-/// The blocks that are open, innermost last; says what is wrong with their nesting.
+/// The open blocks, innermost last; reports errors in their nesting.
 class BlockStack {
  public:
   explicit BlockStack(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   /// Throws SyntaxError beyond a thousand levels.
   void open(Block block);
-  /// Closes the innermost block of that kind, and after an error those inside it; yields what was in force before it.
-  /// Nothing to restore: `current`.
+  /// Closes the innermost block of that kind, and after an error those inside it; returns the state before it, or
+  /// `current` if there is nothing to restore.
   GraphicsState close(Block::Kind kind, const SourceLocation& where, const GraphicsState& current);
   /// Closes the innermost imported file; blocks that it left open are errors.
   GraphicsState close_import();
-  /// Every block that is open is an error.
+  /// Reports every open block as an error.
   void check_all_closed() const;
 
   bool empty() const { return blocks_.empty(); }

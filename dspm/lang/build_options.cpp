@@ -1,4 +1,4 @@
-// What stands before WorldBegin: frames, camera, film and their like; options and colour space may come later, too.
+// Directives before WorldBegin: frames, camera, film and the like; options and colour space may also come later.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ bool SceneBuilder::apply_option(Directive& directive) {
       scene_.modules.push_back({directive.words[0].text, directive.words[0].where});
       return true;
     case transform_times:
-      diagnostics_.note(directive.where, "TransformTimes has no effect: there is no motion blur for now");
+      diagnostics_.note(directive.where, "TransformTimes has no effect: motion blur is not supported yet");
       return true;
     default: return false;
   }
@@ -58,7 +58,7 @@ bool SceneBuilder::apply_option(Directive& directive) {
 void SceneBuilder::warn_of_second(const Directive& directive, const PluginUse* first) {
   if (first == nullptr) return;
   diagnostics_.warning(directive.where,
-                       fmt::format("this {} replaces the one of line {}", directive.info->name, first->where.line));
+                       fmt::format("this {} replaces the one on line {}", directive.info->name, first->where.line));
 }
 
 void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directive) {
@@ -74,8 +74,8 @@ void SceneBuilder::camera(Directive& directive) {
 
 void SceneBuilder::frames(const Directive& directive) {
   if (scene_.frames_where.file != nullptr) {
-    diagnostics_.error(directive.where, "a second Frames",
-                       fmt::format("the first is in line {}", scene_.frames_where.line));
+    diagnostics_.error(directive.where, "a second Frames directive",
+                       fmt::format("the first is on line {}", scene_.frames_where.line));
     return;
   }
   scene_.frames_where = directive.where;
@@ -85,10 +85,10 @@ void SceneBuilder::frames(const Directive& directive) {
   else
     diagnostics_.error(directive.where, fmt::format("expected a number of frames from 1 to {}", kMostFrames));
   ParamReader reader(directive.params, "Frames", directive.where, diagnostics_);
-  const float fps = reader.number("fps", 0, "1/s", "frames a second");
+  const float fps = reader.number("fps", 0, "1/s", "frames per second");
   reader.finish();
   if (!reader.has("fps")) return;
-  if (!(fps > 0)) reader.error("fps", "the frames a second must be more than 0");
+  if (!(fps > 0)) reader.error("fps", "the frames per second must be greater than 0");
   scene_.fps = fps;
 }
 
@@ -109,7 +109,7 @@ void SceneBuilder::option(const Directive& directive) {
   } else {
     const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter"});
     diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),
-                       guess.empty() ? "there are: seed, disablepixeljitter" : guess);
+                       guess.empty() ? "available: seed, disablepixeljitter" : guess);
   }
 }
 
@@ -118,9 +118,9 @@ void SceneBuilder::color_space(const Directive& directive) {
   const std::vector<std::string> others{"rec2020", "aces2065-1", "dci-p3"};
   if (name.text == "srgb") return;
   if (std::find(others.begin(), others.end(), name.text) != others.end())
-    diagnostics_.unsupported(name.where, fmt::format("dspm has no ColorSpace \"{}\"", name.text), "there is: srgb");
+    diagnostics_.unsupported(name.where, fmt::format("dspm has no ColorSpace \"{}\"", name.text), "available: srgb");
   else
-    diagnostics_.error(name.where, fmt::format("unknown ColorSpace \"{}\"", name.text), "there is: srgb");
+    diagnostics_.error(name.where, fmt::format("unknown ColorSpace \"{}\"", name.text), "available: srgb");
 }
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// The current transform: what changes it, its keys, and the coordinate systems named by it.
+// The current transform: its changes, its keys, and the coordinate systems that name it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string_view reason_singular(const Directive& directive) {
   switch (directive.info->kind) {
     case DirectiveKind::scale: return "none of its factors may be 0";
     case rotate: return "its axis must not be 0 0 0";
-    case look_at: return "eye and target must differ, and up must not point along the view";
+    case look_at: return "eye and target must differ, and up must not be parallel to the view direction";
     default: return "it must have an inverse";
   }
 }
@@ -49,7 +49,7 @@ bool SceneBuilder::apply_transform(const Directive& directive) {
 
 bool SceneBuilder::is_usable(const Directive& directive, const Matrix4& matrix) {
   if (!fits_float(matrix)) {
-    diagnostics_.error(directive.where, fmt::format("{} with a number that is too large", directive.info->name));
+    diagnostics_.error(directive.where, fmt::format("{} has a number that is too large", directive.info->name));
     return false;
   }
   if (!is_regular(matrix)) {
@@ -75,7 +75,7 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
     state_.ctm = std::move(motion);
   else
     diagnostics_.error(directive.where,
-                       fmt::format("with this {} the current transform is singular", directive.info->name));
+                       fmt::format("this {} makes the current transform singular", directive.info->name));
 }
 
 void SceneBuilder::replace(const Directive& directive, const TransformOp& op) {
@@ -89,10 +89,10 @@ bool SceneBuilder::is_blurred(const Directive& directive) {
   if (state_.active == GraphicsState::Active::both) return false;
   if (!blur_told_)
     diagnostics_.unsupported(directive.where,
-                             "motion blur (a transform for one end of the shutter's time) is not "
-                             "supported for now");
+                             "motion blur (a transform for one end of the shutter interval) is not "
+                             "supported yet");
   blur_told_ = true;
-  return state_.active == GraphicsState::Active::end;  // what holds at the start is rendered with --lenient
+  return state_.active == GraphicsState::Active::end;  // --lenient renders the state at the start
 }
 
 void SceneBuilder::active_transform(const Directive& directive) {
@@ -118,7 +118,7 @@ void SceneBuilder::coordinate_system(const Directive& directive) {
   } else if (!group_) {
     state_.ctm = found->second;
   } else if (found->second.is_keyed()) {
-    diagnostics_.error(name.where, fmt::format("the coordinate system \"{}\" moves, and cannot be a key", name.text));
+    diagnostics_.error(name.where, fmt::format("the coordinate system \"{}\" moves, so it cannot be a key", name.text));
   } else {
     group_->replace(matrix_op(found->second.at(0)));
   }
@@ -129,7 +129,7 @@ void SceneBuilder::keyframe(const Directive& directive) {
   if (!(key >= 1 && key <= kMostFrames && key == std::floor(key))) {
     diagnostics_.error(directive.where, fmt::format("expected a frame from 1 to {}", kMostFrames));
   } else if (!group_ && (world_where_ ? state_.dynamic_block < 0 : scene_.camera.has_value())) {
-    diagnostics_.error(directive.where, "Keyframe must stand in a Dynamic block or before Camera");
+    diagnostics_.error(directive.where, "Keyframe must be in a Dynamic block or before Camera");
   }
   if (!group_) {
     bool& has_keys = blocks_.empty() ? options_have_keys_ : blocks_.innermost().has_keys;
@@ -139,7 +139,8 @@ void SceneBuilder::keyframe(const Directive& directive) {
     group_.emplace(directive.where);
   }
   ParamReader reader(directive.params, "Keyframe", directive.where, diagnostics_);
-  const std::string ease = reader.choice("ease", "linear", {"linear", "smooth", "step"}, "how the key is left");
+  const std::string ease =
+      reader.choice("ease", "linear", {"linear", "smooth", "step"}, "easing from this key to the next");
   reader.finish();
   const int frame = static_cast<int>(std::clamp(key, 1.0, static_cast<double>(kMostFrames)));
   check_frame(frame, directive.where);

@@ -1,4 +1,4 @@
-// Axes and variations: what may stand in them, and what they replace.
+// Axes and variations: what they may contain, and what they replace.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Kind = Block::Kind;
 constexpr std::size_t kNamesListed = 20, kMostAxes = 64;
 constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
 
-/// On every common system, and without meaning in patterns.
+/// On every common system, and without special characters of patterns.
 bool can_be_in_file_name(std::string_view name) {
   constexpr std::string_view kRefused = "/\\:*?\"<>|";
   return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
@@ -43,12 +43,12 @@ std::set<std::string> names_of_places(const Places& places) {
   return names;
 }
 
-/// Says which names there are where the scene has none of that name.
+/// If the scene has nothing of that name, reports the names that it has.
 void expect_name(const std::string& name, const char* thing, const std::set<std::string>& names,
                  const SourceLocation& where, const std::string& if_none, Diagnostics& diagnostics) {
   if (names.count(name) > 0) return;
   const std::string guess = did_you_mean(name, {names.begin(), names.end()});
-  const std::string known = names.empty() ? if_none : "there are: " + listed(names);
+  const std::string known = names.empty() ? if_none : "available: " + listed(names);
   diagnostics.error(where, fmt::format("the scene has no {} named \"{}\"", thing, name),
                     guess.empty() ? known : guess + " " + known);
 }
@@ -76,22 +76,22 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
   ++directives_in_variation_;
   if (in_variation && (kind == DirectiveKind::make_named_material || kind == DirectiveKind::texture)) return false;
   diagnostics_.error(directive.where,
-                     fmt::format("{} cannot stand in {} of {}", directive.info->name, begin_of(blocks_.innermost()),
+                     fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
                                  place_of(blocks_.innermost().where, directive.where)),
-                     in_axis ? "an axis holds VariationBegin .. VariationEnd"
-                             : "a variation holds MakeNamedMaterial, Texture, Light, Show and Hide");
+                     in_axis ? "an axis contains only VariationBegin .. VariationEnd"
+                             : "a variation contains only MakeNamedMaterial, Texture, Light, Show and Hide");
   return true;
 }
 
-/// Axes and variations stand in no other block.
+/// Axes and variations are not allowed in any other block.
 void SceneBuilder::expect_top_level(const Directive& directive) {
   const bool variation = directive.info->kind == DirectiveKind::variation_begin;
   const Block* outer = variation && blocks_.innermost_is(Kind::axis) ? nullptr : blocks_.find_other({Kind::import});
   if (outer == nullptr) return;
-  diagnostics_.error(directive.where,
-                     fmt::format("{} inside {} of {}", directive.info->name, begin_of(*outer),
-                                 place_of(outer->where, directive.where)),
-                     fmt::format("{} must stand before it", end_of(outer->kind)));
+  diagnostics_.error(
+      directive.where,
+      fmt::format("{} inside {} ({})", directive.info->name, begin_of(*outer), place_of(outer->where, directive.where)),
+      fmt::format("{} must come before it", end_of(outer->kind)));
 }
 
 void SceneBuilder::axis_begin(const Directive& directive) {
@@ -107,8 +107,9 @@ void SceneBuilder::axis_begin(const Directive& directive) {
 
 void SceneBuilder::axis_end(const Directive& directive) {
   if (blocks_.innermost_is(Kind::axis) && scene_.axes.back().variations.empty())
-    diagnostics_.error(blocks_.innermost().where, fmt::format("{} holds no variation", begin_of(blocks_.innermost())),
-                       "VariationBegin \"a name\" .. VariationEnd makes one");
+    diagnostics_.error(blocks_.innermost().where,
+                       fmt::format("{} contains no variation", begin_of(blocks_.innermost())),
+                       "define one with VariationBegin \"a name\" .. VariationEnd");
   close_block(Kind::axis, directive);
 }
 
@@ -117,7 +118,7 @@ void SceneBuilder::variation_begin(const Directive& directive) {
   expect_top_level(directive);
   if (!can_be_in_file_name(name.text))
     diagnostics_.error(
-        name.where, fmt::format("\"{}\" cannot be part of a file's name", name.text),
+        name.where, fmt::format("\"{}\" cannot be part of a file name", name.text),
         fmt::format("images are named after variations: up to {} characters, none of / \\ : * ? \" < > |",
                     kLongestName));
   auto axis = scene_.axes.empty() ? scene_.axes.end() : scene_.axes.end() - 1;
@@ -137,8 +138,8 @@ void SceneBuilder::variation_begin(const Directive& directive) {
 void SceneBuilder::variation_end(const Directive& directive) {
   if (blocks_.innermost_is(Kind::variation) && directives_in_variation_ == 0)
     diagnostics_.error(blocks_.innermost().where, fmt::format("{} replaces nothing", begin_of(blocks_.innermost())),
-                       "a variation holds MakeNamedMaterial, Texture, Light, Show or Hide; what shall stay as it is "
-                       "is defined again");
+                       "a variation needs MakeNamedMaterial, Texture, Light, Show or Hide; to keep something as it "
+                       "is, define it again");
   close_block(Kind::variation, directive);
 }
 
@@ -151,8 +152,8 @@ void SceneBuilder::in_variation(const Directive& directive) {
   const Argument& name = directive.words[0];
   const bool is_light = directive.info->kind == DirectiveKind::light;
   if (variation == nullptr)
-    return diagnostics_.error(directive.where, fmt::format("{} must stand in a variation", directive.info->name),
-                              is_light ? "LightSource makes a light; VariationBegin \"a name\" begins a variation"
+    return diagnostics_.error(directive.where, fmt::format("{} is only allowed in a variation", directive.info->name),
+                              is_light ? "LightSource defines a light; VariationBegin \"a name\" begins a variation"
                                        : "VariationBegin \"a name\" begins one");
   ++directives_in_variation_;
   define(is_light ? replaced_.lights : replaced_.parts, directive);
@@ -171,7 +172,7 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
     const ParamList one{{param}};
     ParamReader reader(one, "Light", directive.where, diagnostics_);
     if (!(reader.number("scale", 1, "", "multiplies the light") >= 0))
-      reader.error("scale", "\"scale\" of Light must not be below 0");
+      reader.error("scale", "\"scale\" of Light must not be negative");
     reader.finish();
   }
   if (unkeyed.params.empty())
@@ -195,16 +196,16 @@ void SceneBuilder::check_replacements() {
   for (const VariationAxis& axis : scene_.axes)
     for (const Variation& variation : axis.variations) {
       for (const MaterialUse& use : variation.materials)
-        expect("material", use.name, materials, use.where, "MakeNamedMaterial names materials");
+        expect("material", use.name, materials, use.where, "define it with MakeNamedMaterial");
       for (const TextureUse& use : variation.textures)
         expect(use.is_spectrum ? "spectrum texture" : "float texture", use.name, use.is_spectrum ? colours : numbers,
-               use.where, "Texture defines one");
+               use.where, "define it with Texture");
       for (const LightScale& scale : variation.lights)
         expect("light", scale.light, lights, scale.where,
-               fmt::format("\"string name\" \"{}\" among its parameters names a light", scale.light));
+               fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
       for (const PartSwitch& part : variation.parts)
         expect("Dynamic block", part.part, parts, part.where,
-               fmt::format("DynamicBegin \"{}\" .. DynamicEnd makes a part", part.part));
+               fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", part.part));
     }
 }
 

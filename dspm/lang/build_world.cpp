@@ -1,4 +1,4 @@
-// What stands after WorldBegin: blocks, materials, textures, lights, shapes.
+// Directives after WorldBegin: blocks, materials, textures, lights, shapes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::size_t bytes_of(const ParamList& list) {
 
 bool gives(const ParamList& params, std::string_view name) { return params.find(name) != nullptr; }
 
-/// Takes `"string <name>" "<text>"` out of the list.
+/// Removes `"string <name>" "<text>"` from the list.
 std::optional<Argument> take_text(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
   const auto found =
       std::find_if(params.params.begin(), params.params.end(), [&](const Param& param) { return param.name == name; });
@@ -118,7 +118,7 @@ void SceneBuilder::dynamic_begin(const Directive& directive) {
 void SceneBuilder::object_begin(const Directive& directive) {
   if (const Block* outer = blocks_.find(Block::Kind::object))
     diagnostics_.error(directive.where,
-                       fmt::format("ObjectBegin inside {} of line {}", begin_of(*outer), outer->where.line),
+                       fmt::format("ObjectBegin inside {} (line {})", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
   open_block(Block::Kind::object, directive, directive.words[0].text);
   define(objects_, directive);
@@ -128,7 +128,7 @@ void SceneBuilder::object_begin(const Directive& directive) {
 void SceneBuilder::object_instance(const Directive& directive) {
   if (const Block* outer = blocks_.find(Block::Kind::object))
     diagnostics_.error(directive.where,
-                       fmt::format("ObjectInstance inside {} of line {}", begin_of(*outer), outer->where.line),
+                       fmt::format("ObjectInstance inside {} (line {})", begin_of(*outer), outer->where.line),
                        "objects cannot hold objects");
   scene_.instances.push_back({directive.words[0].text, state_.ctm, state_.reverse_orientation, state_.dynamic_block,
                               directive.words[0].where});
@@ -138,8 +138,8 @@ void SceneBuilder::define(Places& names, const Directive& directive) {
   const Argument& name = directive.words[0];
   const auto [first, is_new] = names.emplace(name.text, name.where);
   if (!is_new)
-    diagnostics_.error(name.where, fmt::format("{} \"{}\" a second time", directive.info->name, name.text),
-                       fmt::format("the first stands in {}:{}", first->second.file->name, first->second.line));
+    diagnostics_.error(name.where, fmt::format("{} \"{}\" appears twice", directive.info->name, name.text),
+                       fmt::format("the first is at {}:{}", first->second.file->name, first->second.line));
 }
 
 PluginUse SceneBuilder::plugin_use(Directive& directive) {
@@ -177,7 +177,7 @@ void SceneBuilder::attribute(Directive& directive) {
   if (found == kTargets.end()) {
     const std::string guess = did_you_mean(target.text, kTargets);
     diagnostics_.error(target.where, fmt::format("unknown target \"{}\" of Attribute", target.text),
-                       guess.empty() ? "there are: shape, light, material, medium, texture" : guess);
+                       guess.empty() ? "available: shape, light, material, medium, texture" : guess);
     return;
   }
   ParamList& defaults = state_.attributes[static_cast<std::size_t>(found - kTargets.begin())];
@@ -187,8 +187,8 @@ void SceneBuilder::attribute(Directive& directive) {
     defaults.params.push_back(std::move(param));
   }
   if (bytes_of(defaults) <= kMostDefaults) return;
-  diagnostics_.error(directive.where, fmt::format("these defaults for every {} are too many", target.text),
-                     "give long lists to the directive that needs them");
+  diagnostics_.error(directive.where, fmt::format("too many defaults for every {}", target.text),
+                     "move long lists to the directive that needs them");
   defaults.params.clear();
 }
 
@@ -221,7 +221,7 @@ void SceneBuilder::texture(Directive& directive) {
   const bool is_spectrum = value.text == "spectrum";
   if (!is_spectrum && value.text != "float") {
     diagnostics_.error(value.where, fmt::format("a texture cannot be of type \"{}\"", value.text),
-                       "there are: float, spectrum");
+                       "available: float, spectrum");
     return;
   }
   Variation* const variation = variation_in_force();

@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-/// Bytes that are equal where the values are.
+/// Bytes that are equal if the values are.
 class Canonical {
  public:
   Canonical& number(double value) { return text(fmt::format("{}", value)); }

@@ -1,4 +1,4 @@
-// What a scene says, part by part, as a digest each: equal where the same is rendered, whatever the text looks like.
+// A digest of each element of a scene: equal if the same is rendered, whatever the text looks like.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 namespace dspm {
 
 struct ScenePartDigest {
-  std::string name;  // `material "glass"`; several may have the same
+  std::string name;  // `material "glass"`; not unique
   std::uint64_t digest;
   SourceLocation where;
 };
 
-/// Everything but what the driver reads: film, filter, sampler, integrator and accelerator. Files that the text names
-/// count by their names here.
+/// Everything except what the driver reads: film, filter, sampler, integrator and accelerator. Files that the text
+/// names count here by their names.
 std::vector<ScenePartDigest> digests_of(const SceneDescription& scene);
 
-/// Of a directive's type and parameters, without the parameters of these names.
+/// Of a directive's type and parameters, except the parameters named in `without`.
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {});
 
 }  // namespace dspm

@@ -1,5 +1,6 @@
-// What a scene's text says, as plain data with source locations: no plugin is known here, no name is looked up. Frames
-// count from 0. Lists are in the order of the text. Keys and motions depend on the moment of the animation alone.
+// The content of a scene's text, as plain data with source locations: no plugin is known here, no name is looked up.
+// Frames count from 0. Lists are in the order of the text. Keys and motions depend on the moment of the animation
+// alone.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +18,8 @@
 
 namespace dspm {
 
-/// `"diffuse" "rgb reflectance" .5`: a plugin's name and what it is given. Defaults of `Attribute` are among the
-/// parameters already (Param::is_default).
+/// `"diffuse" "rgb reflectance" .5`: a plugin's name and its parameters, which already include the defaults of
+/// `Attribute` (Param::is_default).
 struct PluginUse {
   std::string type;
   ParamList params;
@@ -27,10 +28,10 @@ struct PluginUse {
 };
 
 struct CameraUse : PluginUse {
-  Motion camera_from_world;  // what pbrt's LookAt gives: takes points of the world to the camera's space
+  Motion camera_from_world;  // as from pbrt's LookAt: maps world points to camera space
 };
 
-/// `Option "seed" 7` and its like; the only ones that dspm has.
+/// `Option "seed" 7` and the like; the only ones that dspm has.
 struct SceneOptions {
   std::optional<int> seed;
   bool disable_pixel_jitter = false;
@@ -40,8 +41,8 @@ struct MaterialUse : PluginUse {
   std::string name;  // of MakeNamedMaterial; empty for `Material`
 };
 
-/// The material in force: `Material` (an index), `NamedMaterial` (a name, perhaps of none that exists) or neither,
-/// which means pbrt's default, "diffuse".
+/// The material in force: `Material` (an index), `NamedMaterial` (a name, which may be unknown) or neither, which means
+/// pbrt's default, "diffuse".
 struct MaterialRef {
   int index = -1;    // into SceneDescription::materials
   std::string name;  // of a NamedMaterial directive
@@ -55,7 +56,7 @@ struct TextureUse : PluginUse {  // `type` is the texture's class
 };
 
 struct LightUse : PluginUse {
-  std::string name;  // of `"string name"`, taken out of the parameters; empty: none was given
+  std::string name;  // of `"string name"`, removed from the parameters; empty: not given
   Motion world_from_light;
   int dynamic_block = -1;
 };
@@ -72,12 +73,12 @@ struct ShapeUse : PluginUse {
   int dynamic_block = -1;  // into SceneDescription::dynamic_blocks; -1: static
 };
 
-/// DynamicBegin .. DynamicEnd. Blocks inside one another: the shape belongs to the inner one.
+/// DynamicBegin .. DynamicEnd. In nested blocks, a shape belongs to the innermost.
 struct DynamicBlock {
   std::string name;
   FrameInterval moments;  // those in which its shapes exist, within the enclosing block's
   SourceLocation where;
-  int outer = -1;  // the block around it, into SceneDescription::dynamic_blocks
+  int outer = -1;  // the enclosing block, into SceneDescription::dynamic_blocks
 };
 
 /// ObjectBegin .. ObjectEnd.
@@ -96,7 +97,7 @@ struct ObjectUse {
   SourceLocation where;
 };
 
-/// Media are read and kept, so that what lacks can be said at the right place.
+/// Media are read and kept, so that missing support can be reported at the right place.
 struct MediumUse : PluginUse {
   std::string name;
 };
@@ -113,14 +114,14 @@ struct LightScale {
   SourceLocation where;
 };
 
-/// `Show "part"` or `Hide "part"`: what becomes of the Dynamic blocks of that name.
+/// `Show "part"` or `Hide "part"`: shows or hides the Dynamic blocks of that name.
 struct PartSwitch {
   std::string part;
   bool shown;
   SourceLocation where;
 };
 
-/// VariationBegin .. VariationEnd. Its definitions take the place of the scene's.
+/// VariationBegin .. VariationEnd. Its definitions replace the scene's.
 struct Variation {
   std::string name;
   SourceLocation where;  // of the quoted name
@@ -130,14 +131,14 @@ struct Variation {
   std::vector<PartSwitch> parts;
 };
 
-/// AxisBegin .. AxisEnd, or all variations outside of such blocks.
+/// AxisBegin .. AxisEnd, or all variations outside such blocks.
 struct VariationAxis {
   std::string name;  // empty: of the variations outside
   SourceLocation where;
   std::vector<Variation> variations;
 };
 
-/// `Plugin "libvelvet.so"`: a module that brings plugins along.
+/// `Plugin "libvelvet.so"`: a module with plugins.
 struct ModuleUse {
   std::string file;
   SourceLocation where;
@@ -148,15 +149,15 @@ enum class Dialect { pbrt, dsc };  // by the main file's name; standard input co
 struct SceneDescription {
   std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
   Dialect dialect = Dialect::dsc;
-  /// Where files are looked for that are not beside the file which names them.
+  /// Where to look for files that are not beside the file that names them.
   std::filesystem::path main_directory() const {
     return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
   }
 
-  int moments = 1;              // what `Frames` says
-  FileFrames frames;            // the product of moments and variations: what is rendered
-  std::optional<double> fps;    // frames a second, if given
-  SourceLocation frames_where;  // of the Frames directive; no file: there is none
+  int moments = 1;              // from `Frames`
+  FileFrames frames;            // to be rendered: the product of moments and variations
+  std::optional<double> fps;    // frames per second, if given
+  SourceLocation frames_where;  // of the Frames directive; null file: none
   SceneOptions options;
   std::vector<ModuleUse> modules;
   std::optional<PluginUse> film, sampler, filter, integrator, accelerator;

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Token::Kind;
 
-/// Hostile files have words of megabytes.
+/// Hostile files may have words of megabytes.
 std::string shortened(std::string_view word) {
   return word.size() <= 40 ? std::string(word) : std::string(word.substr(0, 37)) + "...";
 }
@@ -22,7 +22,7 @@ std::string shortened(std::string_view word) {
     lexer.fail(token.text, fmt::format("expected a directive, not {}", shortened(token.text)));
   const std::string message = fmt::format("unknown directive {}", shortened(token.text));
   if (is_old_directive(token.text))
-    throw SyntaxError(lexer.locate(token.text), message, "pbrt-v4 has no such directive any more",
+    throw SyntaxError(lexer.locate(token.text), message, "pbrt-v4 no longer has this directive",
                       std::string(token.text));
   lexer.fail(token.text, message, did_you_mean(token.text, directive_names()));
 }
@@ -44,7 +44,8 @@ void read_matrix(Lexer& lexer, const Token& word, Directive& directive) {
   const Token open = lexer.next();
   lexer.numbers_to_bracket(directive.numbers);
   if (directive.numbers.size() != 16)
-    lexer.fail(open.text, fmt::format("{} takes 16 numbers, but {} stand here", word.text, directive.numbers.size()));
+    lexer.fail(open.text,
+               fmt::format("{} takes 16 numbers, but this list has {}", word.text, directive.numbers.size()));
 }
 
 void read_word(Lexer& lexer, const Token& word, char kind, Directive& directive) {
@@ -63,9 +64,9 @@ void expect_end(Lexer& lexer, const Directive& directive) {
   const Token& next = lexer.peek();
   if (next.kind == Kind::word || next.kind == Kind::end) return;
   if (directive.params.params.empty())
-    lexer.fail(next.text, fmt::format("{} takes no {} here", directive.info->name, shortened(next.text)));
+    lexer.fail(next.text, fmt::format("{} does not take {} here", directive.info->name, shortened(next.text)));
   lexer.fail(next.text, fmt::format("expected a parameter or a directive, not {}", shortened(next.text)),
-             next.kind == Kind::number ? "several numbers stand in brackets" : "");
+             next.kind == Kind::number ? "put several numbers in brackets" : "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One directive as read, before anything is made of it.
+// One directive as read, before it is applied.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Directive {
   ParamList params;
 };
 
-/// The next directive, or nothing at the end of the text. After a SyntaxError and Lexer::skip_to_directive reading can
-/// go on. `accept_old_types`: see read_params.
+/// The next directive; nullopt at the end of the text. After a SyntaxError, call Lexer::skip_to_directive to continue.
+/// `accept_old_types`: see read_params.
 std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types);
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// The words of the language: one visible table of directives, with the arguments that each takes and where it may
-// stand.
+// The words of the language: one visible table of directives, with the arguments that each takes and where it is
+// allowed.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ enum class DirectiveKind {
   look_at, make_named_material, make_named_medium, material, medium_interface, named_material, object_begin, object_end,
   object_instance, option, pixel_filter, reverse_orientation, rotate, sampler, scale, shape, texture, transform,
   transform_begin, transform_end, transform_times, translate, world_begin,
-  plugin, frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,  // what dspm adds to pbrt
+  plugin, frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,  // dspm's additions to pbrt
   variation_begin, variation_end, axis_begin, axis_end, show, hide, light,
 };
 // clang-format on
@@ -27,15 +27,15 @@ struct DirectiveInfo {
   std::string_view name;
   DirectiveKind kind;
   Section section;
-  /// One letter an argument: s quoted string, S optional string, w bare word, v bare or quoted value, n number,
-  /// m 16 numbers in brackets, P parameter list (always last).
+  /// One letter per argument: s quoted string, S optional string, w bare word, v bare or quoted value, n number, m 16
+  /// numbers in brackets, P parameter list (always last).
   std::string_view arguments;
   int indentation = 0;  // +1: opens a block, -1: closes one
 };
 
-/// All directives, in alphabetical order; WorldEnd is none in pbrt-v4.
+/// All directives, in alphabetical order; pbrt-v4 has no WorldEnd.
 std::span<const DirectiveInfo> all_directives();
-/// Null where there is none of that name.
+/// Null if no directive has that name.
 const DirectiveInfo* find_directive(std::string_view name);
 std::vector<std::string> directive_names();
 

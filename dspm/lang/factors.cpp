@@ -14,7 +14,7 @@ bool any_moves(const Things& things, Moves&& moves) {
 
 bool shape_moves(const ShapeUse& use) { return use.world_from_object.is_keyed() || use.params.is_keyed(); }
 
-/// All else that can be keyed tells how strong a light is, and where to.
+/// All other keyed parameters describe how strongly a light shines, and in which directions.
 bool places_a_light(const Param& param) { return param.key != 0 && (param.name == "from" || param.name == "to"); }
 
 bool moments_move_paths(const SceneDescription& scene) {

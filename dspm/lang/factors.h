@@ -1,5 +1,5 @@
-// The factors of a file's frames: the moments of the animation, and each axis of variations. Which of them let paths go
-// other ways decides what is rendered together.
+// The factors of a file's frames: the moments of the animation, and each axis of variations. Which of them change the
+// paths decides which frames are rendered together.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace dspm {
 struct Factor {
   static constexpr int kMoments = -1;
   int axis;          // into SceneDescription::axes, or kMoments
-  bool moves_paths;  // geometry, the camera or the place of a light differ along it, not only looks and strengths
+  bool moves_paths;  // geometry, the camera or a light's place differ along it, not only looks and strengths
 };
 
 /// The moments first, then the axes in the order of the text.
 std::vector<Factor> factors_of(const SceneDescription& scene);
 
-/// Where the frame stands along the factor.
+/// The frame's position along the factor.
 int place_along(const Factor& factor, const FileFrames& frames, Frame frame);
 
 }  // namespace dspm

@@ -12,7 +12,7 @@ namespace dspm {
 
 /// A variation of the whole product: a choice along each axis.
 struct Combination {
-  std::string name;          // "oak-red"; empty where there is no axis
+  std::string name;          // "oak-red"; empty if there are no axes
   std::vector<int> choices;  // by axis: which of its variations
 };
 
@@ -35,13 +35,13 @@ class FileFrames {
     const std::string number = std::to_string(moment(f) + 1);
     return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
   }
-  /// As if the file held that frame alone; its moment keeps its number.
+  /// As if the file had only that frame; its moment keeps its number.
   FileFrames only(Frame f) const {
     FileFrames one(1, {combinations_[combination_of(f)]});
     one.first_moment_ = moment(f);
     return one;
   }
-  /// Which of the axis's variations.
+  /// Which of the axis's variations frame f has.
   int choice(Frame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 
  private:

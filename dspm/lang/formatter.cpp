@@ -18,14 +18,14 @@ constexpr std::size_t kIndent = 2;
 constexpr std::size_t kMostLevels = 40;  // deeper blocks are not indented further: the text must not grow quadratically
 
 struct SpacedToken : Token {
-  std::size_t newlines = 0;  // between it and the token before
+  std::size_t newlines = 0;  // between it and the previous token
 
   bool is_comment() const { return kind == Kind::comment; }
   bool is_comment_line() const { return is_comment() && newlines > 0; }
 };
 using Tokens = std::vector<SpacedToken>;
 
-/// Tokens that stay together where a line has room: a directive's word with its arguments, one parameter, or a comment
+/// Tokens that stay together if a line has room: a directive's word with its arguments, one parameter, or a comment
 /// line between parameters.
 using Group = Tokens;
 
@@ -64,7 +64,7 @@ class DirectiveTokens {
   std::size_t end() const { return at_; }
 
  private:
-  /// The next directive, comment lines before it included.
+  /// At the next directive, or at the comment lines before it.
   bool ends_here() const {
     std::size_t next = at_;
     while (next < tokens_.size() && tokens_[next].is_comment_line()) ++next;
@@ -125,7 +125,7 @@ class DirectiveTokens {
   std::string_view trailing_comment_;
 };
 
-/// Brackets around a single value are left out: they mean nothing. Those in a list, where none belong, stay.
+/// Brackets around a single value are left out: they mean nothing. Misplaced ones inside a list stay.
 Group without_needless_brackets(Group group) {
   const std::size_t n = group.size();
   const auto first_open = std::find_if(group.begin(), group.end(), [](const Token& t) { return t.kind == Kind::open; });
@@ -213,7 +213,7 @@ class Writer {
     }
   }
 
-  /// A closing bracket must fit on the line of what it closes, and nothing is gained by breaking before one.
+  /// A closing bracket must fit on the line of the last value, and breaking before one gains nothing.
   bool fits(const Group& group, std::size_t i) const {
     if (group[i].is_comment() || joins(group[i - 1], group[i])) return true;
     const bool closes_next = i + 1 < group.size() && group[i + 1].kind == Kind::close;
@@ -237,7 +237,7 @@ class Writer {
 
   std::string text_;
   std::size_t column_ = 0, level_ = 0;
-  bool in_key_ = false;  // behind a Keyframe, one level in
+  bool in_key_ = false;  // after a Keyframe, one level in
 };
 
 }  // namespace

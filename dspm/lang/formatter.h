@@ -1,4 +1,4 @@
-// The canonical form of a scene file: one directive a line, blocks indented, comments kept. Works on tokens alone, so
+// The canonical form of a scene file: one directive per line, blocks indented, comments kept. Works on tokens alone, so
 // it neither follows Include nor cares whether plugins exist.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-/// Nothing, and an error, where the text does not even consist of tokens. The result means what the text meant, and is
-/// formatted to itself.
+/// Nullopt, and an error, if the text does not even consist of tokens. The result means the same as the text, and
+/// formatting it again does not change it.
 std::optional<std::string> format_scene(const SourceFile& file, Diagnostics& diagnostics);
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// Names by patterns: * stands for any characters, ? for one.
+// Patterns for names: * stands for any characters, ? for one.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ class Glob {
  public:
   explicit Glob(std::string pattern) : pattern_(std::move(pattern)) {}
 
-  /// The places in the pattern that the characters so far may have led to.
+  /// The places in the pattern that the characters so far may lead to.
   using State = std::vector<bool>;
   State start() const { return at(0); }
   State at(std::size_t place) const;
@@ -23,7 +23,7 @@ class Glob {
   const std::string& pattern() const { return pattern_; }
 
  private:
-  /// What can be reached without a character: a * may stand for none.
+  /// Adds the places that are reached without a character: a * may stand for none.
   void skip_stars(State& state) const;
 
   std::string pattern_;

@@ -1,4 +1,4 @@
-// What is in force while a scene's text is read; saved and restored by blocks.
+// The state while a scene's text is read; saved and restored by blocks.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace dspm {
 
-/// What `Attribute` can give defaults to.
+/// The targets for which `Attribute` can set defaults.
 enum class AttributeTarget { shape, light, material, medium, texture };
 inline constexpr int kAttributeTargets = 5;
 
 struct GraphicsState {
   Motion ctm;  // current transform: world from local, before WorldBegin camera from world
-  enum class Active { both, start, end } active = Active::both;  // the end of the shutter's time to which transforms go
+  enum class Active { both, start, end } active = Active::both;  // the shutter times that transforms apply to
   bool reverse_orientation = false;
   MaterialRef material;
   int area_light = -1;

@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kMostKeyed = 32;  // nested; each shape inside has a motion of so many parts
+constexpr int kMostKeyed = 32;  // nested; each shape inside has a motion with that many factors
 
 }  // namespace
 
@@ -34,8 +34,8 @@ bool is_regular(const Matrix4& matrix) { return fits_float(matrix) && matrix.inv
 
 void KeyframeGroup::begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics) {
   if (!keys_.empty() && frame <= keys_.back().frame) {
-    diagnostics.error(where, fmt::format("Keyframe {} stands after Keyframe {}", frame + 1, keys_.back().frame + 1),
-                      "keys are written in ascending order");
+    diagnostics.error(where, fmt::format("Keyframe {} comes after Keyframe {}", frame + 1, keys_.back().frame + 1),
+                      "keys must be in ascending order");
     frame = keys_.back().frame + 1;
   }
   keys_.push_back({frame, ease, {}});
@@ -54,8 +54,8 @@ Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
   const bool all_replace = std::find(replaces_.begin(), replaces_.end(), false) == replaces_.end();
   if (any_replaces && !all_replace) {
     if (before.is_keyed())
-      diagnostics.error(where_, "some of these keys replace the transform that stood before, others do not",
-                        "inside another keyed transform, all or none may use Transform or Identity");
+      diagnostics.error(where_, "some of these keys replace the transform before them, others do not",
+                        "inside another keyed transform, all or none of them may use Transform or Identity");
     for (std::size_t i = 0; i < keys_.size(); ++i)
       if (!replaces_[i]) keys_[i].ops.insert(keys_[i].ops.begin(), matrix_op(before.at(0)));
   }

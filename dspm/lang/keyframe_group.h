@@ -10,20 +10,20 @@
 
 namespace dspm {
 
-inline constexpr int kMostFrames = 100'000;  // frames of a file; more is taken for a mistake
+inline constexpr int kMostFrames = 100'000;  // frames of a file; more are taken for a mistake
 
 class KeyframeGroup {
  public:
   explicit KeyframeGroup(const SourceLocation& where) : where_(where) {}
 
-  /// `frame` counts from 0. Not after the last key: an error, and the key is put behind it.
+  /// `frame` counts from 0. If it is not after the last key: an error, and the key is put after it.
   void begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics);
-  /// A transform of the key begun last.
+  /// Adds a transform to the last key.
   void multiply(const TransformOp& op);
-  /// A transform that replaces what the key has so far, and what stood before the group.
+  /// Replaces the last key's transforms so far, and those before the group.
   void replace(const TransformOp& op);
 
-  /// The motion `before` carried on by this group.
+  /// The motion `before`, continued by this group.
   Motion finish(const Motion& before, Diagnostics& diagnostics);
 
   const SourceLocation& where() const { return where_; }
@@ -36,12 +36,12 @@ class KeyframeGroup {
   std::vector<bool> replaces_;  // by key
 };
 
-/// The operation which sets a matrix.
+/// The operation that sets a matrix.
 TransformOp matrix_op(const Matrix4& matrix);
 
-/// Can be inverted, and has finite floats.
+/// Invertible, and its numbers are finite as floats.
 bool is_regular(const Matrix4& matrix);
-/// Its numbers are finite as floats, too.
+/// Its numbers are finite as floats.
 bool fits_float(const Matrix4& matrix);
 
 }  // namespace dspm

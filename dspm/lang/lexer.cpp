@@ -26,12 +26,12 @@ const char* line_end(const char* at, const char* end) {
 
 std::string_view view(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
-/// Which std::from_chars does not take, while it would take the - of `+-1`.
+/// std::from_chars does not accept a +, but would accept the - of `+-1`.
 const char* skip_plus(const char* at, const char* end) {
   return end - at > 1 && at[0] == '+' && at[1] != '-' ? at + 1 : at;
 }
 
-/// The end of the string that begins at `quote`, behind its closing quote; null where its line ends first.
+/// The end of the string that begins at `quote`, after its closing quote; null if its line ends first.
 const char* string_end(const char* quote, const char* end) {
   for (const char* p = quote + 1; p != end && *p != '\n'; ++p) {
     if (*p == '"') return p + 1;
@@ -97,8 +97,8 @@ Token Lexer::read_string() {
   at_ = closed;
   if (closed - begin > kLongestString)
     fail(view(begin, begin + 1), fmt::format("this string is longer than {} bytes", kLongestString),
-         "names and files' names are shorter");
-  if (std::find(begin, closed, '\0') != closed) fail(view(begin, begin + 1), "this string holds a byte of value 0");
+         "names and file names must be shorter");
+  if (std::find(begin, closed, '\0') != closed) fail(view(begin, begin + 1), "this string contains a zero byte");
   return {Token::Kind::string, view(begin, closed)};
 }
 
@@ -139,7 +139,7 @@ std::string Lexer::unquoted(const Token& string) const {
     constexpr std::string_view kLetters = "bfnrt\\'\"", kMeanings = "\b\f\n\r\t\\'\"";
     const std::size_t which = kLetters.find(rest[escape + 1]);
     if (which == kLetters.npos)
-      fail(rest.substr(escape, 2), "unknown escape", "there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"");
+      fail(rest.substr(escape, 2), "unknown escape", "available: \\b \\f \\n \\r \\t \\\\ \\' \\\"");
     result.append(rest.substr(0, escape));
     result.push_back(kMeanings[which]);
   }

@@ -1,5 +1,5 @@
-// From text to tokens. Tokens are views of the text; lists of numbers, which are most of a scene file, go straight into
-// vectors without any token.
+// From text to tokens. Tokens are views of the text; lists of numbers, which make up most of a scene file, go straight
+// into vectors, without tokens.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct Token {
   std::string_view text;  // as written: strings with their quotes, comments from # to the end of the line
 };
 
-/// Throws SyntaxError for what is no token.
+/// Throws SyntaxError for text that is not a token.
 class Lexer {
  public:
   /// Keeps a reference to `source`.
@@ -33,10 +33,10 @@ class Lexer {
   /// The numbers up to the closing bracket, which is read as well. The opening one has been read.
   template <class Number>
   void numbers_to_bracket(std::vector<Number>& values);
-  /// What stands between the quotes, escapes resolved.
+  /// The text between the quotes, escapes resolved.
   std::string unquoted(const Token& string) const;
 
-  /// Recovery: goes to the next word that could be a directive.
+  /// Recovery: skips to the next word that could be a directive.
   void skip_to_directive();
 
   SourceLocation locate(std::string_view part) const { return source_.locate(part); }

@@ -12,7 +12,7 @@ using Quaternion = std::array<double, 4>;  // x, y, z, w
 
 constexpr Matrix4 kZero{{{{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}}};
 
-// What is equal stays: rounding would make states of it.
+// Equal values stay equal: rounding would make them distinct states.
 double mix(double a, double b, double t) { return a == b ? a : (1 - t) * a + t * b; }
 
 template <std::size_t N>
@@ -57,7 +57,7 @@ Matrix4 matrix_of(const Quaternion& q) {
 
 Quaternion slerp(const Quaternion& a, Quaternion b, double t) {
   double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-  if (cosine < 0) {  // q and -q are the same rotation: take the shorter way
+  if (cosine < 0) {  // q and -q are the same rotation: take the shorter arc
     for (double& v : b) v = -v;
     cosine = -cosine;
   }
@@ -78,7 +78,7 @@ double determinant3(const Matrix4& a) {
 }
 
 /// The rotation nearest to a regular linear map, by Newton's iteration R <- (s R + R^-T / s) / 2; the scaling s by
-/// determinants makes a few steps enough [Higham 1986, Computing the Polar Decomposition]. Mirroring goes to the
+/// determinants makes a few steps enough [Higham 1986, Computing the Polar Decomposition]. Mirroring goes into the
 /// stretch.
 Matrix4 rotation_of(Matrix4 linear) {
   if (determinant3(linear) < 0)

@@ -1,4 +1,4 @@
-// How a thing is placed in each frame: a product of fixed matrices and keyed transforms.
+// The placement of a thing in each frame: a product of fixed matrices and keyed transforms.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct TransformOp {
   Kind kind;
   std::array<double, 16> arguments{};
 
-  /// All zeros where the arguments describe no transform (a zero axis, a view without direction).
+  /// All zeros if the arguments describe no transform (a zero axis, a view without direction).
   Matrix4 matrix() const;
 };
 
@@ -24,13 +24,13 @@ enum class Ease { linear, smooth, step };
 
 struct TransformKey {
   Frame frame = 0;           // from 0
-  Ease ease = Ease::linear;  // how this key is left
+  Ease ease = Ease::linear;  // from this key to the next
   std::vector<TransformOp> ops;
 };
 
-/// Between two keys of equal directive sequence the arguments are interpolated one by one (matrices as a whole),
-/// between others the products. A matrix or product is interpolated by decomposition into translation, rotation (slerp)
-/// and stretch (scale and shear). The first and the last key hold outside.
+/// Between two keys with the same sequence of directives, the arguments are interpolated one by one (matrices as a
+/// whole); between others, the products. A matrix or product is interpolated by decomposition into translation,
+/// rotation (slerp) and stretch (scale and shear). The pose holds before the first key and after the last.
 class KeyedTransform {
  public:
   /// At least one key, frames strictly ascending.
@@ -48,14 +48,14 @@ class Motion {
   Motion() = default;
   explicit Motion(const Matrix4& fixed) : parts_{{fixed, {}, false}} {}
 
-  /// Multiplies on from the right, as directives in a scene file do.
+  /// Multiplies from the right, as directives in a scene file do.
   void multiply(const Matrix4& matrix);
   void multiply(KeyedTransform keyed);
 
-  /// All zeros where no inverse exists in that frame.
+  /// All zeros if no inverse exists in that frame.
   Matrix4 at(Frame frame) const;
   bool is_keyed() const;
-  /// How many keyed transforms follow upon one another.
+  /// The number of keyed transforms in the product.
   int keyed_count() const;
   /// The motion that undoes this one in every frame.
   Motion inverse() const;
@@ -63,8 +63,8 @@ class Motion {
  private:
   struct Part {
     Matrix4 fixed;                                // applied to the left of `keyed`
-    std::shared_ptr<const KeyedTransform> keyed;  // perhaps none; all that stands in a block shares it
-    bool inverted = false;                        // stands for the inverse of `keyed`
+    std::shared_ptr<const KeyedTransform> keyed;  // may be null; shared by everything in a block
+    bool inverted = false;                        // means the inverse of `keyed`
   };
   std::vector<Part> parts_;
 };

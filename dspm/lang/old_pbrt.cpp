@@ -12,11 +12,11 @@ using Words = std::span<const std::string_view>;
 
 bool among(std::string_view word, Words words) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
-// Only pbrt-v1 and v2 have these, with v3 the last one.
+// Only pbrt-v1 and v2 have these, except that v3 has the last one.
 constexpr std::string_view kDirectives[] = {"SurfaceIntegrator", "VolumeIntegrator", "Volume",
                                             "Renderer",          "SearchPath",       "WorldEnd"};
 
-// Plugins which pbrt-v4 dropped or renamed.
+// Plugins that pbrt-v4 dropped or renamed.
 constexpr std::string_view kCameras[] = {"environment"};
 constexpr std::string_view kFilms[] = {"image"};
 constexpr std::string_view kSamplers[] = {"lowdiscrepancy", "02sequence", "zerotwosequence", "random",
@@ -31,7 +31,7 @@ constexpr std::string_view kMaterials[] = {
 constexpr std::string_view kTextures[] = {"uv"};
 constexpr std::string_view kMedia[] = {"heterogeneous"};
 
-// Parameters which pbrt-v4 renamed or reads in another way, whatever they belong to.
+// Parameters that pbrt-v4 renamed or reads differently, whatever they belong to.
 constexpr std::string_view kParams[] = {
     "Kd", "Ks", "Kr", "Kt", "mapname", "bumpmap", "xwidth", "ywidth", "nlevels", "namedmaterial1", "namedmaterial2"};
 
@@ -53,7 +53,7 @@ Words old_types(DirectiveKind kind) {
   }
 }
 
-/// The directive's plugin type: its last word, or what "string type" says.
+/// The directive's plugin type: its last word, or the value of "string type".
 std::optional<OldWord> type_of(const Directive& directive) {
   if (directive.info->name.starts_with("MakeNamed")) {
     const auto& params = directive.params.params;
@@ -98,7 +98,7 @@ SyntaxError old_pbrt_error(const OldWord& sign) {
   return {sign.where,
           fmt::format("this is a scene for {}; dspm reads the format of pbrt-v4, which does not know \"{}\"",
                       is_older ? "pbrt-v1 or v2" : "pbrt-v3 or older", sign.word),
-          is_older ? "pbrt-v3's documentation tells how to bring it to v3; pbrt-v4 --upgrade does the rest"
+          is_older ? "pbrt-v3's documentation explains how to convert it to v3; pbrt-v4 --upgrade does the rest"
                    : fmt::format("convert it with pbrt-v4: pbrt --upgrade {} > new.pbrt", file.name)};
 }
 

@@ -14,7 +14,7 @@ namespace {
 struct TypeWord {
   std::string_view word;
   ParamType type;
-  std::size_t dimension = 1;  // so many numbers make one value
+  std::size_t dimension = 1;  // numbers per value
 };
 
 constexpr TypeWord kTypes[] = {
@@ -25,7 +25,7 @@ constexpr TypeWord kTypes[] = {
     {"texture", ParamType::texture},
 };
 
-/// How the types are called now that pbrt-v1 to v3 knew by other words.
+/// The current word for a type that pbrt-v1 to v3 called differently.
 std::string_view new_type(std::string_view word) {
   return word == "point"                    ? "point3"
          : word == "vector"                 ? "vector3"
@@ -36,10 +36,10 @@ std::string_view new_type(std::string_view word) {
 
 struct Declaration {
   const TypeWord* type = nullptr;
-  std::string_view name, key;  // key: what follows `@`, itself included
+  std::string_view name, key;  // key: from `@` on
 };
 
-/// Type, blanks, name; `type` is null where the first word is no type.
+/// Type, blanks, name; `type` is null if the first word is not a type.
 Declaration split(std::string_view inside, bool accept_old_types) {
   const auto skip = [&](auto is_end) {
     const std::size_t length =
@@ -73,7 +73,7 @@ Declaration split(std::string_view inside, bool accept_old_types) {
   std::string hint = did_you_mean(word, words);
   if (hint.empty())
     hint =
-        "there are: bool, integer, float, string, point2, vector2, point3, vector3, normal, rgb, "
+        "available: bool, integer, float, string, point2, vector2, point3, vector3, normal, rgb, "
         "blackbody, spectrum, texture";
   lexer.fail(string.text, fmt::format("unknown parameter type \"{}\"", word), hint);
 }
@@ -130,7 +130,7 @@ std::vector<bool> read_flags(Lexer& lexer) {
   });
 }
 
-/// The token behind the opening bracket, if there is one; nothing is read.
+/// The token after the opening bracket, if there is one; nothing is read.
 Token first_value(Lexer& lexer) {
   if (lexer.peek().kind != Token::Kind::open) return lexer.peek();
   Lexer ahead = lexer;
@@ -169,9 +169,9 @@ void check_count(Lexer& lexer, const Token& string, const Declaration& declared,
   const bool is_sampled = declared.type->type == ParamType::spectrum;
   const std::size_t dimension = is_sampled ? 2 : declared.type->dimension;
   if (numbers->size() % dimension == 0) return;
-  std::string hint = fmt::format("each of them has {} numbers", dimension);
+  std::string hint = fmt::format("each value has {} numbers", dimension);
   if (is_sampled) hint = "a sampled spectrum is a list of wavelength and value pairs";
-  if (lexer.peek().kind == Token::Kind::number) hint = "several numbers stand in brackets";
+  if (lexer.peek().kind == Token::Kind::number) hint = "put several numbers in brackets";
   lexer.fail(string.text,
              fmt::format("{} number{} cannot be values of type {}", numbers->size(), numbers->size() == 1 ? "" : "s",
                          declared.type->word),
@@ -202,13 +202,13 @@ void check_pair(const Param& a, const Param& b) {
   if (a.name != b.name) return;
   const auto fail = [&](const std::string& what) {
     throw SyntaxError(b.where, fmt::format("parameter \"{}\" {}", b.name, what),
-                      fmt::format("first in line {}", a.where.line));
+                      fmt::format("first on line {}", a.where.line));
   };
   if (a.key == b.key) fail(a.key == 0 ? "is given twice" : fmt::format("has two values for frame {}", a.key));
   if (a.key == 0 || b.key == 0) fail("is given both with and without a frame");
 }
 
-/// No parameter twice, unless for different frames; sorted, so that a long list costs no quadratic time.
+/// No parameter twice, unless for different frames; sorts, so that a long list does not take quadratic time.
 void check_unique(const ParamList& list) {
   std::vector<const Param*> sorted;
   for (const Param& param : list.params) sorted.push_back(&param);

@@ -6,11 +6,11 @@
 
 namespace dspm {
 
-/// Reads parameters as long as quoted strings follow. Throws SyntaxError. The types point, vector and normal3 are other
-/// words for point3, vector3 and normal where `accept_old_types`, else an error with an old_word.
+/// Reads parameters as long as quoted strings follow. Throws SyntaxError. With `accept_old_types`, the types point,
+/// vector and normal3 mean point3, vector3 and normal; else they are errors with an old_word.
 ParamList read_params(Lexer& lexer, bool accept_old_types);
 
-/// Whether the string (with its quotes) is a type known here, a blank and a name.
+/// Whether the string (with its quotes) is a known type, a blank and a name.
 bool declares_param(std::string_view quoted);
 
 }  // namespace dspm

@@ -19,12 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIncludesDeep = 64;
-constexpr int kMostIncludes = 50'000;  // in all: files that include one another twice would never end
-// Text that is read again: so much, or so many times what was read once. Else a megabyte included often fills the
-// memory.
+constexpr int kMostIncludes = 50'000;  // in total: files that include one another twice would never end
+// Text may be read again up to this size, or up to this many times the size of all text read once. Otherwise a megabyte
+// included often would fill the memory.
 constexpr std::size_t kMostRepeated = std::size_t{2} << 20, kMostRepeats = 4;
 
-/// Ends the reading: one message says it all.
+/// Ends the reading: one message is enough.
 struct OldScene {
   SyntaxError error;
 };
@@ -34,7 +34,7 @@ bool has_extension(std::string name, std::string_view extension) {
   return name.ends_with(extension);
 }
 
-/// Two names of one file have one identity.
+/// Two names of the same file have the same identity.
 std::string identity(const fs::path& path) {
   std::error_code error;
   const fs::path canonical = fs::weakly_canonical(path, error);
@@ -138,13 +138,13 @@ class SceneReader {
     const std::string id = identity(path);
     check_cycle(name, id);
     if (open_.size() == kMostIncludesDeep)
-      throw SyntaxError(name.where, fmt::format("files include one another more than {} deep", kMostIncludesDeep));
+      throw SyntaxError(name.where, fmt::format("Include and Import are nested more than {} deep", kMostIncludesDeep));
     if (++includes_ > kMostIncludes)
       throw SyntaxError(name.where, fmt::format("more than {} files are included", kMostIncludes));
     if (repeated_ > kMostRepeated && repeated_ / kMostRepeats > read_once_)
       throw SyntaxError(name.where,
-                        fmt::format("the same files are included until {} MiB are read again", repeated_ >> 20),
-                        "ObjectBegin defines shapes once, and ObjectInstance places them as often as it is needed");
+                        fmt::format("including the same files repeatedly adds up to {} MiB", repeated_ >> 20),
+                        "ObjectBegin defines shapes once, and ObjectInstance places them as often as needed");
     try {
       const SourceFile& included = load(path.string(), path);
       open_.push_back({path.string(), id});
@@ -176,7 +176,7 @@ class SceneReader {
   SceneDescription scene_;
   SceneBuilder builder_;
   std::string main_name_;
-  bool is_new_ = false;  // no older pbrt has written this scene
+  bool is_new_ = false;  // certainly not for an older pbrt
   std::vector<OpenFile> open_;
   std::map<std::string, const SourceFile*> loaded_;
   int includes_ = 0;
@@ -201,7 +201,7 @@ SceneDescription parse(const std::string& main_name, const ParseOptions& options
     for (const Diagnostic& each : found.all()) pass_on(each, diagnostics);
   } catch (const OldScene& old) {
     diagnostics.error(old.error.where, old.error.what(), old.error.hint);
-    SceneDescription nothing;  // what had been read until then would only draw further messages
+    SceneDescription nothing;  // the elements read so far would only cause more messages
     nothing.files = std::move(reader.take_scene().files);
     return nothing;
   }

@@ -1,4 +1,4 @@
-// The entrance to the language: scene files in, SceneDescription and diagnostics out.
+// The entry point of the language: scene files in, SceneDescription and diagnostics out.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 namespace dspm {
 
 struct ParseOptions {
-  Defines defines = {};                      // of -D name=value
-  std::vector<std::string> variations = {};  // patterns of those that are wanted, where they are too many
+  Defines defines = {};                      // from -D name=value
+  std::vector<std::string> variations = {};  // patterns for those that are wanted, if there are too many
 };
 
-/// Reads the files one after the other as if they were one; "-" is standard input. What is wrong goes to `diagnostics`,
-/// up to kErrorsShown errors; after an error the description is what could be read. It owns the files' texts, to which
+/// Reads the files one after the other as if they were one; "-" is standard input. Errors go to `diagnostics`, up to
+/// kErrorsShown of them; after an error, the description holds what could be read. It owns the files' texts, to which
 /// the diagnostics refer: keep it while they are printed.
 SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
                              Diagnostics& diagnostics);

@@ -49,20 +49,21 @@ void SceneBuilder::apply(Directive directive) {
 }
 
 void SceneBuilder::close_forgotten_group(const Directive& directive) {
-  diagnostics_.error(directive.where, fmt::format("only transforms stand between keys, no {}", directive.info->name),
-                     fmt::format("KeyframeEnd is missing: the keys began in line {}", group_->where().line));
+  diagnostics_.error(directive.where,
+                     fmt::format("only transforms are allowed between keys, not {}", directive.info->name),
+                     fmt::format("KeyframeEnd is missing: the keys began on line {}", group_->where().line));
   finish_group();
 }
 
 bool SceneBuilder::check_section(const Directive& directive) {
   if (directive.info->section == Section::options && world_where_) {
-    diagnostics_.error(directive.where, fmt::format("{} must stand before WorldBegin", directive.info->name),
-                       fmt::format("the world begins in line {}", world_where_->line));
+    diagnostics_.error(directive.where, fmt::format("{} must come before WorldBegin", directive.info->name),
+                       fmt::format("the world begins on line {}", world_where_->line));
     return false;
   }
   if (directive.info->section == Section::world && !world_where_) {
-    diagnostics_.error(directive.where, fmt::format("{} must stand after WorldBegin", directive.info->name),
-                       "WorldBegin is missing before it, unless this file is a part for another one to Include");
+    diagnostics_.error(directive.where, fmt::format("{} must come after WorldBegin", directive.info->name),
+                       "WorldBegin is missing before it, unless this file is meant to be included by another");
     world_begin(directive.where);  // one such error is enough
   }
   return true;
@@ -84,13 +85,13 @@ void SceneBuilder::check_frame(int key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
   else if (key > scene_.moments)
-    diagnostics_.warning(where, fmt::format("this key for frame {} lies outside: the scene has {} frame{}", key,
+    diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {} frame{}", key,
                                             scene_.moments, scene_.moments == 1 ? "" : "s"));
 }
 
 void SceneBuilder::world_begin(const SourceLocation& where) {
   if (world_where_) {
-    diagnostics_.error(where, "a second WorldBegin", fmt::format("the first is in line {}", world_where_->line));
+    diagnostics_.error(where, "a second WorldBegin", fmt::format("the first is on line {}", world_where_->line));
     return;
   }
   world_where_ = where;
@@ -124,7 +125,7 @@ void SceneBuilder::finish() {
   blocks_.check_all_closed();
   check_replacements();
   if (!world_where_ && diagnostics_.error_count() == 0)
-    diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, and so nothing to render");
+    diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, so there is nothing to render");
 }
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// From directives to the SceneDescription: keeps the state that is in force, and says what stands in the wrong place.
+// From directives to the SceneDescription: keeps the current state, and reports misplaced directives.
 #pragma once
 
 #include <map>
@@ -21,12 +21,12 @@ class SceneBuilder {
   SceneBuilder(SceneDescription& scene, Diagnostics& diagnostics)
       : scene_(scene), diagnostics_(diagnostics), blocks_(diagnostics) {}
 
-  /// Everything but Include and Import, which the reader carries out; may throw SyntaxError.
+  /// Applies any directive but Include and Import, which the reader handles; may throw SyntaxError.
   void apply(Directive directive);
-  /// What an imported file does to the state ends with it.
+  /// An imported file's changes to the state end with it.
   void begin_import(const Directive& directive);
   void end_import();
-  /// To be called behind the last file.
+  /// Call it after the last file.
   void finish();
 
  private:
@@ -37,7 +37,7 @@ class SceneBuilder {
   void check_keys(const Directive& directive);
   void check_frame(int key, const SourceLocation& where);
 
-  // Each carries the directive out if it is one of its own (build_variations.cpp, build_options.cpp, ...).
+  // Each applies the directive if it is one of its own (build_variations.cpp, build_options.cpp, ...).
   bool apply_variation(const Directive& directive);
   bool apply_option(Directive& directive);
   bool apply_transform(const Directive& directive);
@@ -71,7 +71,7 @@ class SceneBuilder {
   void variation_end(const Directive& directive);
   void in_variation(const Directive& directive);
   void scale_light(const Directive& directive, Variation& variation);
-  /// The variation that is being read; null outside.
+  /// The variation being read; null outside.
   Variation* variation_in_force();
   void check_replacements();
 
@@ -93,7 +93,7 @@ class SceneBuilder {
   /// The type is the directive's last word.
   static PluginUse plugin_use(Directive& directive);
   PluginUse plugin_use(Directive& directive, AttributeTarget target) const;
-  /// The type is what "string type" says; nothing, after an error, where that lacks.
+  /// The type is the value of "string type"; nullopt, after an error, if that is missing.
   std::optional<PluginUse> named_plugin_use(Directive& directive, AttributeTarget target);
   void define(Places& names, const Directive& directive);
   std::string take_light_name(ParamList& params);
@@ -103,15 +103,15 @@ class SceneBuilder {
   GraphicsState state_;
   BlockStack blocks_;
   std::optional<SourceLocation> world_where_;  // of WorldBegin
-  std::optional<KeyframeGroup> group_;         // the keys that are being read
+  std::optional<KeyframeGroup> group_;         // the keys being read
   bool options_have_keys_ = false;
   bool blur_told_ = false;                                               // since the last ActiveTransform
   std::vector<std::pair<int, SourceLocation>> keys_before_world_;        // checked when the number of frames is known
-  std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files that are being imported
+  std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
     Places float_textures, spectrum_textures, materials, lights, parts;
-  } replaced_;                      // by the variation in force
+  } replaced_;                      // by the current variation
   std::vector<Places> variations_;  // by axis
   std::size_t axis_of_variation_ = 0;
   int directives_in_variation_ = 0;

@@ -1,5 +1,5 @@
-// A scene file's text as the lexer reads it: `$name` replaced by what -D says, and every place in it traced back to
-// line and column of the file as it was written.
+// A scene file's text as the lexer reads it: `$name` replaced by its value from -D, and every place in it traced back
+// to line and column of the original file.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace dspm {
 
 using Defines = std::map<std::string, std::string, std::less<>>;
 
-/// What is wrong at a place of the text; caught where reading can go on.
+/// An error at a place in the text; caught where reading can continue.
 class SyntaxError : public std::runtime_error {
  public:
   SyntaxError(const SourceLocation& place, const std::string& message, std::string a_hint = {}, std::string old = {})
@@ -22,17 +22,17 @@ class SyntaxError : public std::runtime_error {
 
   SourceLocation where;
   std::string hint;
-  std::string old_word;  // what older versions of pbrt know instead, see old_pbrt.h; mostly empty
+  std::string old_word;  // known to older versions of pbrt, see old_pbrt.h; mostly empty
 };
 
-/// The text has $define somewhere.
+/// Whether the text contains $define.
 bool refers_to(std::string_view text, std::string_view define);
 
 class SourceText {
  public:
   /// Keeps a reference to `file`. Every undefined `$name` is an error.
   SourceText(const SourceFile& file, const Defines& defines, Diagnostics& diagnostics);
-  /// `$name` stays as it is.
+  /// Leaves `$name` as it is.
   explicit SourceText(const SourceFile& file);
 
   SourceText(const SourceText&) = delete;
@@ -40,7 +40,7 @@ class SourceText {
 
   std::string_view text() const { return text_; }
   const SourceFile& file() const { return file_; }
-  /// `part` is a part of text().
+  /// `part` is a view into text().
   SourceLocation locate(std::string_view part) const;
 
  private:

@@ -11,12 +11,12 @@
 namespace dspm {
 namespace {
 
-/// What an axis's variation adds to the combination's name.
+/// The piece that an axis's variation adds to the combination's name.
 std::string part_of_name(std::size_t axis, const Variation& variation) {
   return axis == 0 ? variation.name : "-" + variation.name;
 }
 
-/// Walks down the axes, choice by choice, and never where no pattern can still match.
+/// Descends the axes, choice by choice, but only as long as a pattern can still match.
 class Search {
  public:
   Search(const std::vector<VariationAxis>& axes, const std::vector<std::string>& patterns, std::size_t most)
@@ -83,7 +83,7 @@ class Search {
   std::vector<Combination> found_;
 };
 
-/// "2 x 3 x 500 = 3000"; where the axes are many, the product alone.
+/// "2 x 3 x 500 = 3000"; with many axes, only the product.
 std::string product_in_words(const std::vector<VariationAxis>& axes) {
   double product = 1;
   std::string factors;
@@ -101,14 +101,14 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
   for (const Combination& each : combinations) {
     const auto [first, is_new] = seen.emplace(each.name, &each);
     if (is_new || diagnostics.error_count() >= kErrorsShown) continue;
-    std::size_t axis = 0;  // where the two part
+    std::size_t axis = 0;  // the first in which the two differ
     while (axis + 1 < scene.axes.size() && first->second->choices[axis] == each.choices[axis]) ++axis;
     const auto choice = [&](const Combination& c) -> const Variation& {
       return scene.axes[axis].variations[static_cast<std::size_t>(c.choices[axis])];
     };
     diagnostics.error(choice(each).where, fmt::format("two variations of the product are named \"{}\"", each.name),
-                      fmt::format("one of them with \"{}\", one with \"{}\": give one of these another name",
-                                  choice(*first->second).name, choice(each).name));
+                      fmt::format("one has \"{}\", the other \"{}\": rename one of these", choice(*first->second).name,
+                                  choice(each).name));
   }
 }
 
@@ -133,7 +133,7 @@ FileFrames frames_of(const SceneDescription& scene, const std::vector<std::strin
     diagnostics.error(scene.axes.front().where,
                       patterns.empty() ? fmt::format("the axes make {} variations, {}", product, limit)
                                        : fmt::format("--variation chooses {} of the {} variations", limit, product),
-                      "--variation 'oak-*' chooses some by their names");
+                      "choose some by name: --variation 'oak-*'");
     combinations.clear();
   }
   if (diagnostics.error_count() == 0) refuse_equal_names(scene, combinations, diagnostics);

@@ -9,16 +9,16 @@
 
 namespace dspm {
 
-/// More, or more frames of all of them, are taken for a mistake unless they are chosen by name.
+/// More than this, or more than kMostFrames frames in all, must be chosen by name: they are taken for a mistake.
 inline constexpr int kMostCombinations = 10'000;
 
 /// The combinations whose names match one of `patterns` (with * and ?), in the order of the text, the last axis
-/// fastest; up to `most` of them. The time it takes grows with what is found, not with what there is.
+/// fastest; at most `most` of them. The time grows with the number found, not with the number in all.
 std::vector<Combination> matching_combinations(const std::vector<VariationAxis>& axes,
                                                const std::vector<std::string>& patterns, std::size_t most);
 
-/// What the scene's frames are. All combinations where they are few enough, else those that `patterns` choose: sampling
-/// must not depend on what is chosen as long as that can be had. Two of the same name are an error, as are too many.
+/// The scene's frames: all combinations if they are few enough, else those that `patterns` choose. Sampling must not
+/// depend on the choice as long as that is possible. Two of the same name are an error, as are too many.
 FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns, Diagnostics& diagnostics);
 
 }  // namespace dspm

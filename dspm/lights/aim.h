@@ -1,4 +1,4 @@
-// "from" and "to": where a light shines.
+// "from" and "to": where a light is, and where it shines.
 #pragma once
 
 #include "dspm/math/vec.h"
@@ -10,7 +10,7 @@ struct Aim {
   Vec3 from, along;  // light space; `along` is not normalised, and not zero
 };
 
-/// Where both are one point: an error, and the defaults hold.
+/// If both are the same point: an error, and the defaults apply.
 Aim read_aim(ParamReader& reader);
 
 }  // namespace dspm

@@ -1,6 +1,6 @@
 // AreaLightSource "diffuse" "rgb L" [40 38 34] "bool twosided" true
 //
-// Makes every point of a shape shine, with equal radiance in all directions: on the side of its geometric normal, or on
+// Makes every point of a shape emit equal radiance in all directions: on the side of its geometric normal, or on
 // both. Primitives are chosen by their area in the world, points uniformly within one.
 //
 // | parameter | default | meaning |
@@ -8,7 +8,7 @@
 // | L         | 1       | radiance |
 // | twosided  | false   | shines on both sides |
 // | scale     | 1       | multiplies L |
-// | power     | -1      | where above 0: lumen that the whole shape is scaled to emit were L's luminance 1 |
+// | power     | -1      | if above 0: the whole shape is scaled to emit this many lumens, as if L's luminance were 1 |
 //
 // (pbrt-v4 gives "power" to each triangle of a mesh.)
 //
@@ -23,7 +23,7 @@
 namespace dspm {
 namespace {
 
-// Where a transform stretches a curved primitive, its area is the mean over a grid of samples.
+// If a transform stretches a curved primitive, its area is the mean over a grid of samples.
 float world_area(const PlacedShape& placed, int primitive) {
   const float area = placed.shape->area(primitive);
   if (!(area > 0)) return 0;
@@ -108,7 +108,7 @@ class DiffuseArea final : public Light {
     return s;
   }
 
-  // What placed_.sample_area() says of a point with that normal.
+  // The density of placed_.sample_area() at a point with that normal.
   float pdf_on_primitive(int primitive, const Vec3& ng) const {
     const Transform& t = placed_.to_world;
     const Vec3 n{dot(ng, t.vector({1, 0, 0})), dot(ng, t.vector({0, 1, 0})), dot(ng, t.vector({0, 0, 1}))};

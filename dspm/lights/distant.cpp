@@ -4,10 +4,10 @@
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
-// | L           | 1       | irradiance (W/m^2) on a surface across the light |
-// | from, to    | 0 0 0, 0 0 1 | the light goes along to - from, in light space |
+// | L           | 1       | irradiance (W/m^2) on a surface perpendicular to the light |
+// | from, to    | 0 0 0, 0 0 1 | the light shines along to - from, in light space |
 // | scale       | 1       | multiplies L |
-// | illuminance | -1      | where above 0: lux that L is scaled to give were its luminance 1 |
+// | illuminance | -1      | if above 0: L is scaled to give this many lux, as if its luminance were 1 |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.3]
 #include "dspm/colour/rgb.h"
@@ -51,7 +51,8 @@ class Distant final : public Light {
 }  // namespace
 
 std::unique_ptr<Light> make_distant(ParamReader& reader, const LightContext& context) {
-  const Rgb irradiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "irradiance across the light");
+  const Rgb irradiance =
+      reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "irradiance on a surface perpendicular to the light");
   const Aim aim = read_aim(reader);
   const Strength strength = read_illuminance(reader);
   reader.finish();

@@ -1,5 +1,5 @@
-// Radiance from all directions, constant within each pixel of an image; directions are drawn in exact proportion to its
-// luminance.
+// Radiance from all directions, constant within each pixel of an image; directions are sampled in exact proportion to
+// its luminance.
 #pragma once
 
 #include <optional>
@@ -21,24 +21,24 @@ class EnvironmentMap {
     float pdf_w;
   };
 
-  /// Every value of the image is finite and not below 0.
+  /// All values of the image must be finite and non-negative.
   EnvironmentMap(Image image, SphereMapping mapping);
 
   Rgb radiance(const Vec3& direction) const { return image_.pixels[pixel_at(direction)]; }
   float pdf_w(const Vec3& direction) const;
-  /// Only where the map is not black.
+  /// Only if the map is not black.
   Sample sample(Vec2 u) const;
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
     return a.mapping_ == b.mapping_ && a.image_ == b.image_;
   }
-  /// The radiance, if it is the same from everywhere and not black.
+  /// The radiance, if it is the same in all directions and not black.
   std::optional<Rgb> constant() const {
     return image_.pixels.size() == 1 && !is_black() ? std::optional(image_.pixels[0]) : std::nullopt;
   }
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.
   Rgb fluence() const;
-  /// What a white surface that faces +z gets: the integral of luminance times cosine over the directions above.
+  /// For a surface that faces +z: the integral of luminance times cosine over the directions above.
   float illuminance() const;
 
  private:

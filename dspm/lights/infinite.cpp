@@ -1,8 +1,8 @@
 // LightSource "infinite" "string filename" "sky.exr" "float scale" 2
 //
 // Light from all directions: of one colour, or an image around the scene. Radiance is constant within a pixel, and
-// directions are drawn in exact proportion to its luminance. Photons start on a disk, across their direction, that
-// covers the sphere around the scene.
+// directions are sampled in exact proportion to its luminance. Photons start on a disk, perpendicular to their
+// direction, that covers the sphere around the scene.
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
@@ -10,7 +10,7 @@
 // | filename    |         | PNG, JPEG, EXR or HDR image of the radiance |
 // | mapping     | auto    | equalarea: pbrt-v4's squares; equirectangular: latitude, longitude; auto: by the aspect |
 // | scale       | 1       | multiplies L or the image |
-// | illuminance | -1      | where above 0: lux on a surface facing +z of light space; with L, were its luminance 1 |
+// | illuminance | -1      | if above 0: lux on a surface facing +z of light space; with L, as if its luminance were 1 |
 //
 // +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
 // "illuminance" gives half of what pbrt-v4 gives, which counts each pixel at half its solid angle.
@@ -93,10 +93,10 @@ class Infinite final : public Light {
   float volume_scale_;
   EnvironmentMap map_;
   float scale_;
-  Rgb power_;  // an estimate where the transform stretches
+  Rgb power_;  // an estimate if the transform stretches
 };
 
-// What no light can be is black.
+// Values that no light can have become black.
 void clean(Image& image) {
   for (Rgb& pixel : image.pixels)
     for (int c = 0; c < 3; ++c)
@@ -108,8 +108,8 @@ SphereMapping mapping_of(const Image& image, const std::string& word) {
   if (word == "equirectangular" || (word == "auto" && twice_as_wide)) return SphereMapping::equirectangular;
   if (image.width == image.height) return SphereMapping::equal_area;
   throw std::runtime_error(
-      fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; images "
-                  "of latitude and longitude are twice as wide as high, or are named as such by "
+      fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; a "
+                  "latitude-longitude image must be twice as wide as high, or needs "
                   "\"string mapping\" \"equirectangular\"",
                   image.width, image.height));
 }
@@ -133,7 +133,7 @@ std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& co
   const Rgb radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance of one colour from everywhere");
   const std::filesystem::path file = reader.optional_file("filename", "an image of the radiance, instead of L");
   const std::string mapping = reader.choice("mapping", "auto", {"auto", "equalarea", "equirectangular"},
-                                            "how the image covers the sphere; auto: by its aspect");
+                                            "how the image covers the sphere; auto: by its aspect ratio");
   const Strength strength = read_illuminance(reader);
   reader.unsupported("portal", "portals");
   if (reader.has("L") && reader.has("filename"))

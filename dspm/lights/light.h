@@ -1,5 +1,5 @@
-// What sends light into the scene. Every light emits photons and can be sampled directly. Plugins: point.cpp is the
-// shortest to copy; plugins.cpp is the table.
+// Sources of light. Every light emits photons and can be sampled directly. Plugins: point.cpp is the shortest to copy;
+// plugins.cpp is the table.
 #pragma once
 
 #include <memory>
@@ -34,38 +34,38 @@ struct Illumination {
 class Light {
  public:
   virtual ~Light() = default;
-  /// The whole flux in W, or a good estimate of it: lights are chosen in proportion.
+  /// The total flux in W, or a good estimate of it: lights are chosen in proportion.
   virtual Rgb power() const = 0;
-  /// Starts a photon path; nothing where these numbers yield no light.
+  /// Starts a photon path; nullopt if these numbers yield no light.
   virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
-  /// Draws a direction from which p may be lit; nothing where these numbers yield no light.
+  /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
 
-  /// This light over `other`, where they differ by that colour only, whatever the place and direction: photons of both
-  /// then start alike. Nothing where they do not, or where it cannot be told.
+  /// This light over `other`, if they differ only by that colour, whatever the place and direction: photons of both
+  /// then start alike. Nullopt if they do not, or if it is not known.
   virtual std::optional<Rgb> ratio_to(const Light& other) const {
     return this == &other ? std::optional(Rgb(1)) : std::nullopt;
   }
 
-  /// Whether photons of this light may start as `other` draws them, with weights of at most kMostWeight times those
+  /// Whether photons of this light may start as `other` samples them, with weights of at most kMostWeight times those
   /// that this light itself would give.
   virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
-  /// Then the flux of this light for such a photon over that of `other`.
+  /// If so, the flux of this light for such a photon over that of `other`.
   virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
   static constexpr float kMostWeight = 2;
 
   /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
-  /// The density by solid angle with which illuminate(from) draws that point of the light's primitive.
+  /// The density by solid angle with which illuminate(from) samples that point of the light's primitive.
   virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
-  /// Answers the next two: rays that leave the scene see it.
+  /// Whether rays that leave the scene see it; if so, it implements the next two.
   virtual bool is_infinite() const { return false; }
-  /// Radiance of a ray of that direction which leaves the scene (infinite lights), and illuminate's density for it.
+  /// Radiance along a ray of that direction that leaves the scene (infinite lights), and illuminate's density for it.
   virtual Rgb escaped(const Vec3& /*direction*/) const { return {}; }
   virtual float escaped_pdf_w(const Vec3& /*direction*/) const { return 0; }
 };
 
-/// What a light is made from besides its parameters.
+/// The input of a light besides its parameters.
 struct LightContext {
   Transform to_world;
   Vec3 scene_center;  // the sphere around everything, over all frames of the file

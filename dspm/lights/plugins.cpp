@@ -10,7 +10,7 @@ PluginTable<Plugin<MakeLight>>& light_plugins() {
       "light",
       {
           {"distant", "parallel light from infinitely far away", make_distant},
-          {"infinite", "light from all directions, of one colour or an image", make_infinite},
+          {"infinite", "light from all directions, of one colour or from an image", make_infinite},
           {"point", "equal light in all directions from a point", make_point},
           {"spot", "a cone of light from a point", make_spot},
       },
@@ -19,7 +19,8 @@ PluginTable<Plugin<MakeLight>>& light_plugins() {
 }
 
 PluginTable<Plugin<MakeLight>>& area_light_plugins() {
-  static PluginTable<Plugin<MakeLight>> table("area light", {{"diffuse", "makes a shape shine", make_diffuse_area}});
+  static PluginTable<Plugin<MakeLight>> table("area light",
+                                              {{"diffuse", "makes a shape emit light", make_diffuse_area}});
   return table;
 }
 

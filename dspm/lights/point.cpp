@@ -5,9 +5,9 @@
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |
 // | I         | 1       | radiant intensity (W/sr) |
-// | from      | 0 0 0   | where, in light space |
+// | from      | 0 0 0   | its position, in light space |
 // | scale     | 1       | multiplies I |
-// | power     | -1      | where above 0: lumen that I is scaled to have were its luminance 1 |
+// | power     | -1      | if above 0: I is scaled to this many lumens, as if its luminance were 1 |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2]
 #include "dspm/colour/rgb.h"
@@ -52,7 +52,7 @@ class Point final : public Light {
 
 std::unique_ptr<Light> make_point(ParamReader& reader, const LightContext& context) {
   const Rgb intensity = reader.rgb("I", Rgb(1), SpectrumRole::illuminant, "radiant intensity");
-  const Vec3 from = reader.point("from", {}, "light space", "where it is");
+  const Vec3 from = reader.point("from", {}, "light space", "its position");
   const Strength strength = read_power(reader);
   reader.finish();
   return std::make_unique<Point>(context.to_world.point(from), intensity * strength.factor(4 * kPi));

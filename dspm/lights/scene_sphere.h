@@ -1,4 +1,4 @@
-// The sphere around the scene, as lights from infinitely far see it: a disk across their direction.
+// The sphere around the scene, as lights at infinity see it: a disk perpendicular to their direction.
 #pragma once
 
 #include "dspm/lights/light.h"
@@ -19,7 +19,7 @@ struct SceneSphere {
   Ray entering(const Vec3& towards_light, Vec2 u) const {
     const Vec2 offset = concentric_disk(u) * radius;
     const Basis basis = Basis::around(towards_light);
-    constexpr float kClear = 1.01f;  // more than rounding can take away
+    constexpr float kClear = 1.01f;  // exceeds any rounding error
     return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};
   }
 };

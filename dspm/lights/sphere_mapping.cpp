@@ -5,7 +5,7 @@ namespace {
 
 // The square with corners at -1 and 1. The diamond |x| + |y| <= 1 is the upper hemisphere; each of the four triangles
 // outside is the lower one's quadrant, folded over the diamond's edge. In the first quadrant, rings x + y = r have z =
-// 1 - r^2, and y / r is the share of the quarter turn.
+// 1 - r^2, and y / r is the fraction of the quarter turn.
 Vec3 octahedral_direction(Vec2 place) {
   const float x = 2 * place.x - 1, y = 2 * place.y - 1;
   const float ax = std::abs(x), ay = std::abs(y);

@@ -2,17 +2,17 @@
 //
 // A point light that shines into a cone. Off the axis by less than coneangle - conedeltaangle it has its full
 // intensity; from there it falls to 0 at coneangle as 3 x^2 - 2 x^3, x linear in the cosine. Photons follow the falloff
-// exactly, so all carry the same flux; where the cone changes, those of the widest one carry weights.
+// exactly, so all carry the same flux; if the cone changes, those of the widest one carry weights.
 //
 // | parameter      | default | meaning |
 // | -------------- | ------- | ------- |
 // | I              | 1       | radiant intensity (W/sr) on the axis |
-// | from           | 0 0 0   | where, in light space |
+// | from           | 0 0 0   | its position, in light space |
 // | to             | 0 0 1   | a point on the axis, in light space |
 // | coneangle      | 30      | degrees between the axis and darkness |
 // | conedeltaangle | 5       | degrees of the falloff, within coneangle |
 // | scale          | 1       | multiplies I |
-// | power          | -1      | where above 0: lumen that I is scaled to have were its luminance 1 |
+// | power          | -1      | if above 0: I is scaled to this many lumens, as if its luminance were 1 |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.1]
 #include "dspm/colour/rgb.h"
@@ -35,7 +35,7 @@ float versine(float degrees) {
 // The x in [0, 1] with 2 x^3 - x^4 = u: inverts the integral of 2 (3 x^2 - 2 x^3).
 float sample_falloff(float u) {
   if (!(u > 0)) return 0;
-  // Newton's steps from above never overshoot, the function being convex; the fifth changes nothing any more.
+  // Newton's steps from above never overshoot, because the function is convex; the fifth no longer changes anything.
   float x = std::cbrt(u);
   for (int i = 0; i < 5; ++i) x -= (x * x * x * (2 - x) - u) / (x * x * (6 - 4 * x));
   return std::clamp(x, 0.f, 1.f);
@@ -76,7 +76,7 @@ class Spot final : public Light {
     return ratio(intensity_, o->intensity_);
   }
 
-  // A cone within the other. Their falloffs then are such that no weight exceeds the share of the cones.
+  // A cone within the other. With these falloffs, no weight then exceeds the ratio of the cones.
   bool starts_like(const Light& other) const override {
     const auto* o = dynamic_cast<const Spot*>(&other);
     return o != nullptr && p_ == o->p_ && basis_.z == o->basis_.z && inner_ <= o->inner_ && outer_ <= o->outer_ &&
@@ -111,7 +111,7 @@ Cone read_cone(ParamReader& reader) {
   Cone cone{reader.number("coneangle", 30, "degrees", "between the axis and darkness"),
             reader.number("conedeltaangle", 5, "degrees", "of the falloff, within coneangle")};
   if (!(cone.angle > 0 && cone.angle <= 180)) {
-    reader.error("coneangle", "parameter \"coneangle\" of " + reader.subject() + " must be above 0 and not above 180");
+    reader.error("coneangle", "parameter \"coneangle\" of " + reader.subject() + " must be above 0 and at most 180");
   } else if (!(cone.delta >= 0 && cone.delta <= cone.angle)) {
     reader.error("conedeltaangle", "parameter \"conedeltaangle\" of " + reader.subject() + " must lie in 0..coneangle");
   } else {

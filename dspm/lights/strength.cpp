@@ -6,7 +6,7 @@ namespace {
 float read_scale(ParamReader& reader) {
   const float scale = reader.number("scale", 1, "", "multiplies the light");
   if (scale >= 0) return scale;
-  reader.error("scale", "parameter \"scale\" of " + reader.subject() + " must not be below 0");
+  reader.error("scale", "parameter \"scale\" of " + reader.subject() + " must not be negative");
   return 1;
 }
 
@@ -14,7 +14,8 @@ float read_scale(ParamReader& reader) {
 
 Strength read_power(ParamReader& reader) {
   const float scale = read_scale(reader);
-  return {scale, reader.number("power", -1, "lm", "whole luminous power at luminance 1 of the colour; -1: not used")};
+  return {scale,
+          reader.number("power", -1, "lm", "total luminous power, as if the colour had luminance 1; -1: not used")};
 }
 
 Strength read_illuminance(ParamReader& reader) {

@@ -1,4 +1,4 @@
-// "scale", and "power" or "illuminance": how strong a light is next to what its "I", "L" or image says.
+// "scale", and "power" or "illuminance": the strength of a light relative to its "I", "L" or image.
 #pragma once
 
 #include "dspm/params/params.h"
@@ -9,7 +9,7 @@ struct Strength {
   float scale = 1;
   float target = -1;  // lm or lx; not above 0: not given
 
-  /// What I, L or the image is to be multiplied by, where of itself, at luminance 1, it would make `unscaled` lm or lx.
+  /// The factor for I, L or the image, which by itself, at luminance 1, would give `unscaled` lm or lx.
   float factor(float unscaled) const { return target > 0 && unscaled > 0 ? scale * target / unscaled : scale; }
 };
 

@@ -8,16 +8,17 @@
 //   uroughness        float texture       roughness   along the first tangent
 //   vroughness        float texture       roughness   across it
 //   remaproughness    bool                true        alpha is sqrt(roughness), else roughness itself
-//   g, albedo                             0           of a medium in the coat; only 0 is built
-//   thickness, maxdepth, nsamples                     of pbrt's random walk; read, and without effect
+//   g, albedo                             0           of a medium in the coat; only 0 is supported
+//   thickness, maxdepth, nsamples                     of pbrt's random walk; read, but without effect
 //
-// Both sides are coated. The coat mirrors (smooth, or GGX), and what it lets through is diffused by the base, partly
-// thrown back by the coat from inside, diffused again, and so on: the geometric series, with a = reflectance,
+// Both sides are coated. The coat mirrors (smooth, or GGX). The light that it transmits is scattered by the base,
+// partly reflected back by the coat from inside, scattered again, and so on: a geometric series, with a = reflectance,
 //   f = F-mirror or GGX + (1 - F(wo)) (1 - F(wi)) / eta^2 * a / (pi (1 - a F_in)),
-// F_in being the mean Fresnel reflectance for diffuse light from inside. A smooth coat over a white base loses nothing.
+// where F_in is the mean Fresnel reflectance for diffuse light from inside. A smooth coat over a white base loses
+// nothing.
 // pbrt estimates the same layers by a random walk, whose values are random; this is exact for a smooth coat without a
 // medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth, and
-// outside of indices of 1 to 4 the facets' Fresnel term is bounded by the smooth coat's.
+// for indices outside 1 to 4, the facets' Fresnel term is bounded by the smooth coat's.
 // [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces]
 #include <algorithm>
 #include <typeinfo>
@@ -36,7 +37,7 @@
 namespace dspm {
 namespace {
 
-/// The coat mirrors, the base gets what the coat lets through.
+/// The coat mirrors; the base gets the light that the coat transmits.
 constexpr LobeSet kCoat = kReflection, kBase = kTransmission;
 
 class CoatedDiffuse final : public Bsdf {
@@ -95,8 +96,8 @@ class CoatedDiffuse final : public Bsdf {
   }
 
  private:
-  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about as bright
-  /// choose alike, and stay one path.
+  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about equally bright
+  /// choose alike and stay one path.
   static float weight_in_choice(float reflectance) {
     return reflectance >= 1 / 4.f ? 1 : reflectance >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
   }
@@ -118,9 +119,9 @@ class CoatedDiffuse final : public Bsdf {
     return sum;
   }
 
-  // The base gets what a smooth coat lets through. For indices of 1 to 4 facets mirror hardly more than that leaves, 0.3%
-  // at most. Beyond, total reflection or Brewster's angle near grazing make it up to 26%: there a facet mirrors no more
-  // than the smooth coat does for either direction.
+  // The base gets the light that a smooth coat transmits. For indices of 1 to 4, facets mirror hardly more than the
+  // remainder, 0.3% at most. Outside that range, total reflection or Brewster's angle near grazing make it up to 26%:
+  // there a facet mirrors no more than the smooth coat does for either direction.
   float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
     const float mirrored = fresnel_dielectric(cos, eta_);
     if (eta_ >= 1 && eta_ <= 4) return mirrored;
@@ -140,7 +141,7 @@ class CoatedDiffuse final : public Bsdf {
   bool smooth_;
   float eta_;
   Rgb base_;
-  float base_weight_;  // of what the coat lets through, when a lobe is chosen
+  float base_weight_;  // of the transmitted light, when a lobe is chosen
 };
 
 class CoatedDiffuseMaterial final : public Material {
@@ -155,7 +156,7 @@ class CoatedDiffuseMaterial final : public Material {
     const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
     Rgb base;
     for (int c = 0; c < 3; ++c) {
-      // eta^2 (1 - a F_in), which is 0 where no light gets in. By reciprocity 1 - F_in is let_in / eta^2.
+      // eta^2 (1 - a F_in), which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
       const float remaining = eta_ * eta_ * (1 - a[c]) + a[c] * let_in_;
       base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
     }
@@ -163,18 +164,19 @@ class CoatedDiffuseMaterial final : public Material {
   }
 
  private:
-  float eta_, let_in_;  // let_in: the share of diffuse light that enters the coat
+  float eta_, let_in_;  // let_in: the fraction of diffuse light that enters the coat
   Roughness roughness_;
   TexturePtr<Rgb> reflectance_;
 };
 
-/// What belongs to pbrt's random walk through the coat and its medium.
+/// The parameters of pbrt's random walk through the coat and its medium.
 void read_random_walk(ParamReader& reader) {
-  const float g = reader.number("g", 0, "", "asymmetry of a medium in the coat; only 0 is built");
-  const auto albedo = reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is built");
+  const float g = reader.number("g", 0, "", "asymmetry of a medium in the coat; only 0 is supported");
+  const auto albedo =
+      reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is supported");
   const auto refuse = [&](std::string_view name) {
     reader.diagnostics().unsupported(reader.where(name),
-                                     reader.subject() + ": a medium in the coat is not built in dspm");
+                                     reader.subject() + ": a medium in the coat is not supported by dspm");
   };
   if (g != 0) refuse("g");
   if (!albedo.texture.empty() || !is_black(albedo.value)) refuse("albedo");
@@ -183,8 +185,9 @@ void read_random_walk(ParamReader& reader) {
   reader.integer("nsamples", 1, "", "of pbrt's random walk; without effect");
   for (const char* name : {"thickness", "maxdepth", "nsamples"}) {
     if (!reader.has(name)) continue;
-    reader.warning(name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " has no effect in dspm",
-                   "the coat is evaluated exactly, without pbrt's random walk; nor have thickness, maxdepth, nsamples");
+    reader.warning(
+        name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " has no effect in dspm",
+        "the coat is evaluated exactly, without pbrt's random walk and its thickness, maxdepth and nsamples");
     break;
   }
 }

@@ -9,7 +9,7 @@
 //   vroughness       float texture      roughness                  across it
 //   remaproughness   bool               true                       alpha is sqrt(roughness), else roughness itself
 //
-// Both sides reflect. Rough metal is GGX with Smith's height-correlated shadowing; light that meets a second facet is
+// Both sides reflect. Rough metal is GGX with Smith's height-correlated shadowing; light that hits a second facet is
 // lost (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1, k = 2 sqrt(r / (1 - r)).
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014]
 #include "dspm/colour/rgb.h"
@@ -90,7 +90,7 @@ class RoughConductor final : public Bsdf {
   MetalIndex index_;
 };
 
-/// As in pbrt: never quite 1, where k would be infinite.
+/// As in pbrt: never quite 1, because k would be infinite.
 MetalIndex index_of_reflectance(const Rgb& reflectance) {
   MetalIndex index{Rgb(1), Rgb(0)};
   for (int c = 0; c < 3; ++c) {
@@ -104,9 +104,9 @@ class ConductorMaterial final : public Material {
  public:
   ConductorMaterial(ParamReader& reader, const MaterialContext& context) : roughness_(reader, context) {
     const auto eta = reader.rgb_or_texture("eta", "metal-Cu-eta", SpectrumRole::unbounded, "index of refraction");
-    const auto k = reader.rgb_or_texture("k", "metal-Cu-k", SpectrumRole::unbounded, "coefficient of absorption");
+    const auto k = reader.rgb_or_texture("k", "metal-Cu-k", SpectrumRole::unbounded, "absorption coefficient");
     const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(1), SpectrumRole::albedo,
-                                                   "at normal incidence, instead of eta and k; none unless given");
+                                                   "at normal incidence, instead of eta and k; unused if not given");
     by_reflectance_ = reader.has("reflectance");
     if (by_reflectance_ && (reader.has("eta") || reader.has("k")))
       reader.error("reflectance", reader.subject() + " takes either \"reflectance\" or \"eta\" and \"k\"");

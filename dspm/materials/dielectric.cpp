@@ -9,7 +9,7 @@
 //   remaproughness   bool                true        alpha is sqrt(roughness), else roughness itself
 //
 // Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
-// dispersion. Rough glass is GGX; light that meets a second facet is lost.
+// dispersion. Rough glass is GGX; light that hits a second facet is lost.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces]
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
@@ -24,7 +24,7 @@
 namespace dspm {
 namespace {
 
-/// Radiance is spread over a larger or smaller cone beyond the interface, flux is not. [Veach 1997, 5.2]
+/// Beyond the interface, radiance is spread over a larger or smaller cone; flux is not. [Veach 1997, 5.2]
 float transport_scale(Transport transport, float eta) { return transport == Transport::radiance ? 1 / (eta * eta) : 1; }
 
 class SmoothDielectric final : public Bsdf {
@@ -139,9 +139,9 @@ class RoughDielectric final : public Bsdf {
   float eta_;
 };
 
-/// The mean Fresnel reflectance of the facets seen from wo, by a midpoint rule (to about 1e-3). The lobes are equally
-/// rough, so that no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all facets,
-/// not from those that would have chosen it.)
+/// The mean Fresnel reflectance of the facets visible from wo, by a midpoint rule (to about 1e-3). The lobes are
+/// equally rough, so no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all
+/// facets, not from those that would have chosen it.)
 float RoughDielectric::share(const Vec3& wo, LobeSet lobes) const {
   if ((lobes & kBothLobes) == kBothLobes) return 1;
   const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;

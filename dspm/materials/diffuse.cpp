@@ -1,8 +1,8 @@
-// diffuse: matte, of equal radiance in all directions; both sides.
+// diffuse: matte, with equal radiance in all directions; both sides.
 //
 //   Material "diffuse" "rgb reflectance" [.7 .68 .65]
 //
-//   reflectance   spectrum texture   0.5   share of the light that is reflected, clamped to 0..1
+//   reflectance   spectrum texture   0.5   fraction of the light that is reflected, clamped to 0..1
 //
 // [Lambert 1760, Photometria]
 #include "dspm/colour/rgb.h"
@@ -15,8 +15,8 @@
 namespace dspm {
 namespace {
 
-// Light counts by its cosine about ns and leaves to all of its own side by ng. So what a photon path samples lies about
-// ng: a lobe about ns would send nothing to where ns does not face.
+// Light is weighted by its cosine to ns and leaves to the whole of its side of ng. So photon paths sample around ng: a
+// lobe around ns would send nothing to directions that ns does not face.
 class Diffuse final : public Bsdf {
  public:
   Diffuse(const SurfacePoint& point, const Rgb& f) : ng_(point.ng), ns_(point.ns), f_(f) {}
@@ -43,7 +43,7 @@ class Diffuse final : public Bsdf {
   std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
 
  private:
-  /// Both normals see `w` on the same side.
+  /// Whether both normals have `w` on the same side.
   bool faces(const Vec3& w) const { return dot(w, ng_) * dot(w, ns_) > 0; }
   const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 
@@ -66,7 +66,7 @@ class DiffuseMaterial final : public Material {
 
 std::unique_ptr<Material> make_diffuse(ParamReader& reader, const MaterialContext& context) {
   const auto reflectance =
-      reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "share of the light that is reflected");
+      reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "fraction of the light that is reflected");
   refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<DiffuseMaterial>(texture_of(reflectance, context.textures, reader.diagnostics()));

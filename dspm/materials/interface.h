@@ -1,4 +1,4 @@
-// The two lobes of a boundary that light may pass, and the choice between them.
+// The two lobes of a boundary that transmits light, and the choice between them.
 #pragma once
 
 #include "dspm/materials/bsdf.h"
@@ -7,13 +7,13 @@ namespace dspm {
 
 inline constexpr LobeSet kReflection = 1, kTransmission = 2, kBothLobes = 3;
 
-/// The chance that reflection is chosen out of `lobes`, where the boundary reflects `reflectance` and passes the rest.
+/// The probability of choosing reflection out of `lobes` if the boundary reflects `reflectance` and transmits the rest.
 inline float chance_of_reflection(float reflectance, LobeSet lobes) {
   const LobeSet known = lobes & kBothLobes;
   return known == kBothLobes ? reflectance : known == kReflection ? 1.f : 0.f;
 }
 
-/// The share of `lobes` in all that the boundary does.
+/// The lobe probability of `lobes`.
 inline float share_of(float reflectance, LobeSet lobes) {
   return (lobes & kReflection ? reflectance : 0) + (lobes & kTransmission ? 1 - reflectance : 0);
 }

@@ -16,9 +16,9 @@ class TextureSet;
 class Material {
  public:
   virtual ~Material() = default;
-  /// The scattering at a point, built in `slot`.
+  /// The Bsdf at a point, built in `slot`.
   virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
-  /// Light passes into the body: its mesh should be closed and its normals point outward.
+  /// Whether light enters the body: its mesh should then be closed and its normals point outward.
   virtual bool bounds_a_body() const { return false; }
 };
 

@@ -32,26 +32,27 @@ class Ggx {
     const float x = alpha_x_ * w.x, y = alpha_y_ * w.y;
     return 0.5f * (std::sqrt(1 + (x * x + y * y) / (w.z * w.z)) - 1);
   }
-  /// G1: the share of facets seen from w.
+  /// G1: the fraction of facets visible from w.
   float visible(const Vec3& w) const { return 1 / (1 + lambda(w)); }
-  /// G2: the share of facets seen from both, heights correlated; the other direction may lie below, mirrored.
+  /// G2: the fraction of facets visible from both, with correlated heights; the other direction may lie below,
+  /// mirrored.
   float visible(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
   /// Density of sample_visible() by the solid angle of m.
   float visible_density(const Vec3& wo, const Vec3& m) const {
     return visible(wo) * density(m) * std::max(0.f, dot(wo, m)) / wo.z;
   }
-  /// f of perfect mirrors as facets; m is halfway between wo and wi.
+  /// f if the facets are perfect mirrors; m is halfway between wo and wi.
   float reflection(const Vec3& wo, const Vec3& wi, const Vec3& m) const {
     return density(m) * visible(wo, wi) / (4 * wo.z * wi.z);
   }
-  /// Density by the solid angle of the direction that a facet of sample_visible() mirrors wo to.
+  /// Density by the solid angle of the direction to which a facet from sample_visible() reflects wo.
   float reflection_density(const Vec3& wo, const Vec3& m) const { return visible(wo) * density(m) / (4 * wo.z); }
-  /// G2 / G1: the share of light off a facet seen from wo that gets away to wi.
+  /// G2 / G1: the fraction of light from a facet visible from wo that escapes to wi.
   float visible_after(const Vec3& wo, const Vec3& wi) const {
     const float a = 1 + lambda(wo);
     return a / (a + lambda(wi));
   }
-  /// The normal of a facet seen from wo. [Dupuy and Benyoub 2023, Sampling Visible GGX Normals with Spherical Caps]
+  /// The normal of a facet visible from wo. [Dupuy and Benyoub 2023, Sampling Visible GGX Normals with Spherical Caps]
   Vec3 sample_visible(const Vec3& wo, float u, float v) const;
 
  private:

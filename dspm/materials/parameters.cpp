@@ -1,4 +1,4 @@
-// Parameters that several materials share: how they are read.
+// Reads the parameters that several materials share.
 #include "dspm/materials/parameters.h"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ Roughness::Roughness(ParamReader& reader, const MaterialContext& context) {
     const auto own = read(name, std::max(both.value, 0.f), sentence);
     return texture_of(reader.has(name) ? own : both, context.textures, reader.diagnostics());
   };
-  u_ = one("uroughness", "along the first tangent; as roughness where not given");
-  v_ = one("vroughness", "across the first tangent; as roughness where not given");
+  u_ = one("uroughness", "along the first tangent; the same as roughness if not given");
+  v_ = one("vroughness", "across the first tangent; the same as roughness if not given");
   remap_ = reader.flag("remaproughness", true, "alpha is the square root of roughness, else roughness itself");
 }
 
@@ -43,7 +43,7 @@ float read_eta(ParamReader& reader) {
   }
   if (eta.r != eta.g || eta.g != eta.b)
     reader.diagnostics().note(reader.where("eta"),
-                              fmt::format("there is no dispersion: eta is {:.4g}, the mean of its colours", mean));
+                              fmt::format("dispersion is not supported: eta is {:.4g}, the mean of its colours", mean));
   return mean;
 }
 

@@ -31,7 +31,7 @@ class Roughness {
   bool remap_;
 };
 
-/// "eta", an index of refraction. dspm renders no dispersion: a spectrum is averaged, which a note says.
+/// "eta", an index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
 float read_eta(ParamReader& reader);
 
 /// "displacement" and "normalmap", which pbrt knows for every material.

@@ -12,7 +12,7 @@ PluginTable<Plugin<MakeMaterial>>& material_plugins() {
           {"coateddiffuse", "a diffuse base under a clear coat, such as plastic", make_coateddiffuse},
           {"conductor", "metal, smooth or rough", make_conductor},
           {"dielectric", "glass or water, smooth or rough; light passes into the body", make_dielectric},
-          {"diffuse", "matte, of equal radiance in all directions", make_diffuse},
+          {"diffuse", "matte, with equal radiance in all directions", make_diffuse},
           {"thindielectric", "a pane of glass without thickness", make_thindielectric},
       },
       {"coatedconductor", "diffusetransmission", "subsurface", "hair", "measured", "mix", "interface"});

@@ -1,6 +1,6 @@
-// Where the directions of a Bsdf live: the shading frame around ns, and the geometric normal that tells its two sides
-// apart. Formulas see local directions with wo above (z > 0) whichever side it is on; where ns and ng disagree about a
-// direction's side there is no light, for sample, pdf_w and evaluate alike.
+// The frame of a Bsdf's directions: the shading frame around ns, and the geometric normal that distinguishes its two
+// sides. Formulas see local directions with wo above (z > 0), whichever side it is on; if ns and ng disagree about a
+// direction's side, there is no light, in sample, pdf_w and evaluate alike.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ class ShadingFrame {
 
   /// +1 outside, -1 inside, by the geometric normal.
   float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
-  /// In the shading frame, which is mirrored where `side` is -1.
+  /// In the shading frame, which is mirrored if `side` is -1.
   Vec3 local(const Vec3& w, float side) const { return {dot(w, basis_.x), dot(w, basis_.y), side * dot(w, basis_.z)}; }
   Vec3 world(const Vec3& w, float side) const { return basis_.x * w.x + basis_.y * w.y + basis_.z * (side * w.z); }
 
-  /// The world direction of a sampled local one; nothing where the geometric normal puts it on the other side.
+  /// The world direction of a sampled local one; nullopt if the geometric normal puts it on the other side.
   std::optional<Vec3> leave(const Vec3& local_wi, float side) const {
     const Vec3 wi = world(local_wi, side);
     const bool above = local_wi.z > 0;
@@ -33,7 +33,7 @@ class ShadingFrame {
   Vec3 ng_;
 };
 
-/// wo and wi in the shading frame, wo above. `valid` where both normals agree about both of them.
+/// wo and wi in the shading frame, wo above. `valid` if both normals agree about both of them.
 struct LocalPair {
   float side;
   Vec3 wo, wi;

@@ -4,7 +4,7 @@
 //
 //   eta   float or spectrum   1.5   index of refraction inside the pane over outside
 //
-// Light goes straight through or is mirrored; both count what is reflected to and fro inside the pane:
+// Light goes straight through or is mirrored; both include the light reflected back and forth inside the pane:
 // R' = R + T^2 R + T^2 R^3 + ... = R + T^2 R / (1 - R^2). A spectrum for eta is averaged over the colours.
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"

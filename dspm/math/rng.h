@@ -24,6 +24,7 @@ constexpr std::uint64_t mix_bits(std::uint64_t v) {
 /// of the pair is the slot's number. Each sampler chooses slots that no other uses.
 class PathRandom {
  public:
+  constexpr PathRandom() = default;
   constexpr PathRandom(std::uint64_t seed, Stream stream, std::uint64_t path_index, std::uint64_t iteration)
       : key_(absorb(absorb(absorb(seed, static_cast<std::uint64_t>(stream)), iteration), path_index)) {}
 
@@ -47,7 +48,7 @@ class PathRandom {
     return mix_bits(key_ + 0x9e3779b97f4a7c15u * (slot + 1));
   }
 
-  std::uint64_t key_;
+  std::uint64_t key_ = 0;
 };
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// All plugins that there are, of every kind, and their names in messages.
+// All plugins, of every kind, and how messages name them.
 #pragma once
 
 #include <functional>
@@ -16,12 +16,12 @@ struct CatalogueEntry {
   std::function<std::vector<ParamInfo>()> params;
 };
 
-/// The kinds are called as in messages about scenes.
+/// Kinds have the names that messages about scenes use.
 std::vector<CatalogueEntry> all_plugins();
 bool is_plugin(std::string_view kind, std::string_view name);
 /// A plugin as messages name it: `material "velvet" of libvelvet.so`; dspm's own without an origin.
 std::string in_words(std::string_view kind, std::string_view name);
-/// A module with what it brought along: `material "velvet" of libvelvet.so`.
+/// A module with its plugins: `material "velvet" of libvelvet.so`.
 std::string in_words(const LoadedModule& module);
 
 }  // namespace dspm

@@ -27,7 +27,7 @@ const LoadedModule* module_at(const void* address) {
   return nullptr;
 }
 
-/// What was thrown last, and from where: exceptions are few, and handled soon.
+/// The latest exceptions and the modules that threw them. A few are enough: exceptions are rare and soon handled.
 class ThrownObjects {
  public:
   void add(const void* object, const LoadedModule* module) {
@@ -38,7 +38,7 @@ class ThrownObjects {
   }
   const LoadedModule* find(const void* object) const {
     const unsigned next = next_;
-    for (unsigned back = 1; back <= entries_.size(); ++back)  // newest first: addresses come again
+    for (unsigned back = 1; back <= entries_.size(); ++back)  // newest first: addresses are reused
       if (const Entry& entry = entries_[(next - back) % entries_.size()]; entry.object == object) return entry.module;
     return nullptr;
   }
@@ -64,7 +64,7 @@ void on_question(int) {
   errno = kept;
 }
 
-/// The other threads of this process that could be asked.
+/// Returns how many other threads of this process could be asked.
 int ask_all_threads(int signal) {
   DIR* const tasks = opendir("/proc/self/task");
   if (tasks == nullptr) return 0;
@@ -106,7 +106,7 @@ std::vector<const LoadedModule*> modules_at_work() {
   struct sigaction action = {}, before;
   action.sa_handler = on_question;
   action.sa_flags = SA_RESTART;
-  std::array<void*, 1> first_use;  // which loads libgcc: not for a signal handler
+  std::array<void*, 1> first_use;  // it loads libgcc, which a signal handler must not
   backtrace(first_use.data(), 1);
   busy = 0, answers = 0;
   if (sigaction(signal, &action, &before) != 0) return found;

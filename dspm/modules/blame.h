@@ -1,5 +1,5 @@
-// Which module is at fault: the one whose code is on the stack where something was thrown, or of a thread that does not
-// come back.
+// Which module is at fault: the one whose code is on the stack where something was thrown, or on that of a thread that
+// does not return.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace dspm {
 
-/// The innermost module on this thread's stack; null where there is none.
+/// The innermost module on this thread's stack; null if there is none.
 const LoadedModule* module_on_stack();
 
-/// In a catch clause: the module that was on the stack where the exception was thrown; null where there was none.
+/// In a catch clause: the module that was on the stack where the exception was thrown; null if there was none.
 const LoadedModule* module_that_threw();
 
-/// Keeps for module_that_threw() who throws this exception just now.
+/// Records for module_that_threw() which module is throwing this exception.
 void note_throw(const void* object);
 
-/// The modules that other threads of the process are busy in right now. Interrupts each thread for a moment, by a
+/// The modules whose code other threads of the process are running right now. Interrupts each thread for a moment, by a
 /// real-time signal.
 std::vector<const LoadedModule*> modules_at_work();
 

@@ -16,7 +16,7 @@ constexpr int kMachine = EM_X86_64;
 constexpr int kMachine = EM_AARCH64;
 #endif
 
-/// Reads what lies inside the file, and nothing else.
+/// Refuses to read beyond the end of the file.
 class ElfFile {
  public:
   explicit ElfFile(const std::filesystem::path& file) : in_(file, std::ios::binary) {
@@ -26,7 +26,7 @@ class ElfFile {
   }
 
   std::string bytes(std::uint64_t offset, std::uint64_t count) {
-    if (offset > size_ || count > size_ - offset) throw std::runtime_error("it is cut off or damaged");
+    if (offset > size_ || count > size_ - offset) throw std::runtime_error("it is truncated or damaged");
     std::string result(count, '\0');
     in_.seekg(static_cast<std::streamoff>(offset));
     if (!in_.read(result.data(), static_cast<std::streamsize>(count))) throw std::runtime_error("it cannot be read");
@@ -47,7 +47,7 @@ class ElfFile {
 };
 
 Elf64_Ehdr read_header(ElfFile& file) {
-  constexpr const char* kWrong = "it is no shared library";
+  constexpr const char* kWrong = "it is not a shared library";
   if (file.size() < sizeof(Elf64_Ehdr)) throw std::runtime_error(kWrong);
   const auto header = file.at<Elf64_Ehdr>(0);
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_type != ET_DYN) throw std::runtime_error(kWrong);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Other threads ask for them while one is loaded: it counts when it is whole.
+// Other threads may read them while one is being loaded: it counts once it is complete.
 std::array<LoadedModule, kMostModules> modules;
 std::atomic<std::size_t> module_count = 0;
 
@@ -32,7 +32,7 @@ void check_stamp(const fs::path& file) {
   } catch (const std::runtime_error& error) {
     fail(file, error.what());
   }
-  if (!stamp) fail(file, "it is no module of dspm: it has no DSPM_MODULE");
+  if (!stamp) fail(file, "it is not a module of dspm: it has no DSPM_MODULE");
   if (const std::string why = why_unfit(*stamp); !why.empty()) fail(file, why);
 }
 
@@ -41,7 +41,7 @@ std::string loader_error() {
   return text != nullptr ? text : "the reason is unknown";
 }
 
-/// From the lowest to the highest address of what the loader has mapped.
+/// From the lowest to the highest address that the loader has mapped.
 void find_range(void* handle, LoadedModule& module) {
   struct Search {
     ElfW(Addr) base;
@@ -88,9 +88,10 @@ void load_module(const fs::path& file) {
   if (!fs::is_regular_file(canonical)) fail(file, "it is not a regular file");
   for (const LoadedModule& module : loaded_modules())
     if (module.file == canonical) return;
-  if (module_count == kMostModules) fail(canonical, fmt::format("there are {} modules already", kMostModules));
+  if (module_count == kMostModules)
+    fail(canonical, fmt::format("{} modules are loaded already, and that is the limit", kMostModules));
   check_stamp(canonical);
-  static_cast<void>(read_bytes(canonical));  // so that checkpoints know of it: see system/files_read.h
+  static_cast<void>(read_bytes(canonical));  // so that checkpoints know of it, see system/files_read.h
   void* const handle = dlopen(canonical.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) fail(canonical, fmt::format("it cannot be loaded: {}", loader_error()));
   LoadedModule& module = modules[module_count];

@@ -1,4 +1,4 @@
-// Loading modules: shared libraries outside of dspm that bring plugins along.
+// Loading modules: shared libraries outside of dspm that contain plugins.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,12 @@ struct LoadedModule {
   std::uintptr_t begin = 0, end = 0;  // where its code and data lie
 };
 
-/// Adds the module's plugins to dspm's tables; a file that is loaded already is left alone. Its stamp is looked at
-/// before anything of it runs. Modules stay until the process ends. Throws ModuleError. Not for several threads at
-/// once.
+/// Adds the module's plugins to dspm's tables; a file that is already loaded is skipped. Its stamp is checked before
+/// any of its code runs. Modules stay until the process ends. Throws ModuleError. Not for several threads at once.
 void load_module(const std::filesystem::path& file);
 
 inline constexpr std::size_t kMostModules = 64;
-/// In the order of their loading; addresses stay.
+/// In the order of loading; addresses are stable.
 std::span<const LoadedModule> loaded_modules();
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// What a module exports: one function that adds its plugins to dspm's tables, and the stamp of what it was built for.
+// A module exports one function, which adds its plugins to dspm's tables, and the stamp of what it was built for.
 //
 //   DSPM_MODULE(registry) {
 //     registry.add(dspm::material_plugins(), {"velvet", "cloth with a bright rim", make_velvet});
@@ -26,11 +26,11 @@ class ModuleRegistry {
   /// `module` must outlive the tables: plugins keep it as their origin.
   explicit ModuleRegistry(std::string_view module) : module_(module) {}
 
-  /// Of the dspm that loads the module: "0.1.0".
+  /// Of the dspm that loads the module: "0.2.0".
   static std::string_view host_version();
 
   /// `table` is that of the plugin's kind: shape_plugins(), material_plugins(), texture_plugins<float>(), ... Throws
-  /// ModuleError where the name is taken.
+  /// ModuleError if the name is taken.
   template <class AnyPlugin>
   void add(PluginTable<AnyPlugin>& table, std::type_identity_t<AnyPlugin> plugin) {
     if (const AnyPlugin* other = table.find(plugin.name)) refuse(table.kind(), plugin.name, other->origin);
@@ -38,7 +38,7 @@ class ModuleRegistry {
     table.add(plugin);
     ++count_;
   }
-  /// Plugins that were added.
+  /// How many plugins were added.
   int count() const { return count_; }
 
  private:

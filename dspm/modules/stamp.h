@@ -1,6 +1,6 @@
-// What a module and the dspm that loads it must agree in: dspm's version, the compiler's conventions, and how large the
-// types are that both share. A module carries its stamp as an ELF note, so that it is compared before anything of the
-// module runs.
+// What a module and the dspm that loads it must agree on: dspm's version, the compiler's ABI, the headers of the
+// interface, and the sizes of the types that both use. A module carries its stamp as an ELF note, so that it is
+// compared before any code of the module runs.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/materials/material.h"
 #include "dspm/math/ray.h"
+#include "dspm/modules/interface.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/triangle_mesh.h"
@@ -31,10 +32,7 @@ struct StampedType {
   std::size_t size;
 };
 
-/// To be raised where a virtual function of an interface comes, goes or changes: no size tells that.
-inline constexpr std::uint32_t kInterface = 1;
-
-/// Types whose layout crosses the border, or that hold one which does.
+/// Types that modules and dspm pass to each other, or that contain such types.
 inline constexpr StampedType kStampedTypes[] = {
     {"std::string", sizeof(std::string)},
     {"std::vector", sizeof(std::vector<int>)},
@@ -67,7 +65,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::IntegratorPlugin", sizeof(IntegratorPlugin)},
 };
 
-/// The note as it lies in the file: an ELF header, then what is compared. What stands before `sizes` never changes.
+/// The note as stored in the file: an ELF header, then the stamp. The fields before `sizes` never change.
 struct ModuleStamp {
   std::uint32_t name_bytes = 5, content_bytes = 0, type = 1;
   char name[8] = {'d', 's', 'p', 'm'};
@@ -79,7 +77,7 @@ struct ModuleStamp {
   std::uint32_t sizes[std::size(kStampedTypes)] = {};
 };
 
-/// What the code that includes this has been built for.
+/// Of the code that includes this.
 constexpr ModuleStamp current_stamp() {
   ModuleStamp stamp;
   stamp.content_bytes = sizeof(ModuleStamp) - offsetof(ModuleStamp, version);
@@ -90,7 +88,7 @@ constexpr ModuleStamp current_stamp() {
   return stamp;
 }
 
-/// Why a module whose note holds these bytes cannot be loaded, and what to do; empty where it can.
+/// Why a module whose note holds these bytes cannot be loaded, and what to do; empty if it can.
 std::string why_unfit(std::string_view note);
 
 }  // namespace dspm

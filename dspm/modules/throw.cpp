@@ -1,5 +1,5 @@
-// Stands before the C++ library's own __cxa_throw, which every `throw` calls: an exception does not know where it came
-// from, so that is noted first.
+// Takes the place of the C++ library's __cxa_throw, which every `throw` calls: exceptions do not know where they come
+// from, so the thrower is recorded first.
 #include <dlfcn.h>
 
 #include <cstdlib>
@@ -7,7 +7,7 @@
 #include "dspm/modules/blame.h"
 
 extern "C" {
-// By another name, as compilers have a declaration of their own.
+// Under another name, because compilers declare __cxa_throw themselves.
 [[noreturn]] void dspm_note_and_throw(void* object, void* type, void (*destroy)(void*)) __asm__("__cxa_throw");
 
 void dspm_note_and_throw(void* object, void* type, void (*destroy)(void*)) {

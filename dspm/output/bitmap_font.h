@@ -8,10 +8,10 @@
 
 namespace dspm {
 
-inline constexpr int kTextAdvance = 6, kTextHeight = 10;  // pixels a character and a line, at scale 1
+inline constexpr int kTextAdvance = 6, kTextHeight = 10;  // pixels per character and line, at scale 1
 
-/// Draws over `image`, from the upper left corner of the first character; what lies outside is cut off. Other
-/// characters than ASCII's appear as question marks.
+/// Draws over `image`, from the upper left corner of the first character; text outside of it is clipped. Characters
+/// other than ASCII appear as question marks.
 void draw_text(Image& image, int left, int top, std::string_view text, int scale, const Rgb& color);
 
 }  // namespace dspm

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMoment = 20;                      // milliseconds
 constexpr std::size_t kMostErrors = 4096;        // bytes
-constexpr std::string_view kLineEnds = "\r\n ";  // that end what was said
+constexpr std::string_view kLineEnds = "\r\n ";  // stripped from the end of errors
 
 [[noreturn]] void fail(int error, const std::vector<std::string>& words) {
   throw std::system_error(error, std::generic_category(), words.front());
@@ -54,7 +54,7 @@ void ChildProcess::Descriptor::close() {
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& words, GiveUp give_up) : give_up_(std::move(give_up)) {
-  // Sockets in place of a pipe, as send() can do without SIGPIPE.
+  // Sockets instead of a pipe, because send() can avoid SIGPIPE.
   int input[2], errors[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0) fail(errno, words);
   input_.number = input[0];
@@ -117,7 +117,7 @@ void ChildProcess::hear() {
     errors_.append(bytes.data(), std::min(static_cast<std::size_t>(count), kMostErrors - errors_.size()));
     last_sign_ = Clock::now();
   }
-  if (count == 0) said_.close();  // it closed it
+  if (count == 0) said_.close();  // the program closed it
 }
 
 }  // namespace dspm

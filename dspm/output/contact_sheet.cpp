@@ -15,7 +15,7 @@ constexpr int kGap = 8;  // pixels around images and labels
 
 int label_height(int text_scale) { return kTextHeight * text_scale + kGap / 2; }
 
-/// Small is good: the shape is off 16:10 by a factor, or cells stay empty.
+/// Smaller is better: how far the shape is from 16:10, and how many cells stay empty.
 double badness(int count, int columns, double image_aspect) {
   const int rows = (count + columns - 1) / columns;
   const double aspect = image_aspect * columns / rows;

@@ -8,15 +8,15 @@
 
 namespace dspm {
 
-/// A grid whose shape comes near a screen's; images are shrunk until a row fits, never enlarged.
+/// A grid shaped roughly like a screen; images are shrunk until a row fits, never enlarged.
 struct SheetLayout {
   int columns = 1, rows = 1;
   int image_width = 1, image_height = 1;  // as they appear on the sheet
   int text_scale = 1;
 
-  /// For `count` images of width x height pixels; the sheet is at most `max_width` wide where that is possible at all.
+  /// For `count` images of width x height pixels; the sheet is at most `max_width` wide if that is possible at all.
   SheetLayout(int count, int width, int height, int max_width = 2048);
-  /// Of that shape, whatever it looks like.
+  /// With exactly these columns and rows.
   static SheetLayout table(int columns, int rows, int width, int height, int max_width = 2048);
   int sheet_width() const;
   int sheet_height() const;

@@ -8,13 +8,13 @@
 namespace dspm {
 namespace {
 
-/// The UTF-8 character that the text begins with; empty: none does. [RFC 3629, section 4]
+/// The UTF-8 character that the text begins with; empty if that is malformed. [RFC 3629, section 4]
 std::string_view first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned head = byte(0);
   if (head < 0x80) return text.substr(0, 1);
   const std::size_t length = head < 0xC2 ? 0 : head < 0xE0 ? 2 : head < 0xF0 ? 3 : head < 0xF5 ? 4 : 0;
-  // The second byte shuts out what is longer than need be, surrogates, and what lies beyond U+10FFFF.
+  // The second byte rules out overlong forms, surrogates, and code points beyond U+10FFFF.
   const unsigned low = head == 0xE0 ? 0xA0 : head == 0xF0 ? 0x90 : 0x80;
   const unsigned high = head == 0xED ? 0x9F : head == 0xF4 ? 0x8F : 0xBF;
   for (std::size_t i = 1; i < length; ++i)
@@ -22,7 +22,7 @@ std::string_view first_character(std::string_view text) {
   return text.substr(0, length);
 }
 
-/// Names of files may be any bytes; those that are no text become U+FFFD.
+/// File names may be any bytes; those that are not UTF-8 become U+FFFD.
 std::string quoted(std::string_view text) {
   std::string result = "\"";
   while (!text.empty()) {

@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Keys come before values within objects; every begin has its end. Numbers that JSON does not know become null.
+/// Keys come before values within objects; every begin has its end. Numbers that JSON lacks become null.
 class JsonWriter {
  public:
   JsonWriter& key(std::string_view name);
@@ -33,7 +33,7 @@ class JsonWriter {
   void open(char bracket);
   void close(char bracket);
   void raw(std::string_view text);
-  void separate();  // comma, line break and indentation, as they are due
+  void separate();  // comma, line break and indentation, as needed
 
   std::string text_;
   int depth_ = 0;

@@ -29,8 +29,8 @@ std::string kind_of(const ScenePart& part, const Job& job) {
 
 }  // namespace
 
-void tell(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
-          Messages& messages) {
+void report_rejections(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
+                       Messages& messages) {
   Diagnostics diagnostics;
   for (const Rejections::Entry& entry : rejections.entries()) {
     const PluginUse& use = world.use_of(entry.part, interval, entry.frame);
@@ -38,7 +38,7 @@ void tell(const Rejections& rejections, const World& world, const FrameList& int
                                   ? "to a photon"
                                   : fmt::format("at pixel {}", pixel_in_words(entry.pixel, job.settings.crop));
     diagnostics.warning(use.where,
-                        fmt::format("{} gave numbers that are not finite, first {} of frame {}; they are left out",
+                        fmt::format("{} gave values that are not finite, first {} of frame {}; they are left out",
                                     in_words(kind_of(entry.part, job), use.type), place,
                                     interval[static_cast<std::size_t>(entry.frame)] + 1));
   }
@@ -52,7 +52,7 @@ void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& mess
   const auto at = static_cast<int>(first - image.pixels.begin());
   const auto count = std::count_if(first, image.pixels.end(), invalid);
   std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
-  messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written black",
+  messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written as black",
                             in_words("integrator", job.integrator), count, frame + 1,
                             pixel_in_words(at, job.settings.crop)));
 }

@@ -1,4 +1,4 @@
-// NaN and infinity: who gave them, and that none reaches a file.
+// NaN and infinity: reports where they come from, and keeps them out of files.
 #pragma once
 
 #include "dspm/image/image.h"
@@ -11,11 +11,12 @@
 
 namespace dspm {
 
-/// A warning for each part of the interval's scene that gave what is not finite, with the plugin and the first pixel.
-void tell(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
-          Messages& messages);
+/// A warning for each element of the interval's scene that gave values that are not finite, with the plugin and the
+/// first pixel.
+void report_rejections(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
+                       Messages& messages);
 
-/// What an integrator lets through becomes black, with a warning. `frame` is one of the file.
+/// Those that an integrator lets through become black, with a warning. `frame` is one of the file.
 void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& messages);
 
 }  // namespace dspm

@@ -21,7 +21,7 @@ namespace {
 
 constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
-/// No file may take another one's place, nor that of one which is read.
+/// No file may replace another one, or one that is read.
 void expect_all_distinct(std::vector<NamedFile> written, const OutputSettings& settings, const OtherFiles& others) {
   std::vector<NamedFile> read = others.read;
   expect_distinct({}, read);  // none is given twice
@@ -78,7 +78,7 @@ std::vector<std::filesystem::path> Output::image_files(Frame frame) const {
 }
 
 std::uint64_t Output::bytes_on_disk() const {
-  constexpr std::uint64_t kBytes = 3;  // a pixel of a PNG; other images have two or four for each of them
+  constexpr std::uint64_t kBytes = 3;  // per pixel of a PNG; EXR takes two or four for each of them
   std::uint64_t a_pixel = 0;
   for (const std::filesystem::path& file : image_files(job_.frames.front()))
     a_pixel += file.extension() == ".png" ? kBytes : kBytes * (job_.film.save_half ? 2 : 4);
@@ -91,7 +91,7 @@ std::filesystem::path Output::name(Frame frame) const {
 }
 
 std::size_t Output::bytes_while_writing() const {
-  // The image, two copies, the last in the file's form, and the file as it grows; for the sheet only the latter.
+  // The image, two copies, the last one in the file's format, and the growing file; for the sheet only the file.
   constexpr std::size_t kImages = 6;
   const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
   return (kImages * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);

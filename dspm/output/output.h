@@ -16,7 +16,7 @@
 
 namespace dspm {
 
-/// What is written besides the images that the Film names.
+/// Files besides the images that the Film names.
 struct OutputSettings {
   bool png = false;                  // of every image
   std::string contact_sheet, video;  // files; empty: none
@@ -24,41 +24,41 @@ struct OutputSettings {
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 };
 
-/// The other files of a run: none may be replaced by what Output writes.
+/// The other files of a run, which Output must not replace.
 struct OtherFiles {
   std::vector<NamedFile> read, written;
 };
 
 class Output {
  public:
-  /// Throws WriteError where a file cannot be written, and warns where there may be too little room for all of them:
-  /// before rendering is the time to learn it. `end_wanted`: asked while the video is tried and made.
+  /// Throws WriteError if a file cannot be written, and warns if there may be too little room for all of them: better
+  /// before rendering than after. `end_wanted`: called while the video is tried and made.
   Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
          Video::EndWanted end_wanted);
 
-  /// Where the image of a frame of the file goes.
+  /// The path of the image of a frame of the file.
   std::filesystem::path name(Frame frame) const;
-  /// What writing takes in memory, at most.
+  /// The most memory that writing takes.
   std::size_t bytes_while_writing() const;
-  /// Writes the image of a frame of the file, given its radiance over the crop, over an earlier one. Throws WriteError,
-  /// but tries its PNG all the same.
+  /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
+  /// WriteError, but tries its PNG anyway.
   void write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds);
-  /// The sheet with all images so far, where one was asked for.
+  /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
-  /// To the video, where one was asked for: an image of every frame, one after the other.
+  /// To the video, if one was asked for: an image of every frame, one after the other.
   void add_to_video(Image radiance);
-  /// The video with what was added. Throws WriteError where it cannot be made.
+  /// Writes the video. Throws WriteError if it cannot be made.
   void finish_video();
 
  private:
-  /// All that the run writes, but for the video.
+  /// All files that the run writes, except the video.
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
-  /// A frame's image, and its PNG where that is another file.
+  /// A frame's image, and its PNG if that is another file.
   std::vector<std::filesystem::path> image_files(Frame frame) const;
-  /// What all images take on the disk, uncompressed.
+  /// Of all images, uncompressed.
   std::uint64_t bytes_on_disk() const;
   ExrHeader header(Frame frame) const;
-  /// What files hold, in place of radiance: exposed, then limited as the film says.
+  /// From radiance to the values in files: exposed, then limited as the film says.
   Image developed(Image image) const;
 
   const Job& job_;

@@ -25,7 +25,7 @@ void write_report(const Job& job, const RunReport& report, const OutputSettings&
 void expect_size(const Image& image, const Job& job) {
   const PixelRect& crop = job.settings.crop;
   if (image.width != crop.width() || image.height != crop.height())
-    throw std::runtime_error(fmt::format("{} gave an image of {} x {} pixels, and {} x {} were asked for",
+    throw std::runtime_error(fmt::format("{} gave an image of {} x {} pixels instead of {} x {}",
                                          in_words("integrator", job.integrator), image.width, image.height,
                                          crop.width(), crop.height()));
 }
@@ -44,7 +44,7 @@ Results::Results(const Job& job, const World& world, const OutputSettings& setti
 
 void Results::write(const FrameList& interval, const Integrator& integrator, double seconds, Images images) {
   const Statistics statistics = integrator.statistics();
-  tell(statistics.rejections, world_, interval, job_, messages_);
+  report_rejections(statistics.rejections, world_, interval, job_, messages_);
   faults_.retry();
   for (std::size_t j = 0; j < interval.size(); ++j) {
     const Frame frame = interval[j];
@@ -60,7 +60,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
                               photons = statistics.photon.paths] {
       output_.write(frame, *image, iterations, photons, seconds);
     };
-    // Later there is nobody to ask for the last images.
+    // Later no integrator is left to ask for the last images.
     const bool keep = images == Images::last && keep_failed_;
     if (faults_.attempt(name, estimate))
       faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
@@ -75,7 +75,7 @@ void Results::say_end(double seconds, bool interrupted) const {
   const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
   if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
   if (faults_.any())
-    return messages_.say("{} after {}, but not all could be written{}", what, readable_time(seconds), missing);
+    return messages_.say("{} after {}, but not all files could be written{}", what, readable_time(seconds), missing);
   const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
   messages_.say("{} after {}: {}{}{}", what, readable_time(seconds), output_.name(*written_.begin()).string(), last,
                 missing);
@@ -86,7 +86,7 @@ bool Results::finish(const RunReport& report) {
   faults_.attempt(settings_.stats == "-" ? "standard output" : settings_.stats,
                   [&] { write_report(job_, report, settings_); });
   faults_.attempt(settings_.video, [&] { output_.finish_video(); });
-  faults_.tell_end();
+  faults_.report_missing();
   return are_whole();
 }
 

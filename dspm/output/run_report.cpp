@@ -15,7 +15,7 @@
 namespace dspm {
 namespace {
 
-/// What frames may share, with the words for it.
+/// The work that frames may share, with its names.
 std::vector<std::pair<const char*, SharedCount>> shared_counts(const Statistics& s) {
   return {{"camera path segments", s.camera.segments},
           {"photon path segments", s.photon.segments},
@@ -69,7 +69,7 @@ void write_job(JsonWriter& json, const Job& job) {
   for (const Frame frame : job.frames) json.value(job.moment(frame) + 1);
   json.end_array();
   if (!job.description->axes.empty()) {
-    json.key("variations").begin_array();  // one a frame
+    json.key("variations").begin_array();  // one per frame
     for (const Frame frame : job.frames) json.value(job.variation(frame));
     json.end_array();
   }
@@ -91,7 +91,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
   json.member("invalid", s.rejections.count());
 }
 
-/// Frame by frame of the job, as far as they were rendered.
+/// Frame by frame of the job, those that were rendered.
 void write_energy(JsonWriter& json, const RunReport& report) {
   std::map<Frame, const EnergyBalance*> of_frame;
   for (std::size_t i = 0; i < report.frames.size(); ++i) of_frame[report.frames[i]] = &report.statistics.energy[i];
@@ -129,7 +129,7 @@ void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_int
 
 namespace {
 
-/// Those of one interval: of the shortest and the longest where a time limit made them differ.
+/// Of one interval, or of the shortest and the longest if a time limit made them differ.
 std::string iterations_in_words(const std::vector<int>& of_intervals) {
   if (of_intervals.empty()) return "0";
   const auto [least, most] = std::minmax_element(of_intervals.begin(), of_intervals.end());
@@ -145,7 +145,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   text += fmt::format("  {:<24}{:>16}{:>10}\n", "step", "seconds", "share");
   for (const StepTime& step : s.steps)
     text += fmt::format("  {:<24}{:>16.2f}{:>9.1f}%\n", step.name, step.seconds, 100 * step.seconds / report.seconds);
-  text += fmt::format("  {:<24}{:>16.2f}\n\n", "all, with writing", report.seconds);
+  text += fmt::format("  {:<24}{:>16.2f}\n\n", "total, with writing", report.seconds);
 
   text += fmt::format("  {:<24}{:>16}{:>18}{:>10}\n", "work", "done", "separate renders", "factor");
   for (const auto& [name, count] : shared_counts(s))
@@ -160,7 +160,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   line("rays", rays(s.camera), rays(s.photon));
   text += fmt::format("  {:<24}{:>15.1f}%{:>17.1f}%\n", "met something dynamic", 100 * s.camera.dynamic_share(),
                       100 * s.photon.dynamic_share());
-  line("ends with weights", s.camera.weighted, s.photon.weighted);
+  line("weighted by frame", s.camera.weighted, s.photon.weighted);
   text += fmt::format("\n  memory: {} at most, of which trees {}, integrator {}\n", readable_bytes(peak_memory()),
                       readable_bytes(report.tree_bytes), readable_bytes(s.bytes));
   if (const std::uint64_t count = s.rejections.count(); count > 0)

@@ -1,5 +1,5 @@
-// The account of a run: what was rendered, how long each step took, what the frames shared. For people a table, for
-// programs JSON.
+// The report of a run: what was rendered, how long each step took, what the frames shared. As a table for people, as
+// JSON for programs.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace dspm {
 
 struct RunReport {
   std::vector<int> iterations;  // done, by frame interval
-  double seconds = 0;           // from the first iteration's begin to the last image written
+  double seconds = 0;           // from the start of the first iteration to the last image written
   int threads = 0;
   std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
   Statistics statistics;      // all intervals together
-  std::vector<Frame> frames;  // those that the energy balances are of, in their order
+  std::vector<Frame> frames;  // of the energy balances, in their order
 
-  /// Adds what the integrator of an interval of these frames did.
+  /// Adds the work of the integrator of an interval of these frames.
   void add(const Statistics& interval, const std::vector<Frame>& of_interval);
 };
 

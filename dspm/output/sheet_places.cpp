@@ -11,7 +11,7 @@ namespace {
 
 using Key = std::vector<int>;
 
-/// What decides about a frame's row and column.
+/// The keys that decide a frame's row and column.
 std::pair<Key, Key> row_and_column(const Job& job, Frame frame, bool moments_in_columns, std::size_t last_axis) {
   const FileFrames& file = job.description->frames;
   Key row = file.combinations()[file.combination_of(frame)].choices;

@@ -1,6 +1,5 @@
-// Where each frame's image lies on the contact sheet. Variations at several moments: a row a variation, a column a
-// moment. Variations of several axes: the last axis's in columns, those of the others in rows. Else one after the
-// other.
+// Where each frame's image lies on the contact sheet. Variations at several moments: a row per variation, a column per
+// moment. Variations of several axes: the last axis in columns, the others in rows. Otherwise one after the other.
 #pragma once
 
 #include <map>
@@ -20,7 +19,7 @@ class SheetPlaces {
   int of(Frame frame) const { return places_.at(frame); }
 
  private:
-  int columns_ = 0, rows_ = 0;  // 0: as it looks best
+  int columns_ = 0, rows_ = 0;  // 0: as SheetLayout chooses
   std::map<Frame, int> places_;
 };
 

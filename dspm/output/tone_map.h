@@ -1,4 +1,4 @@
-// From radiance to what a screen can show: still linear, in 0..1; the sRGB curve is applied where a PNG is written.
+// From radiance to what a screen can show: still linear, in 0..1; the sRGB curve is applied when a PNG is written.
 #pragma once
 
 #include <cmath>
@@ -13,9 +13,9 @@ struct ToneMap {
   bool shoulder = false;  // roll bright colours off instead of clipping them
 };
 
-/// Clipping takes each component alone, as pbrt's images have it. The shoulder leaves colours alone up to 0.8 of their
-/// largest component m, bends m towards 1 with a continuous slope above, and scales all components alike: the hue
-/// stays. NaN and negative values become black.
+/// Clipping treats each component alone, as in pbrt. The shoulder leaves colours alone if their largest component m is
+/// at most 0.8, else bends m towards 1 with a continuous slope and scales all components alike, so that the hue stays.
+/// NaN and negative values become black.
 inline Rgb shown(const Rgb& radiance, const ToneMap& tone) {
   constexpr float kKnee = 0.8f;
   const auto above_zero = [&](float v) { return v > 0 ? v * tone.exposure : 0.f; };

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A block: empty files can be made on a disk that is full.
+// One block: empty files can be made on a full disk.
 const std::string kTrial(4096, '\0');
 
 fs::path directory_of(const fs::path& file) {
@@ -38,9 +38,9 @@ void warn_of_little_space(const fs::path& file, std::uint64_t bytes, const std::
   std::error_code unknown;
   const std::uint64_t free = fs::space(directory, unknown).available;
   if (unknown || free >= bytes) return;
-  messages.warn(fmt::format("{} may take {}, and there are {} left in {}", what, readable_bytes(bytes),
+  messages.warn(fmt::format("{} may take {}, but only {} are left in {}", what, readable_bytes(bytes),
                             readable_bytes(free), fs::absolute(directory, unknown).lexically_normal().string()),
-                "what does not fit is not written; make room, or write elsewhere by --outfile");
+                "images that do not fit are not written; make room, or write elsewhere by --outfile");
 }
 
 }  // namespace dspm

@@ -23,7 +23,7 @@ constexpr std::chrono::seconds kGrace{5};
 
 int even(int size) { return size + size % 2; }
 
-/// Row y with its last pixel once more where their number is odd.
+/// Row y, with its last pixel repeated if their number is odd.
 Image even_row(const Image& image, int y) {
   Image row(even(image.width), 1);
   for (int x = 0; x < row.width; ++x)
@@ -33,7 +33,7 @@ Image even_row(const Image& image, int y) {
 
 std::vector<std::string> command(const std::filesystem::path& file, const VideoFormat& format) {
   const float rate = format.frames_per_second > 0 ? format.frames_per_second : kUsualRate;
-  // What comes in are sRGB's numbers. For Y'CbCr players expect the matrix of BT.709; ffmpeg's own is that of BT.601.
+  // The input is in sRGB. For Y'CbCr, players expect the matrix of BT.709; ffmpeg's default is that of BT.601.
   const std::string input = fmt::format("-pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0",
                                         even(format.width), even(format.height), rate);
   std::istringstream words(
@@ -45,7 +45,7 @@ std::vector<std::string> command(const std::filesystem::path& file, const VideoF
   return command;
 }
 
-/// Where an end is wanted, ffmpeg gets some time for it from its last sign on.
+/// Once an end is wanted, ffmpeg gets some time after its last sign of life.
 ChildProcess::GiveUp after_grace(Video::EndWanted end_wanted) {
   using Clock = ChildProcess::Clock;
   return [end_wanted = std::move(end_wanted),
@@ -94,8 +94,8 @@ std::unique_ptr<Video::Encoder> Video::encoder(ChildProcess::GiveUp give_up) con
   } catch (const std::system_error& error) {
     const bool missing = error.code() == std::errc::no_such_file_or_directory;
     throw WriteError(path_,
-                     missing ? "a video takes the program ffmpeg, and there is none; install it, or leave out the video"
-                             : fmt::format("the program ffmpeg cannot be run ({}); mend it, or leave out the video",
+                     missing ? "a video needs the program ffmpeg, which is missing; install it, or leave out the video"
+                             : fmt::format("the program ffmpeg cannot be run ({}); repair it, or leave out the video",
                                            error.code().message()));
   }
 }
@@ -109,7 +109,7 @@ void Video::end(Encoder& encoder) {
     fail(fmt::format("ffmpeg failed with exit code {}, saying: {}", code, said.empty() ? "nothing" : said));
   // Not every error shows in the exit code.
   if (said != always_said_.value_or(said)) fail("ffmpeg failed, saying: " + said);
-  if (!is_whole_mp4(encoder.file.temporary())) fail("what ffmpeg wrote is no whole video");
+  if (!is_whole_mp4(encoder.file.temporary())) fail("ffmpeg did not write a complete video");
   always_said_ = said;
 }
 

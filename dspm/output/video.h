@@ -1,4 +1,4 @@
-// Images to a film: H.264 in an .mp4, made by the program ffmpeg, which is no part of dspm.
+// Images to a film: H.264 in an .mp4, made by the program ffmpeg, which dspm does not include.
 #pragma once
 
 #include <exception>
@@ -15,23 +15,23 @@
 namespace dspm {
 
 struct VideoFormat {
-  int width = 0, height = 0;    // of the images; the film's are even, as H.264 wants them
-  float frames_per_second = 0;  // 0: none was asked for, which makes 24
+  int width = 0, height = 0;    // of the images; the film's are even, as H.264 requires
+  float frames_per_second = 0;  // 0: not given, which means 24
 };
 
 /// The file appears at the end, or not at all.
 class Video {
  public:
-  /// Whether the user wants an end. Then nobody waits long for an ffmpeg that does not move.
+  /// Whether the user wants an end. If so, nothing waits long for an ffmpeg that hangs.
   using EndWanted = std::function<bool()>;
 
-  /// Tries ffmpeg on a black image. Throws WriteError where there is none, where it fails, or where the file
-  /// cannot be written: all of that is better known before rendering.
+  /// Tries ffmpeg on a black image, to find errors before rendering. Throws WriteError if there is no ffmpeg, if it
+  /// fails, or if the file cannot be written.
   Video(std::filesystem::path path, const VideoFormat& format, EndWanted end_wanted = {});
 
-  /// The next image, which has been tone mapped. Errors are told by finish().
+  /// The next image, which has been tone mapped. Errors are reported by finish().
   void add(const Image& shown);
-  /// Writes the file with the images so far; without any, there is none. Throws WriteError.
+  /// Writes the file with the images so far; without any, no file. Throws WriteError.
   void finish();
 
  private:
@@ -40,15 +40,15 @@ class Video {
     AtomicFile file;
     ChildProcess ffmpeg;
   };
-  /// Throws where ffmpeg cannot be run.
+  /// Throws if ffmpeg cannot be run.
   std::unique_ptr<Encoder> encoder(ChildProcess::GiveUp give_up) const;
-  /// Waits for it; throws where it failed.
+  /// Waits for it; throws if it failed.
   void end(Encoder& encoder);
 
   std::filesystem::path path_;
   VideoFormat format_;
   EndWanted end_wanted_;
-  std::optional<std::string> always_said_;  // by ffmpeg, in the trial as well: no error
+  std::optional<std::string> always_said_;  // by ffmpeg, even in the trial: not an error
   std::unique_ptr<Encoder> encoder_;        // from the first image on
   std::exception_ptr failure_;              // of its start
 };

@@ -1,4 +1,4 @@
-// Whether an .mp4 was written to its end.
+// Whether an .mp4 was written completely.
 #pragma once
 
 #include <filesystem>

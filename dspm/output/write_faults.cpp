@@ -51,16 +51,16 @@ std::map<std::string, std::string> WriteFaults::by_cause() const {
   return words;
 }
 
-void WriteFaults::tell() {
+void WriteFaults::report() {
   for (const auto& [cause, files] : by_cause())
     if (told_.insert(cause).second)
       messages_.warn(fmt::format("cannot write {}: {}", files, cause),
                      "the render goes on, and every later write tries again");
-  if (!any() && !std::exchange(was_whole_, true)) messages_.say("what could not be written is written now");
+  if (!any() && !std::exchange(was_whole_, true)) messages_.say("the files that could not be written are written now");
   was_whole_ = !any();
 }
 
-void WriteFaults::tell_end() const {
+void WriteFaults::report_missing() const {
   for (const auto& [cause, files] : by_cause()) messages_.fail(fmt::format("cannot write {}: {}", files, cause));
 }
 

@@ -1,5 +1,5 @@
-// Files that cannot be written while a render goes on. A render is worth more than a file, so it does not end for that:
-// what is wrong is said once, every later write tries anew, and the end knows what is missing.
+// Files that cannot be written during a render. A render is worth more than a file, so it goes on: a fault is reported
+// once, every later write tries again, and the end reports what is missing.
 #pragma once
 
 #include <filesystem>
@@ -18,18 +18,19 @@ class WriteFaults {
   enum class Failed { dropped, kept };
   explicit WriteFaults(Messages& messages) : messages_(messages) {}
 
-  /// Calls `write`, which writes this file and perhaps others that belong to it. A WriteError and a lack of memory end
-  /// here. Whether it went well; if not, `write` is kept for retry() where nobody else will write this file.
+  /// Calls `write`, which writes this file and perhaps others that belong to it. Catches WriteError and a lack of
+  /// memory. Returns whether it went well; if not, Failed::kept keeps `write` for retry(), as nothing else will write
+  /// this file.
   bool attempt(const std::filesystem::path& file, const Write& write, Failed failed = Failed::dropped);
-  /// What is kept, once more.
+  /// Tries the kept writes again.
   void retry();
 
-  /// There is a file whose last attempt failed.
+  /// Whether the last attempt failed for any file.
   bool any() const { return !failed_.empty(); }
-  /// After writing, in a render that goes on: causes that are new, and that all is well again.
-  void tell();
-  /// In the end: which files are missing, and why.
-  void tell_end() const;
+  /// After writing, in a render that goes on: new causes, or that all is well again.
+  void report();
+  /// At the end: which files are missing, and why.
+  void report_missing() const;
 
  private:
   struct Failure {
@@ -42,7 +43,7 @@ class WriteFaults {
   Messages& messages_;
   std::map<std::filesystem::path, Failure> failed_;  // in their last attempt
   std::set<std::string> told_;                       // causes
-  bool was_whole_ = true;                            // when last told
+  bool was_whole_ = true;                            // when last reported
 };
 
 }  // namespace dspm

@@ -10,8 +10,8 @@
 
 namespace dspm {
 
-/// `image` holds the pixels of crop_of(film). The name's ending chooses OpenEXR, where `header` is completed by the place
-/// of the crop, or PNG through `tone`. Throws WriteError.
+/// `image` holds the pixels of crop_of(film). The extension chooses OpenEXR, with the place of the crop added to
+/// `header`, or PNG through `tone`. Throws WriteError.
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const ToneMap& tone = {});
 

@@ -110,8 +110,7 @@ std::optional<Spectrum> ParamReader::spectrum(const Param& param) {
 std::optional<Spectrum> ParamReader::spectrum_from_file(const Param& param, const std::string& name) {
   const std::filesystem::path path = existing_file(param, name);
   if (path.empty()) {
-    diagnostics_.error(param.values_where,
-                       fmt::format("unknown spectrum \"{}\", and no file has that name", name),
+    diagnostics_.error(param.values_where, fmt::format("unknown spectrum \"{}\", and no file has that name", name),
                        did_you_mean(name, spectrum_names()));
     return std::nullopt;
   }

@@ -12,10 +12,10 @@ struct NamedFile {
   std::string what;  // "the video"
 };
 
-/// Whatever the spelling, and whether it exists.
+/// However they are spelled, and whether or not they exist.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Throws UsageError where one that is written is another one, or one that is read, and names both.
+/// Throws UsageError, naming both, if a file is written under two names or is both read and written.
 void expect_distinct(const std::vector<NamedFile>& read, const std::vector<NamedFile>& written);
 
 }  // namespace dspm

@@ -15,7 +15,7 @@ std::size_t frames_in(Parts parts) {
   return sum;
 }
 
-/// Consecutive parts, as many as fit, again and again.
+/// Packs of consecutive parts, each of as many as fit.
 std::vector<Parts> packed(Parts parts, std::size_t together) {
   std::vector<Parts> packs;
   for (std::size_t first = 0; first < parts.size();) {

@@ -1,4 +1,5 @@
-// How the frames of a run are cut up where not all are rendered together: so that an interval's frames share most.
+// How the frames of a run are divided into intervals if not all are rendered together: so that the frames of an
+// interval share as much as possible.
 #pragma once
 
 #include <span>
@@ -14,11 +15,12 @@ using FrameList = std::vector<Frame>;
 
 class FrameIntervals {
  public:
-  /// What moves paths varies slowest, then what has most places: frames that differ in looks only stay together.
+  /// Factors that move paths vary slowest, then those with the most places: frames that differ only in looks stay
+  /// together.
   FrameIntervals(const SceneDescription& scene, const FrameList& frames);
 
-  /// Intervals of at most `together` frames, in the order of their first frames. Where whole inner products of the
-  /// factors fit, an interval holds whole ones; their lengths are as equal as that allows.
+  /// Intervals of at most `together` frames, in the order of their first frames. If whole inner products of the
+  /// factors fit, an interval holds whole ones; lengths are as equal as that allows.
   std::vector<FrameList> cut(int together) const;
 
  private:

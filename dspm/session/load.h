@@ -1,4 +1,4 @@
-// From scene files to all that a render needs.
+// From scene files to everything that a render needs.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace dspm {
 
-/// Throws SceneError with everything that is wrong with the scene; warnings and notes have been shown by then.
+/// Throws SceneError with all errors of the scene; warnings and notes have been shown by then.
 struct LoadedScene {
   /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone.
   LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
               std::optional<Frame> only = std::nullopt);
-  /// The same of a text in memory; files that it names are looked for beside `name`.
+  /// The same from a text in memory; files that it names are looked for next to `name`.
   LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics);
 
   std::unique_ptr<const SceneDescription> description;  // locations in messages point into it
@@ -27,13 +27,13 @@ struct LoadedScene {
   void make(const Choices& choices, Diagnostics& diagnostics);
 };
 
-/// Frames, pixels, shapes, ... in a line.
+/// Frames, pixels, shapes, ... in one line.
 std::string summary_of(const LoadedScene& loaded);
 
-/// The names of the variations that are chosen, a line each; throws SceneError and UsageError likewise.
+/// The names of the chosen variations, one per line; throws SceneError and UsageError, too.
 std::string variation_names(const std::vector<std::string>& files, const Choices& choices);
 
-/// The scene files' text in canonical form; throws SceneError where it cannot be read.
+/// The scene files' text in canonical form; throws SceneError if it cannot be read.
 std::string formatted(const std::vector<std::string>& files);
 
 }  // namespace dspm

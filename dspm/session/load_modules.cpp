@@ -74,7 +74,7 @@ void load_modules(const SceneDescription& description, Diagnostics& diagnostics)
     if (file.empty()) {
       diagnostics.error(
           use.where, fmt::format("there is no module \"{}\"", use.file),
-          fmt::format("it is looked for beside this file, beside the main file and in {}", kPathVariable));
+          fmt::format("it is looked for next to this file, next to the main file and in {}", kPathVariable));
       continue;
     }
     try {

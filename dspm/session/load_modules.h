@@ -1,4 +1,4 @@
-// Modules by the names that users give them: on the command line, in DSPM_PLUGIN_PATH, in a scene.
+// Loads the modules that users name: on the command line, in DSPM_PLUGIN_PATH, in a scene.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace dspm {
 
-/// All modules in the folders of DSPM_PLUGIN_PATH (separated by colons), and `files`, those of --plugin. Throws UsageError.
+/// All modules in the folders of DSPM_PLUGIN_PATH (separated by colons), and `files`, those of --plugin. Throws
+/// UsageError.
 void load_modules(const std::vector<std::string>& files);
 
 /// Those that the scene names: relative to the file that names them, else to the main file, else in DSPM_PLUGIN_PATH.

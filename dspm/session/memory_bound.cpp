@@ -17,10 +17,10 @@ namespace dspm {
 namespace {
 
 constexpr std::size_t kProgram = 10 << 20;          // code, libraries, a stack: all before the scene is read
-constexpr std::size_t kThreads = 64 * (128 << 10);  // stacks and working memory of so many
-// What is held differs by little between the plan and the run: an interval that fits into the plan must fit then.
+constexpr std::size_t kThreads = 64 * (128 << 10);  // stacks and working memory of 64 threads
+// Plan and run differ slightly in what they hold: an interval that fits in the plan must also fit in the run.
 constexpr std::size_t kLeeway = 1 << 20;
-constexpr int kReturnedFrom = 1 << 17;  // bytes of a block that goes back to the system as soon as it is freed
+constexpr int kReturnedFrom = 1 << 17;  // bytes; larger blocks go back to the system as soon as they are freed
 
 std::size_t allocated() {
   malloc_trim(0);
@@ -34,7 +34,7 @@ int longest(const std::vector<FrameList>& intervals) {
   return static_cast<int>(length);
 }
 
-/// All lengths that intervals may have at most, the longest first.
+/// The lengths that the longest interval can have, in descending order.
 std::vector<int> interval_lengths(const FrameIntervals& frames, int together) {
   std::vector<int> lengths;
   for (int most = together; most > 0; --most)
@@ -51,13 +51,13 @@ std::string in_words(std::size_t intervals, int length, int batches) {
 
 }  // namespace
 
-/// Makes for an interval what a run would make, and remembers what was too much.
+/// Makes what a run would make for an interval, and remembers why it did not fit.
 class MemoryBound::Trials {
  public:
   /// Of an interval that fits.
   struct Result {
     std::size_t share;  // bytes that its integrator may hold
-    int batches;        // in which the photons of an iteration come
+    int batches;        // of photons in an iteration
   };
 
   Trials(const MemoryBound& bound, const Job& job, const World& world, std::size_t writing,
@@ -90,7 +90,7 @@ class MemoryBound::Trials {
     }
   }
 
-  /// One each; nothing where one does not fit.
+  /// One each; empty if one does not fit.
   std::vector<Result> of(const std::vector<FrameList>& intervals) {
     std::vector<Result> results;
     for (const FrameList& interval : intervals) {
@@ -134,8 +134,8 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
   if (bytes_ == 0) return given.empty() ? frames.cut(job.plugin->frames_together) : given;
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
-    throw std::runtime_error(
-        fmt::format("{}: reading the scene took {}; a bound must leave room besides", bound, readable_bytes(peak)));
+    throw std::runtime_error(fmt::format("{}: reading the scene alone took {}; rendering needs a larger bound", bound,
+                                         readable_bytes(peak)));
 
   Trials trials(*this, job, world, writing, observer);
   const auto accepts = [&](const std::vector<FrameList>& intervals) {

@@ -1,7 +1,6 @@
 // --memory: how many frames are rendered together, and how much their integrator may hold, so that the whole process
-// keeps within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until
-// it is made there is one thread, of which malloc tells exactly what it holds; what others will take is a fixed
-// reserve.
+// stays within the bound. The same scene, settings and bound give the same plan, whatever the number of threads: until
+// it is made there is only one thread, for which malloc reports exactly what it holds; the others get a fixed reserve.
 #pragma once
 
 #include <optional>
@@ -18,16 +17,16 @@ namespace dspm {
 
 class MemoryBound {
  public:
-  /// To be made before the scene is read, by one thread from now on. 0: no bound.
+  /// To be made before the scene is read; from then on there is one thread. 0: no bound.
   explicit MemoryBound(std::size_t bytes);
 
-  /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the
-  /// figures where not even single frames fit. `writing`: what the images take while they are written; `given`: the
-  /// intervals of a run that is resumed, which stay as they are, or none. `observer`: may want an end.
+  /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the figures if
+  /// not even single frames fit. `writing`: bytes that images take while they are written. `given`: the intervals of a
+  /// resumed run, which are kept, or none. `observer`: may want an end.
   std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing,
                               const std::vector<FrameList>& given, const Messages& messages,
                               const SessionObserver& observer);
-  /// What the integrator of the plan's i-th interval may hold; 0: no bound.
+  /// How many bytes the integrator of the plan's i-th interval may hold; 0: no bound.
   std::size_t for_integrator(std::size_t i) const { return bytes_ == 0 ? 0 : shares_[i]; }
 
  private:

@@ -1,4 +1,4 @@
-// What a session says to its user: on stderr, unless somebody else listens.
+// Messages of a session to its user: on stderr, unless print() is overridden.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ class Messages {
 
   /// Warnings and, unless quiet, notes; each once. Errors are left to throw_if_errors.
   void show(const Diagnostics& diagnostics);
-  /// A warning of no place in a scene.
+  /// A warning without a place in a scene.
   void warn(std::string message, std::string hint = {});
 
   template <class... Values>

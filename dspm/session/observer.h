@@ -1,4 +1,4 @@
-// Who watches a session, saves it and stops it. Every function may be left as it is.
+// Watches a session, saves it and stops it. No function needs to be overridden.
 #pragma once
 
 #include <string>
@@ -9,33 +9,33 @@
 
 namespace dspm {
 
-/// Where a frame interval stands.
+/// How far a frame interval has come.
 struct IntervalProgress {
   std::size_t index = 0;  // of the interval
-  int iterations = 0;     // done, in this run and in those that it resumes
+  int iterations = 0;     // done, in this run and those that it resumes
   double seconds = 0;     // that they took
 };
 
 class SessionObserver {
  public:
-  /// Of an interval: those after an iteration, or the last that there will be.
+  /// Of an interval: those after an iteration, or its last ones.
   enum class Images { so_far, last };
 
   virtual ~SessionObserver() = default;
-  /// A step begins that may take long ("iteration 3"). `who` does the work; may be empty.
+  /// A step begins that may take a long time ("iteration 3"). `who` does the work; may be empty.
   virtual void step_begins(const std::string& /*step*/, const std::string& /*who*/) {}
   /// The first interval is ready to be rendered. `iterations`: of each interval; 0: until stopped.
   virtual void ready(const Scene&, Integrator&, int /*iterations*/) {}
-  /// May load an earlier state into the integrator, and returns where that stands.
+  /// May load an earlier state into the integrator; returns its progress.
   virtual IntervalProgress interval_begins(std::size_t index, Integrator&) { return {index, 0, 0}; }
   virtual void iteration_done(const IntervalProgress&, Integrator&) {}
   /// Time to save the images of this interval.
   virtual void images_due(const IntervalProgress&, Integrator&, Images) {}
-  /// An iteration threw, and the exception leaves the session. images_due comes first if there are images.
+  /// An iteration threw, and the exception leaves the session. If there are images, images_due comes first.
   virtual void iteration_failed() {}
   virtual void interval_ends(const IntervalProgress&, const Scene&, Integrator&) {}
 
-  /// Asked between iterations: end here, and write the images so far.
+  /// Called between iterations: whether to end here and write the images so far.
   virtual bool end_wanted() const { return false; }
   virtual bool images_wanted() { return false; }
 };

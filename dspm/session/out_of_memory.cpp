@@ -26,8 +26,8 @@ std::string out_of_memory(const std::string& step) {
   const LoadedModule* const module = module_that_threw();
   const std::string who = module != nullptr ? fmt::format("{} (in {})", step, in_words(*module)) : step;
   return fmt::format(
-      "out of memory: {} needs more than there is, after {} were taken; --memory with what there is makes a run fit or "
-      "says what it takes, and a smaller image, fewer photons or fewer frames (--frames) take less",
+      "out of memory: {} needs more than is available, after {} were taken; --memory with what is available makes the "
+      "run fit or says what it takes; a smaller image, fewer photons or fewer frames (--frames) take less",
       who, taken);
 }
 

@@ -1,4 +1,4 @@
-// What is said where memory ends: who needed it, how much was taken, and what helps.
+// The message when memory runs out: who needed it, how much was taken, and what helps.
 #pragma once
 
 #include <exception>
@@ -7,13 +7,13 @@
 
 namespace dspm {
 
-/// No allocation succeeded, or so much was asked for that none was tried.
+/// Whether an allocation failed, or was for so much that it was not even tried.
 bool is_out_of_memory(const std::exception& error);
 
-/// Of a step ("iteration 3"); in a catch clause.
+/// The message for a step ("iteration 3"); in a catch clause.
 std::string out_of_memory(const std::string& step);
 
-/// Returns task(). If it finds no memory, the error is a std::runtime_error that names step().
+/// Returns task(). If it runs out of memory, throws a std::runtime_error that names step().
 template <class Step, class Task>
 auto naming_memory_step(const Step& step, const Task& task) {
   try {

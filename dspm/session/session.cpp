@@ -1,15 +1,21 @@
 #include "dspm/session/session.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/out_of_memory.h"
+#include "dspm/session/revertible.h"
 #include "dspm/system/cancellation.h"
 
 namespace dspm {
 namespace {
+
+// Shorter iterations end within the ten seconds that a Ctrl-C leaves them, so they do without a copy of the state.
+// Nobody knows how long this run's first one takes.
+constexpr double kLongIteration = 5, kUnknown = std::numeric_limits<double>::infinity();
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -51,9 +57,8 @@ void Session::render_interval(std::size_t index) {
       make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
   const int iterations = loaded_.job.iterations(*integrator);
   if (iterations == 0 && settings_.time_limit == 0 && intervals_.size() > 1)
-    throw UsageError(
-        fmt::format("{} frame intervals, one after the other, without an end: give --time-limit or --iterations",
-                    intervals_.size()));
+    throw UsageError(fmt::format("the first of {} frame intervals would never end: give --time-limit or --iterations",
+                                 intervals_.size()));
   if (index == 0) observer_.ready(*scene, *integrator, iterations);
   const IntervalProgress progress = iterate_to_the_end(index, *integrator, iterations);
   observer_.interval_ends(progress, *scene, *integrator);
@@ -63,20 +68,25 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& inte
   const double seconds = settings_.time_limit > 0 ? time_share(index) : 0;
   IntervalProgress progress = observer_.interval_begins(index, integrator);
   const double seconds_before = progress.seconds;
+  const int first = progress.iterations;
   const Clock::time_point begin = Clock::now();
   WriteSchedule schedule(settings_.write_every);
   if (iterations > 0 && progress.iterations >= iterations)
-    messages_.say("nothing is left of {} iterations; --iterations asks for more", iterations);
+    messages_.say("all {} iterations are done; ask for more by --iterations", iterations);
   const auto finished = [&] {
     return (iterations > 0 && progress.iterations >= iterations) || observer_.end_wanted() ||
            (settings_.time_limit > 0 && progress.iterations > 0 && seconds_since(begin) >= seconds);
   };
-  while (!finished() && iterate(progress, integrator)) {
+  const auto expected = [&] {
+    const int done = progress.iterations - first;
+    return done > 0 ? seconds_since(begin) / done : kUnknown;
+  };
+  while (!finished() && iterate(progress, integrator, expected())) {
     ++progress.iterations;
     progress.seconds = seconds_before + seconds_since(begin);
     observer_.iteration_done(progress, integrator);
     const bool wanted = observer_.images_wanted();
-    if (wanted) messages_.say("images of {} iterations were asked for", progress.iterations);
+    if (wanted) messages_.say("writing the images after {} iterations, as requested", progress.iterations);
     if ((schedule.due(progress.iterations) || wanted) && !finished())
       write(progress, integrator, SessionObserver::Images::so_far);
   }
@@ -85,15 +95,29 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& inte
   return progress;
 }
 
-bool Session::iterate(const IntervalProgress& before, Integrator& integrator) {
-  constexpr std::size_t kLibraries = 1 << 20;  // what OpenEXR and zlib take besides
+void Session::iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const {
+  if (before.iterations == 0) {  // nothing can be lost
+    const Cancellable cancellable;
+    return integrator.iterate(0);
+  }
+  const std::optional<std::uint64_t> copy = state_bytes(integrator);
+  const std::size_t share = memory_.for_integrator(before.index);
+  const bool fits = copy && (share == 0 || integrator.statistics().bytes + *copy <= share);
+  if (fits && expected >= kLongIteration)
+    iterate_revertibly(integrator, before.iterations);
+  else
+    integrator.iterate(before.iterations);
+}
+
+bool Session::iterate(const IntervalProgress& before, Integrator& integrator, double expected) {
+  constexpr std::size_t kLibraries = 1 << 20;  // for OpenEXR and zlib
   const std::string step = fmt::format("iteration {}", before.iterations + 1);
   observer_.step_begins(step, integrator_);
   try {
-    // Address space only. It is free again in the catch clause, so that images are written even if memory ends.
+    // Address space only. It is free again in the catch clause, so that images can be written even if memory runs out.
     const std::unique_ptr<char[]> reserve(new (std::nothrow) char[settings_.bytes_for_writing + kLibraries]);
-    asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may leave out what nobody uses
-    naming_memory_step([&] { return step; }, [&] { integrator.iterate(before.iterations); });
+    asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may drop the unused allocation
+    naming_memory_step([&] { return step; }, [&] { iterate_cancellably(before, integrator, expected); });
     return true;
   } catch (const Cancelled&) {
     return false;

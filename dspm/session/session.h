@@ -1,5 +1,5 @@
-// A render without a command line: frame intervals one after the other, each iterated until it has its iterations, its
-// time is up, or somebody wants to end it. What is done with the images is the observer's business.
+// A render without a command line: frame intervals one after the other, each iterated until its iterations are done,
+// its time is up, or the observer wants an end. The observer decides what happens to the images.
 #pragma once
 
 #include <chrono>
@@ -17,8 +17,8 @@ namespace dspm {
 
 struct SessionSettings {
   double time_limit = 0;              // seconds for all intervals; 0: none
-  Interval write_every;               // images so far
-  std::size_t bytes_for_writing = 0;  // kept free while an iteration runs, so that images are written if memory ends
+  Interval write_every;               // of the images so far
+  std::size_t bytes_for_writing = 0;  // kept free during an iteration, to write images if memory runs out
 };
 
 class Session {
@@ -28,7 +28,7 @@ class Session {
           const SessionSettings& settings, Messages& messages, SessionObserver& observer);
 
   /// All intervals, or until the observer wants an end. Throws SceneError if the scene cannot be rendered after all,
-  /// UsageError if there would be no end, and what an iteration throws.
+  /// UsageError if the render would never end, and whatever an iteration throws.
   void run();
 
  private:
@@ -36,10 +36,11 @@ class Session {
 
   void render_interval(std::size_t index);
   IntervalProgress iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations);
-  /// False: the iteration was given up.
-  bool iterate(const IntervalProgress& before, Integrator& integrator);
+  /// False: the iteration was cancelled. `expected`: seconds that it may take.
+  bool iterate(const IntervalProgress& before, Integrator& integrator, double expected);
+  void iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const;
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
-  /// Seconds for the interval: an equal share of what the intervals before it left.
+  /// Seconds for the interval: an equal share of the time that the intervals before it left.
   double time_share(std::size_t index) const;
 
   const LoadedScene& loaded_;

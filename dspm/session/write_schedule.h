@@ -1,4 +1,4 @@
-// When something is to be written between iterations.
+// When to write something between iterations.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ struct Interval {
 class WriteSchedule {
  public:
   explicit WriteSchedule(const Interval& every) : every_(every) {}
-  /// After that many iterations; the clock starts anew where it says yes.
+  /// Whether to write after that many iterations; if so, the clock starts anew.
   bool due(int iterations) {
     const std::chrono::duration<double> passed = Clock::now() - last_;
     const bool yes = (every_.iterations > 0 && iterations % every_.iterations == 0) ||

@@ -13,7 +13,7 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-/// Notes which vertices are split.
+/// Records which vertices are split.
 struct SplitVisitor : pmp::Default_orientation_visitor {
   explicit SplitVisitor(std::vector<int>& origins) : origins_(&origins) {}
   void duplicated_vertex(std::size_t from, std::size_t copy) {

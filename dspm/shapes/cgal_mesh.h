@@ -1,4 +1,4 @@
-// A triangle mesh as CGAL knows it. Only the files that work with CGAL include this.
+// A triangle mesh in CGAL's form. Only the files that work with CGAL include this.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,13 +14,13 @@ namespace dspm {
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;
 
-/// CGAL's surfaces are manifold and consistently oriented; where ours is not, faces are turned over and vertices split.
-/// A component in which all faces agree keeps its sides.
+/// CGAL's surfaces are manifold and consistently oriented; if ours is not, faces are turned over and vertices split. A
+/// component in which all faces agree keeps its sides.
 struct CgalMesh {
   CgalSurface surface;
   std::vector<int> vertices;  // of each of the surface's vertices: its number in the mesh
   std::vector<int> faces;     // of each of the surface's faces: its number among the faces given
-  bool split = false;         // there were edges or vertices around which the faces do not form one sheet
+  bool split = false;         // around some edges or vertices, the faces do not form one sheet
 };
 
 /// Faces with a repeated vertex and vertices that no face uses are left out.

@@ -1,15 +1,15 @@
 // Shape "cylinder" "float radius" 0.5 "float zmin" 0 "float zmax" 2
 //
-// The mantle of a cylinder around the z axis, without caps. Its outside is outside.
+// A cylinder around the z axis, without caps. Its normals point away from the axis.
 //
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |
 // | radius    | 1       | radius |
 // | zmin      | -1      | lower end |
 // | zmax      | 1       | upper end |
-// | phimax    | 360     | how far it reaches around z (degrees) |
+// | phimax    | 360     | the angle that it covers around z (degrees) |
 //
-// u runs around z from the x axis on, v from zmin to zmax. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.3]
+// u runs around z from the x axis, v from zmin to zmax. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.3]
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
@@ -71,7 +71,7 @@ std::vector<ShapePart> make_cylinder(ParamReader& reader) {
   const float z0 = reader.number("zmin", -1, "scene units", "lower end");
   const float z1 = reader.number("zmax", 1, "scene units", "upper end");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces that are cut out by a texture");
+  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   std::vector<ShapePart> parts;

@@ -1,15 +1,15 @@
 // Shape "disk" "float radius" 0.5
 //
-// A disk, ring or sector in the plane z = height. Its outside is towards +z.
+// A disk, ring or sector in the plane z = height. Its normal is +z.
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
 // | height      | 0       | z of the plane |
 // | radius      | 1       | outer radius |
 // | innerradius | 0       | radius of the hole |
-// | phimax      | 360     | how far it reaches around z (degrees) |
+// | phimax      | 360     | the angle that it covers around z (degrees) |
 //
-// u runs around z from the x axis on, v from the rim inwards. [Pharr, Jakob, Humphreys, Physically Based
+// u runs around z from the x axis, v from the rim inward. [Pharr, Jakob, Humphreys, Physically Based
 // Rendering, 6.4]
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
@@ -53,7 +53,7 @@ class Disk final : public Shape {
     return static_cast<float>(0.5 * sweep_.phi_max() * (double{r_} - inner_) * (double{r_} + inner_));
   }
 
-  // Area within a radius grows with its square.
+  // The area within a radius grows with its square.
   Vec2 sample_area(int, Vec2 u) const override {
     const double inner2 = double{inner_} * inner_, outer2 = double{r_} * r_;
     return {u.x, v_of(std::sqrt(outer2 + u.y * (inner2 - outer2)))};
@@ -80,7 +80,7 @@ std::vector<ShapePart> make_disk(ParamReader& reader) {
   const float radius = read_positive(reader, "radius", 1, "outer radius");
   const float inner = reader.number("innerradius", 0, "scene units", "radius of the hole");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces that are cut out by a texture");
+  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   std::vector<ShapePart> parts;

@@ -1,14 +1,14 @@
 // Shape "loopsubdiv" "integer levels" 3 "integer indices" [...] "point3 P" [...]
 //
-// The smooth surface that a coarse mesh of triangles stands for, by Loop's subdivision: each level cuts every triangle
-// in four and moves the vertices. Shading normals are the limit surface's. Rims follow their own curve.
+// The smooth surface of a coarse mesh of triangles, by Loop's subdivision: each level splits every triangle in four and
+// moves the vertices. Shading normals are those of the limit surface. Rims follow their own curve.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |
-// | levels    | 3        | how often triangles are cut in four, at most 10 |
-// | indices   | required | three indices into P a triangle, from 0 |
+// | levels    | 3        | how often triangles are split in four, at most 10 |
+// | indices   | required | three indices into P per triangle, from 0 |
 // | P         | required | the vertices |
-// | scheme    | "loop"   | nothing else |
+// | scheme    | "loop"   | the only choice |
 //
 // [Loop 1987, Smooth Subdivision Surfaces Based on Triangles], by CGAL.
 #include <CGAL/subdivision_method_3.h>
@@ -31,7 +31,7 @@ DoubleVec3 cross(const DoubleVec3& a, const DoubleVec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// A vertex and those around it, in order; on a rim, from one open edge to the other.
+/// A vertex and its neighbours, in order; on a rim, from one open edge to the other.
 struct Neighbourhood {
   DoubleVec3 p;
   std::vector<DoubleVec3> ring;
@@ -109,7 +109,7 @@ MeshData limit_mesh(const CgalSurface& surface) {
 }  // namespace
 
 std::vector<ShapePart> make_loopsubdiv(ParamReader& reader) {
-  const int levels = reader.integer("levels", 3, "", "how often triangles are cut in four");
+  const int levels = reader.integer("levels", 3, "", "how often triangles are split in four");
   MeshData coarse = read_triangles(reader);
   reader.choice("scheme", "loop", {"loop"}, "the kind of subdivision");
   const bool repair = read_repair(reader);
@@ -118,12 +118,12 @@ std::vector<ShapePart> make_loopsubdiv(ParamReader& reader) {
 
   const double triangles = std::pow(4, levels) * static_cast<double>(coarse.faces.size());
   if (levels < 0 || levels > 10 || triangles > kMostTriangles) {
-    reader.error("levels", "\"levels\" must be from 0 to 10 and make at most 50 million triangles");
+    reader.error("levels", "\"levels\" must be from 0 to 10 and give at most 50 million triangles");
     return {};
   }
   if (fault_of(coarse)) return mesh_part(reader, std::move(coarse), repair);
   CgalMesh mesh = to_cgal(coarse.vertices, coarse.faces);
-  if (mesh.split) reader.warning("indices", "the mesh is not one sheet everywhere: it is cut there");
+  if (mesh.split) reader.warning("indices", "the mesh is not a single sheet everywhere: it is split where it is not");
   CGAL::Subdivision_method_3::Loop_subdivision(mesh.surface, CGAL::parameters::number_of_iterations(levels));
   return mesh_part(reader, limit_mesh(mesh.surface), repair);
 }

@@ -31,7 +31,7 @@ void count(Fault& fault, const Vec3& where) {
   if (fault.count++ == 0) fault.where = where;
 }
 
-// The lowest pair stands for all: CGAL's order of pairs is its own affair.
+// The lowest face is reported, because CGAL's order of pairs is unspecified.
 Fault self_intersections(const CgalMesh& mesh, const std::vector<Vec3>& vertices, const std::vector<Face>& faces) {
   const auto number = [&](CgalSurface::Face_index f) { return mesh.faces[f.idx()]; };
   std::vector<CgalSurface::Face_index> solid;
@@ -69,7 +69,7 @@ MeshReport check_mesh(const TriangleMesh& mesh) {
   report.holes = count_holes(edges);
 
   const CgalMesh cgal = to_cgal(vertices, faces);
-  // Where turning faces over is not enough, CGAL's surface is cut open.
+  // If turning faces over is not enough, CGAL's surface is cut open.
   int rim = 0;
   for (const auto e : cgal.surface.edges()) rim += cgal.surface.is_border(e) ? 1 : 0;
   report.orientable = report.crowded_edges.count > 0 || rim == report.open_edges.count;
@@ -91,9 +91,9 @@ std::vector<std::string> describe(const MeshReport& report) {
   say(report.open_edges, fmt::format("it is not closed but has {} hole{}", report.holes, report.holes == 1 ? "" : "s"),
       "open edge", "open edges");
   say(report.crowded_edges, "more than two faces share an edge", "such edge", "such edges");
-  say(report.twisted_edges, "neighbouring faces do not agree about the outside", "edge", "edges");
+  say(report.twisted_edges, "neighbouring faces disagree about the outside", "edge", "edges");
   if (!report.orientable) sentences.push_back("it has only one side, like a Moebius strip");
-  if (!report.outward) sentences.push_back("it is inside out, or some of its parts are");
+  if (!report.outward) sentences.push_back("it is inside out, or some of its components are");
   say(report.self_intersections, "it intersects itself", "pair of faces", "pairs of faces");
   return sentences;
 }

@@ -1,4 +1,4 @@
-// Is a mesh what a glass body must be: closed, with one outside, and nowhere through itself?
+// Whether a mesh is fit for a glass body: closed, with one outside, and without self-intersections.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// How often something is wrong, and where for the first time (in the mesh's own space).
+/// How often a fault occurs, and where it occurs first (in the mesh's own space).
 struct Fault {
   int count = 0;
   Vec3 where;
@@ -19,12 +19,12 @@ struct MeshReport {
   Fault open_edges;            // edges of one face only
   int holes = 0;               // rims that they form
   Fault crowded_edges;         // edges of more than two faces
-  Fault twisted_edges;         // edges whose two faces do not agree about the outside
+  Fault twisted_edges;         // edges whose two faces disagree about the outside
   bool orientable = true;      // turning faces over can make all agree
-  bool outward = true;         // the outside is outside; judged where the mesh is closed and all faces agree
+  bool outward = true;         // normals point outward; judged only if the mesh is closed and all faces agree
   Fault self_intersections;    // pairs of faces that meet other than in a common edge or vertex
   Fault flat_faces;            // without area
-  int duplicate_vertices = 0;  // at the place of an earlier vertex; harmless, texture seams are made of them
+  int duplicate_vertices = 0;  // at the place of an earlier vertex; harmless: texture seams have them
 
   bool closed() const { return open_edges.count == 0 && crowded_edges.count == 0; }
   /// Fit to be made of glass.
@@ -35,7 +35,7 @@ struct MeshReport {
 
 MeshReport check_mesh(const TriangleMesh& mesh);
 
-/// What is wrong and where, a sentence each; empty for a sound mesh.
+/// The faults and where they are, one sentence each; empty for a sound mesh.
 std::vector<std::string> describe(const MeshReport& report);
 
 }  // namespace dspm

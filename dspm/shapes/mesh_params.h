@@ -1,4 +1,4 @@
-// What all plugins that make meshes read, and how they say that a file is bad.
+// The parameters that all mesh plugins read, and their error for a bad file.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,31 +12,32 @@
 namespace dspm {
 
 inline bool read_repair(ParamReader& reader) {
-  return reader.flag("repair", false, "mend the mesh where it is no closed surface");
+  return reader.flag("repair", false, "repair the mesh if it is not a closed surface");
 }
 
-/// What pbrt's meshes have and dspm's do not.
+/// Parameters of pbrt's meshes that dspm does not support.
 inline void refuse_mesh_params(ParamReader& reader) {
-  reader.unsupported("alpha", "surfaces that are cut out by a texture");
+  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.unsupported("displacement", "displaced surfaces");
   reader.unsupported("edgelength", "displaced surfaces");
-  reader.unsupported("faceIndices", "textures by face");
+  reader.unsupported("faceIndices", "textures per face");
   reader.unsupported("emissionfilename", "emission from an image");
 }
 
-/// Reads "indices" and "P", pbrt's default for a single triangle included.
+/// Reads "indices" and "P", including pbrt's default for a single triangle.
 inline MeshData read_triangles(ParamReader& reader) {
   MeshData mesh;
-  std::vector<int> indices = reader.integers("indices", "three indices of vertices a triangle");
+  std::vector<int> indices = reader.integers("indices", "three vertex indices per triangle");
   mesh.vertices = reader.points3("P", "the vertices");
   if (indices.empty() && mesh.vertices.size() == 3) indices = {0, 1, 2};
-  if (indices.size() % 3 != 0) reader.error("indices", fmt::format("{} indices do not make triangles", indices.size()));
+  if (indices.size() % 3 != 0)
+    reader.error("indices", fmt::format("the number of indices, {}, is not a multiple of 3", indices.size()));
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
     mesh.faces.push_back({indices[i], indices[i + 1], indices[i + 2]});
   return mesh;
 }
 
-/// The part that `mesh` makes, or none after an error.
+/// `mesh` as a single ShapePart, or none after an error.
 inline std::vector<ShapePart> mesh_part(ParamReader& reader, MeshData mesh, bool repair) {
   std::vector<ShapePart> parts;
   if (const auto fault = fault_of(mesh))

@@ -57,7 +57,7 @@ void close_cracks(const std::vector<Vec3>& vertices, const std::vector<Face>& fa
     while (moved[static_cast<std::size_t>(p)] >= 0) p = moved[static_cast<std::size_t>(p)];
 }
 
-/// The faces that have an extent and have not been there before (whichever way round), as indices.
+/// The indices of the faces that are neither degenerate nor duplicates (in either orientation) of earlier ones.
 std::vector<int> distinct_faces(const std::vector<Face>& faces) {
   std::set<Face> seen;
   std::vector<int> kept;
@@ -94,7 +94,7 @@ void fill_small_holes(CgalSurface& surface, float largest) {
   }
 }
 
-/// A closed surface is turned outwards; of others, each component keeps the side that most of its faces had.
+/// A closed surface is turned outward; in others, each component keeps the side that most of its faces had.
 void orient(CgalMesh& mesh, const std::vector<Face>& before) {
   CgalSurface& surface = mesh.surface;
   if (CGAL::is_closed(surface)) return pmp::orient_to_bound_a_volume(surface);
@@ -111,8 +111,8 @@ void orient(CgalMesh& mesh, const std::vector<Face>& before) {
   pmp::reverse_face_orientations(wrong, surface);
 }
 
-/// The plan's faces: the original's corners (which texture seams may tell apart), turned where need be, and the
-/// filling.
+/// The plan's faces: the original ones with their own corners (which texture seams may distinguish), turned if needed,
+/// and the filling.
 void take_faces(const CgalMesh& mesh, const std::vector<Face>& welded, RepairPlan& plan) {
   for (const auto f : mesh.surface.faces()) {
     const Face now = corners(mesh, f);
@@ -132,7 +132,7 @@ DoubleVec3 area_vector_of(const MeshData& mesh, const Face& f) {
   return area_vector(at(mesh.vertices, f[0]), at(mesh.vertices, f[1]), at(mesh.vertices, f[2]));
 }
 
-/// Turns normals to the side of the faces around them. Where a face would still be turned over by its normals (see
+/// Turns normals to the side of the faces around them. If a face would still be turned over by its normals (see
 /// TriangleMesh), they are dropped.
 void turn_normals(MeshData& mesh) {
   std::vector<DoubleVec3> sides(mesh.vertices.size(), DoubleVec3{0, 0, 0});
@@ -183,7 +183,7 @@ bool fits(const RepairPlan& plan, const TriangleMesh& mesh) {
 }
 
 TriangleMesh apply(const RepairPlan& plan, const TriangleMesh& mesh) {
-  if (!fits(plan, mesh)) throw std::invalid_argument("the repair was planned for a mesh with other faces");
+  if (!fits(plan, mesh)) throw std::invalid_argument("the repair was planned for a mesh with different faces");
   MeshData mended{mesh.vertices(), mesh.normals(), mesh.uvs(), plan.faces};
   for (std::size_t i = 0; i < plan.place.size(); ++i) mended.vertices[i] = at(mesh.vertices(), plan.place[i]);
   if (!mended.normals.empty()) turn_normals(mended);
@@ -196,8 +196,7 @@ std::vector<std::string> describe(const RepairPlan& plan) {
     if (count > 0) sentences.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
   };
   say(plan.moved_vertices, "vertex was moved to close a crack", "vertices were moved to close cracks");
-  say(plan.dropped_faces, "face without extent or there twice was dropped",
-      "faces without extent or there twice were dropped");
+  say(plan.dropped_faces, "degenerate or duplicate face was dropped", "degenerate or duplicate faces were dropped");
   say(plan.turned_faces, "face was turned over", "faces were turned over");
   say(plan.new_faces, "face was added to fill holes", "faces were added to fill holes");
   say(plan.open_edges, "open edge remains", "open edges remain");

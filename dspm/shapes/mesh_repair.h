@@ -1,6 +1,6 @@
-// Mends meshes that should be closed bodies: vertices that should be one are put at one place, small holes are filled,
-// faces are turned outwards. What is to be done is found once and then done to every frame of a sequence, so that all
-// frames have the same faces.
+// Repairs meshes that should be closed bodies: moves vertices that should be one to the same place, fills small holes,
+// turns faces outward. The repair is planned once and then applied to every frame of a sequence, so that all frames
+// have the same faces.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace dspm {
 
 struct RepairPlan {
   std::vector<Face> before;  // the faces for which the plan was made
-  std::vector<Face> faces;   // those of the mended mesh, between the same vertices
-  std::vector<int> place;    // for every vertex the one whose place it takes
+  std::vector<Face> faces;   // those of the repaired mesh, between the same vertices
+  std::vector<int> place;    // for every vertex, the one whose place it takes
   int moved_vertices = 0;    // closed cracks
-  int dropped_faces = 0;     // without extent, or there twice
+  int dropped_faces = 0;     // degenerate or duplicate
   int turned_faces = 0;
   int new_faces = 0;   // fill holes
   int open_edges = 0;  // remain
@@ -33,7 +33,7 @@ bool fits(const RepairPlan& plan, const TriangleMesh& mesh);
 /// Throws std::invalid_argument unless the plan fits. Vertex normals are turned with their faces.
 TriangleMesh apply(const RepairPlan& plan, const TriangleMesh& mesh);
 
-/// What the plan changes, a sentence each.
+/// The changes of the plan, one sentence each.
 std::vector<std::string> describe(const RepairPlan& plan);
 
 }  // namespace dspm

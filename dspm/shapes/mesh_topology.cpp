@@ -53,7 +53,7 @@ std::vector<Edge> edges_of(const std::vector<Face>& faces) {
 }
 
 int count_holes(const std::vector<Edge>& edges) {
-  std::map<int, int> parents;  // a forest over the vertices of open edges: one tree a rim
+  std::map<int, int> parents;  // a forest over the vertices of open edges: one tree per rim
   const auto root = [&](int v) {
     while (parents.at(v) != v) v = parents[v] = parents.at(parents.at(v));
     return v;

@@ -1,4 +1,4 @@
-// How the faces of a mesh hang together, by the places of their vertices: texture seams do not tear a surface apart.
+// How the faces of a mesh are connected, by the places of their vertices: texture seams do not separate a surface.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// For every vertex the first vertex that lies exactly at its place (itself, where it is the first).
+/// For every vertex, the first vertex at exactly its place (itself if it is the first).
 std::vector<int> weld(const std::vector<Vec3>& vertices);
 
 /// Faces with every vertex replaced by `place[vertex]`.
@@ -16,7 +16,7 @@ std::vector<Face> replace_vertices(std::vector<Face> faces, const std::vector<in
 
 inline bool has_repeated_vertex(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
 
-/// An edge and how many faces run along it either way, from its lower to its higher vertex or back.
+/// An edge, and the number of faces along it in either direction: from its lower to its higher vertex, or back.
 struct Edge {
   int low, high;
   int forward = 0, backward = 0;

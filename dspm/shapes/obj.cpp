@@ -17,7 +17,7 @@
 namespace dspm {
 namespace {
 
-/// A corner's indices from 0; -1: it has none.
+/// A corner's indices from 0; -1: none.
 struct Corner {
   int vertex, uv, normal;
   friend bool operator==(const Corner&, const Corner&) = default;
@@ -30,7 +30,7 @@ struct CornerHash {
   }
 };
 
-/// The file's numbers, which all faces refer to.
+/// The file's vertex data, to which all faces refer.
 struct Attributes {
   std::vector<Vec3> vertices, normals;
   std::vector<Vec2> uvs;
@@ -42,7 +42,7 @@ struct Faces {
   std::vector<Corner> corners;
   std::vector<std::size_t> ends;
 
-  /// A vertex for every corner that differs from all before it.
+  /// One vertex for every distinct corner.
   MeshData mesh(const Attributes& attributes) const {
     const auto any = [&](int Corner::*index) {
       return std::any_of(corners.begin(), corners.end(), [&](const Corner& c) { return c.*index >= 0; });
@@ -81,7 +81,7 @@ class MtlReader : public tinyobj::MaterialReader {
     const std::optional<std::string> text = companion_(name);
     if (!text) {
       out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name));
-      return true;  // it has been dealt with
+      return true;  // it has been handled
     }
     std::istringstream file(*text);
     std::vector<tinyobj::material_t> materials;
@@ -101,7 +101,7 @@ class MtlReader : public tinyobj::MaterialReader {
     if (seems_to_exist(directory_ / name))
       result.texture = std::filesystem::absolute(directory_ / name);
     else
-      out_.complaints.push_back(fmt::format("there is no texture \"{}\" of material \"{}\"", name, result.name));
+      out_.complaints.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", name, result.name));
     return result;
   }
 
@@ -110,7 +110,7 @@ class MtlReader : public tinyobj::MaterialReader {
   ObjFile& out_;
 };
 
-/// Collects what tinyobjloader calls back with. Faces are resolved at the end: they may come before their vertices.
+/// Collects the data of tinyobjloader's callbacks. Faces are resolved at the end: they may come before their vertices.
 class Collector {
  public:
   Collector(const std::string& group, bool split, ObjFile& out) : group_(group), split_(split), out_(out) {}
@@ -159,7 +159,7 @@ class Collector {
     faces.ends.push_back(faces.corners.size());
   }
 
-  // From OBJ's numbers: from 1 on, or from -1 backwards from what has been read so far; 0 where there is none.
+  // From OBJ's indices: counted from 1, or backwards from -1 for the last one read so far; 0 if there is none.
   static int absolute(int index, std::size_t so_far) {
     if (index > 0) return index - 1;
     return index < 0 ? std::max(static_cast<int>(so_far) + index, -1) : -1;
@@ -171,7 +171,7 @@ class Collector {
       throw std::runtime_error(
           fmt::format("a face refers to vertex {} of {}", c.vertex + 1, attributes_.vertices.size()));
     if (!within(c.uv, attributes_.uvs.size()) || !within(c.normal, attributes_.normals.size()))
-      throw std::runtime_error("a face refers to a normal or texture coordinate that is not there");
+      throw std::runtime_error("a face refers to a normal or texture coordinate that does not exist");
   }
 
   void note_name(const std::string& name) {
@@ -213,7 +213,7 @@ ObjFile parse_obj(const std::string& text, const std::filesystem::path& director
   Collector collector(group, split, out);
   std::string warning, error;
   if (!tinyobj::LoadObjWithCallback(lines, Collector::callbacks(), &collector, &mtl, &warning, &error))
-    throw std::runtime_error(error.empty() ? "it is no OBJ file" : error);
+    throw std::runtime_error(error.empty() ? "it is not an OBJ file" : error);
   collector.finish();
   return out;
 }

@@ -12,16 +12,16 @@
 
 namespace dspm {
 
-/// What dspm takes of an MTL material.
+/// The properties of an MTL material that dspm uses.
 struct ObjMaterial {
   std::string name;
   Rgb diffuse;                    // Kd
-  std::filesystem::path texture;  // map_Kd, as absolute path; empty where there is none
+  std::filesystem::path texture;  // map_Kd, as an absolute path; empty if there is none
 };
 
 /// The faces of one material (or of none), in the order of the file.
 struct ObjPart {
-  std::string material;  // as `usemtl` says it
+  std::string material;  // as `usemtl` names it
   MeshData mesh;
 };
 
@@ -29,14 +29,14 @@ struct ObjFile {
   std::vector<ObjPart> parts;  // in the order in which their materials are first used
   std::vector<ObjMaterial> materials;
   std::vector<std::string> groups;      // names of all groups and objects that have faces
-  std::vector<std::string> complaints;  // what is odd but no reason to stop: a missing MTL file, ...
+  std::vector<std::string> complaints;  // faults that are no reason to stop: a missing MTL file, ...
 };
 
-/// The text of a file that the OBJ file names, such as its materials; nothing where there is none.
+/// The text of a file that the OBJ file names, such as its materials; nullopt if there is none.
 using ObjCompanion = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// Only faces of the group or object `group`, or all where it is empty. Without `split` all faces are one part. Throws
-/// std::runtime_error with a sentence that does not name the file.
+/// Only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjPart.
+/// Throws std::runtime_error with a sentence that does not name the file.
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
 /// The same for a text in memory; textures are looked for in `directory`.
 ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,

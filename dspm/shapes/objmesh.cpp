@@ -8,9 +8,9 @@
 // | filename  | required | the file; may be gzip-compressed |
 // | group     | ""       | only this group or object of the file; "": all |
 // | materials | true     | use Kd and map_Kd of the file's materials as "diffuse"; false: the scene's material |
-// | repair    | false    | mends the mesh where it is no closed surface: see mesh_repair.h |
+// | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
-// map_Kd stands in for Kd; all else in an MTL file (Ks, d, map_Bump, ...) is ignored.
+// map_Kd replaces Kd; everything else in an MTL file (Ks, d, map_Bump, ...) is ignored.
 #include <algorithm>
 #include <stdexcept>
 
@@ -51,7 +51,7 @@ void report_empty(ParamReader& reader, const ObjFile& file, const std::string& g
   constexpr std::size_t kMostNamed = 20;
   const auto end = file.groups.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNamed, file.groups.size()));
   reader.error("group", fmt::format("the file has no group or object \"{}\"", group),
-               fmt::format("{} it has: {}{}", did_you_mean(group, file.groups),
+               fmt::format("{} available: {}{}", did_you_mean(group, file.groups),
                            fmt::join(file.groups.begin(), end, ", "), end == file.groups.end() ? "" : ", ..."));
 }
 

@@ -7,14 +7,14 @@
 namespace dspm {
 namespace {
 
-// |M| v for a linear map M: what it makes of an error box.
+// |M| v for a linear map M: the image of an error box.
 template <class Map>
 Vec3 absolute(const Map& map, const Vec3& v) {
   return abs(map(Vec3{1, 0, 0})) * v.x + abs(map(Vec3{0, 1, 0})) * v.y + abs(map(Vec3{0, 0, 1})) * v.z;
 }
 
-// Bound on how far a point that is carried into the world and back into the object's space strays, seen in the world:
-// either matrix is rounded (one rounding an entry) and applied (three), and they are inverse to each other up to that.
+// Bound on the world-space error of a point that is transformed to the world and back to object space: each matrix is
+// rounded (one rounding per entry) and applied (three), and they are inverse to each other up to that.
 Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_world) {
   const auto forward = [&](const Vec3& v) { return t.vector(v); };
   const auto backward = [&](const Vec3& v) { return t.inverse_vector(v); };

@@ -1,5 +1,5 @@
-// A shape at its place in the world, in those frames in which it is there. Another place or another geometry is another
-// placed shape, so a placed shape's number tells where and what a ray hit, whatever the frame.
+// A shape at its place in the world, in the frames in which it is there. A different place or geometry is a different
+// placed shape, so its number tells what a ray hit, and where, whatever the frame.
 #pragma once
 
 #include "dspm/math/frames.h"
@@ -22,7 +22,7 @@ struct PlacedShape {
   FrameSet frames;
   bool flip_normals = false;  // ReverseOrientation
   int material = -1;          // index into the scene's materials
-  int light = -1;             // index into the scene's lights, where this shape emits
+  int light = -1;             // index into the scene's lights, if this shape emits
 
   Bounds3 bounds(int primitive) const;
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
@@ -32,7 +32,7 @@ struct PlacedShape {
   float area_scale(const Vec3& n) const;
 
   bool in_object_space() const { return !to_world_is_identity; }
-  bool to_world_is_identity = true;  // kept beside to_world: asked for every ray
+  bool to_world_is_identity = true;  // cached, because every ray asks for it
 };
 
 }  // namespace dspm

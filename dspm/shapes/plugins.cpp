@@ -9,13 +9,13 @@ PluginTable<Plugin<MakeShape>>& shape_plugins() {
   static PluginTable<Plugin<MakeShape>> table(
       "shape",
       {
-          {"cylinder", "the mantle of a cylinder", make_cylinder},
+          {"cylinder", "a cylinder without caps", make_cylinder},
           {"disk", "a disk, ring or sector", make_disk},
           {"loopsubdiv", "the smooth surface of a coarse mesh of triangles", make_loopsubdiv},
           {"objmesh", "triangles from an OBJ file", make_objmesh},
           {"plymesh", "triangles from a PLY file", make_plymesh},
           {"sphere", "a sphere or a part of it", make_sphere},
-          {"trianglemesh", "triangles in the scene's text", make_trianglemesh},
+          {"trianglemesh", "triangles in the scene file", make_trianglemesh},
       },
       {"bilinearmesh", "curve"});
   return table;

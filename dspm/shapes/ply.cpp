@@ -27,7 +27,7 @@ class AsciiNumbers {
     if (*at_ == '+') ++at_;
     double value = 0;
     const auto [stop, error] = std::from_chars(at_, end_, value);
-    if (error != std::errc()) throw std::runtime_error("this is no number");
+    if (error != std::errc()) throw std::runtime_error("this is not a number");
     at_ = stop;
     return value;
   }
@@ -71,7 +71,7 @@ class BinaryNumbers {
   std::string_view data_;
 };
 
-/// What a vertex's property is to us.
+/// The meaning of a vertex's property.
 enum Slot { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kSlots, kNone = kSlots };
 
 Slot slot_of(const PlyProperty& property) {
@@ -112,7 +112,7 @@ class BodyReader {
 
  private:
   void begin(const PlyElement& element) {
-    // An announced count is believed as far as bytes are there for it.
+    // An announced count is believed only as far as there are bytes for it.
     const std::size_t room = std::min<std::uint64_t>(element.count, numbers_.rest() / element.properties.size());
     if (element.name == "face") polygons_.ends.reserve(room);
     if (element.name != "vertex") return;
@@ -167,13 +167,13 @@ class BodyReader {
 
   std::uint64_t count_of(const PlyProperty& property) {
     const double count = numbers_.next(property.count_type);
-    if (!(count >= 0 && count <= 1e9)) throw std::runtime_error("this is no count of a list");
+    if (!(count >= 0 && count <= 1e9)) throw std::runtime_error("this is not the count of a list");
     return static_cast<std::uint64_t>(count);
   }
 
   int index(PlyType type) {
     const double v = numbers_.next(type);
-    if (!(v >= 0 && v < 2147483648.0)) throw std::runtime_error(fmt::format("{} is no vertex", v));
+    if (!(v >= 0 && v < 2147483648.0)) throw std::runtime_error(fmt::format("{} is not a vertex index", v));
     return static_cast<int>(v);
   }
 

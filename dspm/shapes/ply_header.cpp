@@ -37,7 +37,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view file) : file_(file) {}
 
   PlyHeader read() {
-    if (next_line() != std::vector<std::string_view>{"ply"}) throw std::runtime_error("this is no PLY file");
+    if (next_line() != std::vector<std::string_view>{"ply"}) throw std::runtime_error("this is not a PLY file");
     bool has_format = false;
     while (true) {
       const std::vector<std::string_view> words = next_line();
@@ -88,7 +88,7 @@ class HeaderReader {
     element.name = words[1];
     const char* end = words[2].data() + words[2].size();
     const auto [stop, error] = std::from_chars(words[2].data(), end, element.count);
-    if (error != std::errc() || stop != end) fail(fmt::format("\"{}\" is no count", words[2]));
+    if (error != std::errc() || stop != end) fail(fmt::format("\"{}\" is not a count", words[2]));
     header_.elements.push_back(std::move(element));
   }
 
@@ -97,7 +97,7 @@ class HeaderReader {
     const bool is_list = words.size() == 5 && words[1] == "list";
     if (!is_list && words.size() != 3) fail("expected: property TYPE NAME, or property list TYPE TYPE NAME");
     const auto type = type_of(words[words.size() - 2]), count_type = is_list ? type_of(words[2]) : PlyType::uint8;
-    if (!type || !count_type) fail("unknown type of number");
+    if (!type || !count_type) fail("unknown number type");
     if (is_list && (*count_type == PlyType::float32 || *count_type == PlyType::float64))
       fail("a list's count must be of integer type");
     header_.elements.back().properties.push_back({std::string(words.back()), *type, is_list, *count_type});

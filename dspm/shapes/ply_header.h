@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, and of what numbers they consist.
+// The header of a PLY file: the elements that follow, and the types of their numbers.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  std::uint64_t count = 0;  // as announced: the file may end before
+  std::uint64_t count = 0;  // as announced: the file may end earlier
   std::vector<PlyProperty> properties;
 };
 

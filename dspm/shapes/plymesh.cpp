@@ -1,12 +1,12 @@
 // Shape "plymesh" "string filename" "horse.ply"
 //
 // A mesh from a PLY file: ASCII or binary, gzip-compressed or not; polygons become triangles; normals (nx, ny, nz) and
-// texture coordinates (u v, s t, texture_u texture_v, texture_s texture_t) are used where there are any.
+// texture coordinates (u v, s t, texture_u texture_v, texture_s texture_t) are used if present.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |
 // | filename  | required | the file |
-// | repair    | false    | mends the mesh where it is no closed surface: see mesh_repair.h |
+// | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
 // In a Dynamic block `%03d` in the name stands for the frame's number. [Turk 1994, The PLY Polygon File Format]
 #include <stdexcept>

@@ -50,8 +50,9 @@ class Triangulation {
     return true;
   }
 
-  // Cuts off the first corner that turns the polygon's way and whose triangle holds no other corner. Where there is
-  // none (the polygon meets itself), any corner. A cut makes or ends ears at its two neighbours only.
+  // Cuts off the first corner that turns the same way as the polygon and whose triangle contains no other corner. If
+  // there is none (the polygon intersects itself), any corner. A cut creates or removes ears only at its two
+  // neighbours.
   void cut_ears(std::vector<int> ring) {
     large_ = ring.size() > kLarge;
     std::vector<bool> ears(ring.size());
@@ -91,14 +92,14 @@ class Triangulation {
   [[noreturn]] static void fail(std::size_t corners) {
     throw std::runtime_error(
         fmt::format("its polygons are too intricate (one has {} corners left and is not convex): "
-                    "make triangles of them beforehand",
+                    "triangulate them first",
                     corners));
   }
 
   const std::vector<Vec3>& vertices_;
   DoubleVec3 normal_{0, 0, 0};
   std::vector<Face> faces_;
-  bool large_ = false;     // the polygon at hand
+  bool large_ = false;     // the current polygon
   std::size_t looks_ = 0;  // at corners of large polygons
 };
 

@@ -1,5 +1,5 @@
-// What sphere, cylinder and disk share: where a ray meets a circle's or a sphere's surface, and the part of a full turn
-// around the z axis that is there. Intersections in double: rays come from far away and leave from very near.
+// Shared by sphere, cylinder and disk: where a ray meets a circle's or a sphere's surface, and the angle that the shape
+// covers around the z axis. Intersections are in double, because rays come from far away and leave from very near.
 #pragma once
 
 #include <numbers>
@@ -18,8 +18,8 @@ struct Roots {
   double t[2];
 };
 
-/// Solves |o + t d| = r. A cylinder passes vectors with z = 0. The discriminant is taken from the line's distance to
-/// the centre, as |o|^2 - r^2 has no digits left where the sphere is far away. [Haines et al. 2019, Ray Tracing Gems,
+/// Solves |o + t d| = r. A cylinder passes vectors with z = 0. The discriminant is computed from the line's distance to
+/// the centre, because |o|^2 - r^2 has no digits left if the sphere is far away. [Haines et al. 2019, Ray Tracing Gems,
 /// ch. 7]
 inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d, double r) {
   const double a = dot(d, d), b = dot(o, d);
@@ -40,12 +40,12 @@ inline float read_positive(ParamReader& reader, std::string_view name, float fal
   return fallback;
 }
 
-/// The angles around z from 0 to phimax; a point's u is its share of phimax.
+/// The angles around z from 0 to phimax; a point's u is its fraction of phimax.
 class Sweep {
  public:
   /// Reads "phimax".
   explicit Sweep(ParamReader& reader) {
-    const float degrees = reader.number("phimax", 360, "degrees", "how far the shape reaches around the z axis");
+    const float degrees = reader.number("phimax", 360, "degrees", "the angle that the shape covers around the z axis");
     if (!(degrees > 0)) reader.error("phimax", "\"phimax\" must be above 0");
     full_ = !(degrees > 0 && degrees < 360);
     phi_max_ = full_ ? 2 * std::numbers::pi : degrees * (std::numbers::pi / 180);
@@ -53,7 +53,7 @@ class Sweep {
 
   double phi_max() const { return phi_max_; }  // radians
   double phi(float u) const { return u * phi_max_; }
-  /// Nothing where the shape is cut away.
+  /// Nullopt where the shape is cut away.
   std::optional<float> u_of(double x, double y) const {
     double phi = std::atan2(y, x);
     if (phi < 0) phi += 2 * std::numbers::pi;
@@ -67,7 +67,7 @@ class Sweep {
   double phi_max_;
 };
 
-/// The nearer root in (0, t_max) for which `at(t)` gives parameters of a point that is there.
+/// The nearer root in (0, t_max) for which `at(t)` gives the parameters of a point of the shape.
 template <class At>
 std::optional<PrimitiveHit> first_hit(const Roots& roots, float t_max, const At& at) {
   for (const double root : roots.t) {

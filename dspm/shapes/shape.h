@@ -1,5 +1,5 @@
-// What geometry is to the rest of dspm: primitives that a tree can bound and a ray can meet, and the surface at a hit.
-// Plugins: sphere.cpp is the shortest to copy; plugins.cpp is the table.
+// The interface of geometry: primitives that a tree can bound and a ray can hit, and the surface at a hit. Plugins:
+// sphere.cpp is the shortest to copy; plugins.cpp is the table.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace dspm {
 
 class TriangleMesh;
 
-/// Where a ray meets a primitive: distance in units of the ray's direction, and the place on the primitive.
+/// Where a ray hits a primitive: distance in units of the ray's direction, and the place on the primitive.
 struct PrimitiveHit {
   float t;
   Vec2 uv;  // on the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
@@ -25,13 +25,14 @@ struct PrimitiveHit {
 /// The surface at a hit.
 struct SurfacePoint {
   Vec3 p;
-  Vec3 p_error;  // bound on the rounding error of p, a coordinate each
-  Vec3 ng;       // geometric normal, unit length, to the outside
+  Vec3 p_error;  // bound on the rounding error of p, per coordinate
+  Vec3 ng;       // geometric normal, unit length, pointing outward
   Vec3 ns;       // shading normal, unit length, in the half space of ng
   Vec3 dpdu;     // tangent along u; any length, not zero
   Vec2 uv;       // texture coordinates
 
-  /// Leaves the surface in direction w (unit length), from a point off p by more than its error on w's side of ng.
+  /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
+  /// of ng.
   Ray spawn(const Vec3& w, float t_max = kInfinity) const;
 };
 
@@ -43,8 +44,8 @@ class Shape {
   virtual int primitive_count() const { return 1; }
   /// Contains the primitive, rounding included.
   virtual Bounds3 bounds(int primitive) const = 0;
-  /// The nearest hit with t in (0, ray.t_max). The one routine that decides where a ray meets this shape: every tree
-  /// and every frame calls it (or its SIMD twin with equal bits). Watertight.
+  /// The nearest hit with t in (0, ray.t_max). The one routine that decides where a ray hits this shape: every tree and
+  /// every frame calls it (or its SIMD twin, which gives equal bits). Watertight.
   virtual std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const = 0;
   virtual SurfacePoint surface_point(int primitive, Vec2 uv) const = 0;
   /// In object space.
@@ -52,18 +53,18 @@ class Shape {
   /// The parameters of a point distributed uniformly over the primitive's area in object space.
   virtual Vec2 sample_area(int primitive, Vec2 u) const = 0;
 
-  /// Trees know triangles; null for everything else.
+  /// Trees treat triangles specially; null for everything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }
 };
 
-/// A material that a geometry file brings along (MTL): plain data which world turns into objects.
+/// A material from a geometry file (MTL): plain data that world turns into objects.
 struct FileMaterial {
   std::string name;   // unique within the file
   ParamList diffuse;  // parameters of a "diffuse" material; "reflectance" may be the texture named `name`
   std::filesystem::path texture_file;  // an imagemap for that texture; may be empty
 };
 
-/// One shape out of a Shape directive (a mesh file may hold several).
+/// One shape of a Shape directive (a mesh file may hold several).
 struct ShapePart {
   std::unique_ptr<Shape> shape;
   std::optional<FileMaterial> material;

@@ -1,16 +1,16 @@
 // Shape "sphere" "float radius" 0.5
 //
-// A sphere around the origin, or the part of it between two heights and through an angle around z. Its outside is
-// outside.
+// A sphere around the origin, or the section of it between two heights and within an angle around z. Its normals point
+// outward.
 //
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |
 // | radius    | 1       | radius |
 // | zmin      | -radius | where the sphere is cut off below |
 // | zmax      | radius  | where the sphere is cut off above |
-// | phimax    | 360     | how far it reaches around z (degrees) |
+// | phimax    | 360     | the angle that it covers around z (degrees) |
 //
-// u runs around z from the x axis on, v from zmin to zmax. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.2]
+// u runs around z from the x axis, v from zmin to zmax. [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.2]
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
@@ -90,7 +90,7 @@ std::vector<ShapePart> make_sphere(ParamReader& reader) {
   const float z0 = reader.number("zmin", -radius, "scene units", "where the sphere is cut off below");
   const float z1 = reader.number("zmax", radius, "scene units", "where the sphere is cut off above");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces that are cut out by a texture");
+  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   const auto [z_min, z_max] = std::minmax(z0, z1);

@@ -13,7 +13,7 @@
 
 namespace dspm {
 
-/// What the test needs of a ray: axes permuted so that z is where the direction is largest, and the shear that turns
+/// A ray prepared for the test: axes permuted so that z is the direction's largest component, and the shear that turns
 /// the direction into (0, 0, 1) after scaling by sz.
 struct TriangleRay {
   Vec3 origin, direction;
@@ -31,8 +31,8 @@ struct TriangleRay {
   }
 };
 
-/// Twice the triangle's area along its normal, which points to where the vertices are seen counter-clockwise in a
-/// right-handed system. In double: even the thinnest triangles keep their plane.
+/// Twice the triangle's area along its normal, which points to the side from which the vertices run counter-clockwise
+/// in a right-handed system. In double: even the thinnest triangles keep their plane.
 inline DoubleVec3 area_vector(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const DoubleVec3 a = difference(p1, p0), b = difference(p2, p0);
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -46,8 +46,8 @@ inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3&
   const float bx = b[ray.kx] - ray.sx * b[ray.kz], by = b[ray.ky] - ray.sy * b[ray.kz];
   const float cx = c[ray.kx] - ray.sx * c[ray.kz], cy = c[ray.ky] - ray.sy * c[ray.kz];
 
-  // Where rounding leaves an edge function different from zero its sign is exact, as rounding is monotonic; in double
-  // the products are exact. So two triangles never disagree about the side of their common edge.
+  // If rounding leaves an edge function different from zero, its sign is exact, because rounding is monotonic; in
+  // double, the products are exact. So two triangles never disagree about the side of their common edge.
   float u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
   if (u == 0 || v == 0 || w == 0) {
     u = static_cast<float>(double{cx} * by - double{cy} * bx);
@@ -62,8 +62,8 @@ inline std::optional<PrimitiveHit> intersect(const TriangleRay& ray, const Vec3&
   if (!(dot(n, n) > 0)) return std::nullopt;
 
   // The edge functions would give the distance as well, but with an error that grows as the projected triangle gets
-  // thin: a ray could meet the triangle that it leaves. The plane's side on which the origin lies is certain in double.
-  // Where the ray runs in the plane, rounding may put that distance anywhere; the vertices' distances are its limits.
+  // thin: a ray could meet the triangle that it leaves. In double, the side of the plane on which the origin lies is
+  // certain. If the ray runs in the plane, rounding may put that distance anywhere; the vertices' distances limit it.
   const float plane_t = static_cast<float>(dot(n, difference(p0, ray.origin)) / dot(n, widen(ray.direction)));
   const float za = ray.sz * a[ray.kz], zb = ray.sz * b[ray.kz], zc = ray.sz * c[ray.kz];
   const float nearest = std::min(za, std::min(zb, zc)), farthest = std::max(za, std::max(zb, zc));

@@ -93,7 +93,7 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
   s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
   s.ng = unit_normal(p0, p1, p2);
   s.ns = shading_normal(primitive, b, s.ng);
-  if (data_.uvs.empty()) {  // then they are pbrt's: (0,0), (1,0), (1,1)
+  if (data_.uvs.empty()) {  // pbrt's defaults: (0,0), (1,0), (1,1)
     s.dpdu = p1 - p0;
     s.uv = {b.y + b.z, b.z};
   } else {
@@ -111,7 +111,7 @@ std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
   return result;
 }
 
-// Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent where the texture coordinates are degenerate.
+// Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent if the texture coordinates are degenerate.
 Vec3 TriangleMesh::tangent(int face, const std::array<Vec2, 3>& t, const Vec3& ng) const {
   const Vec2 uv02 = t[0] - t[2], uv12 = t[1] - t[2];
   const Vec3 p02 = vertex(face, 0) - vertex(face, 2), p12 = vertex(face, 1) - vertex(face, 2);

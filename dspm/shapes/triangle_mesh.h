@@ -1,5 +1,5 @@
-// Triangles with shared vertices: what every mesh file and every subdivision ends in, and the one shape that trees know
-// from inside. The order of a face's vertices tells its outside.
+// Triangles with shared vertices: the result of every mesh file and every subdivision, and the one shape whose data
+// trees use directly. The order of a face's vertices defines its outside.
 #pragma once
 
 #include <array>
@@ -20,17 +20,18 @@ using Face = std::array<int, 3>;
 /// A mesh's plain data, as readers deliver it.
 struct MeshData {
   std::vector<Vec3> vertices;
-  std::vector<Vec3> normals;  // one a vertex, any length, or none
-  std::vector<Vec2> uvs;      // one a vertex, or none
+  std::vector<Vec3> normals;  // one per vertex, any length, or none
+  std::vector<Vec2> uvs;      // one per vertex, or none
   std::vector<Face> faces;
 };
 
-/// What makes `data` no mesh (an index out of range, a wrong count, a coordinate that is not finite), or nothing.
+/// Why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if it is
+/// one.
 std::optional<std::string> fault_of(const MeshData& data);
 
 class TriangleMesh final : public Shape {
  public:
-  /// Throws std::invalid_argument with fault_of(data). Where there are normals, faces are turned to their side.
+  /// Throws std::invalid_argument with fault_of(data). If there are normals, faces are turned to their side.
   explicit TriangleMesh(MeshData data);
 
   const std::vector<Vec3>& vertices() const { return data_.vertices; }
@@ -40,7 +41,7 @@ class TriangleMesh final : public Shape {
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
-  /// The mesh with its vertices in world space; its outside stays the outside where `to_world` mirrors.
+  /// The mesh with its vertices in world space; its outside stays the outside even if `to_world` mirrors.
   TriangleMesh transformed(const Transform& to_world) const;
   std::size_t memory() const;  // bytes
 

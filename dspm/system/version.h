@@ -5,7 +5,7 @@
 
 namespace dspm {
 
-inline constexpr std::string_view kVersion = "0.1.0";
+inline constexpr std::string_view kVersion = "0.2.0";
 
 /// Major, minor or patch: the number in place 0, 1 or 2.
 constexpr unsigned version_part(int place) {

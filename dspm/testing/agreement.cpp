@@ -88,11 +88,12 @@ Verdict agreement(const Tiles& a, const Tiles& b, const Tolerance& tolerance) {
     if (chance < level)
       verdict.fail(
           fmt::format("tile {}, channel {}: {:.5g} against {:.5g}, with a standard error of {:.2g}: "
-                      "a chance of {:.1e}, where {:.1e} is the least for {} tests at a level of {}",
+                      "a chance of {:.1e}, but {:.1e} is the least allowed for {} tests at a level of {}",
                       i / 3, i % 3, mine.value, other.value, error, chance, level, a.means.size(), tolerance.level));
   }
   if (verdict.passed)
-    verdict.message = fmt::format("{} tests, the least chance {:.2g}, of {:.1e}", a.means.size(), least, level);
+    verdict.message =
+        fmt::format("{} tests, the least chance {:.2g}, at least {:.1e} allowed", a.means.size(), least, level);
   return verdict;
 }
 

@@ -1,14 +1,17 @@
-// A program that tests modules, for those who use no library of tests:
+// A program that tests modules, without a test library:
 //
 //   int main(int count, char** arguments) {
 //     return dspm::test::run_checks(count, arguments, [](dspm::test::Checks& checks) {
-//       checks.add("scattering", dspm::test::check_scattering("\"velvet\""));
+//       checks.add("scattering", [] { return dspm::test::check_scattering("\"velvet\""); });
 //     });
 //   }
+//
+// velvet_test libvelvet.so --only scatter  makes the checks whose names hold that word.
 #pragma once
 
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "dspm/testing/verdict.h"
 
@@ -16,16 +19,20 @@ namespace dspm::test {
 
 class Checks {
  public:
-  /// Prints what was found.
-  void add(const std::string& what, const Verdict& verdict);
+  /// only: nothing else is checked than what holds this word; empty: everything is.
+  explicit Checks(std::string only) : only_(std::move(only)) {}
+
+  /// Makes the check, and prints its verdict and time. An exception is a failure of this check alone.
+  void add(const std::string& what, const std::function<Verdict()>& check);
   bool passed() const { return failures_ == 0 && count_ > 0; }
 
  private:
+  std::string only_;
   int count_ = 0, failures_ = 0;
 };
 
-/// Loads the modules that the command line names, then runs the checks; the exit code: 0 where all passed, and there
-/// were some.
+/// Loads the modules that the command line names, then runs the checks. Returns the exit code: 0 if there were checks
+/// and all passed.
 int run_checks(int count, char** arguments, const std::function<void(Checks&)>& checks);
 
 }  // namespace dspm::test

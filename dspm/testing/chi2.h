@@ -1,7 +1,7 @@
 // Pearson's chi-square test of directions: do samples follow the density that is claimed for them? The sphere is cut
 // into cells, finest at the ends of an axis of interest; expected counts are integrals of the density, observed ones
-// are samples. Samples that are no direction (absorbed) form one more cell, which the density leaves to 1. A seed is
-// fixed by the caller, so that a pass stays a pass.
+// are samples. Absorbed samples form one more cell, expected with the probability that the density lacks to 1. The
+// caller fixes the seed, so that a pass stays a pass.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct Chi2Settings {
   Vec3 axis{0, 0, 1};           // a pole: cells are finest around it and opposite to it
   int rows = 16, columns = 32;  // of equal angle
   int samples = 100'000;
-  double level = 0.01;  // chance that a right sampler fails any of the `tests` tests
+  double level = 0.01;  // chance that a correct sampler fails any of the `tests` tests
   int tests = 1;
 };
 
@@ -50,7 +50,7 @@ struct Chi2Result {
   int dof = 0;
   double integral = 0;  // of the density
   bool passed = true;
-  std::string worst;  // the cells that contribute most, for a failure's message
+  std::string worst;  // the cells that contribute most, for failure messages
 };
 
 class SphereChi2 {
@@ -132,7 +132,7 @@ class SphereChi2 {
     return sum * dv * dphi * 2 * kPiD * kPiD / (kSteps * kSteps);
   }
 
-  /// Cells of fewer than five expected samples are pooled, in ascending order of what they expect.
+  /// Cells with fewer than five expected samples are pooled, in ascending order of that number.
   void judge(std::vector<Cell> cells, Chi2Result& result) const {
     std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.expected < b.expected; });
     std::vector<Cell> pooled;
@@ -146,7 +146,7 @@ class SphereChi2 {
     for (const Cell& cell : pooled) result.statistic += cell.excess();
     result.dof = static_cast<int>(pooled.size()) - 1;
     result.p_value = result.dof > 0 ? chi2_tail(result.statistic, result.dof) : 1;
-    // Sidak: all tests together fail a right sampler with a chance of `level`.
+    // Sidak: all tests together fail a correct sampler with a chance of `level`.
     result.passed = result.p_value >= 1 - std::pow(1 - settings_.level, 1. / settings_.tests);
     std::stable_sort(pooled.begin(), pooled.end(),
                      [](const Cell& a, const Cell& b) { return a.excess() > b.excess(); });

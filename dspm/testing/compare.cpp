@@ -12,7 +12,8 @@ namespace dspm {
 namespace {
 
 void check_sizes(const Image& a, const Image& b) {
-  if (a.width != b.width || a.height != b.height) throw std::invalid_argument("images of different size are compared");
+  if (a.width != b.width || a.height != b.height)
+    throw std::invalid_argument("images of different sizes cannot be compared");
 }
 
 /// Calls fn(value, reference) for every channel of every pixel.

@@ -1,4 +1,4 @@
-// How far two images are apart, over all pixels and channels; for tests, and for those who test with dspm.
+// How far two images are apart, over all pixels and channels; for dspm's tests and those of its plugins.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 namespace dspm {
 
 Rgb mean(const Image& image);
-/// Images of different size are std::invalid_argument, here and below.
+/// Throws std::invalid_argument if the sizes differ, as do all functions below.
 double root_mean_squared_error(const Image& image, const Image& reference);
 /// The mean of (a - b)^2 / (b^2 + 0.01), b being the reference.
 double relative_mean_squared_error(const Image& image, const Image& reference);
 double max_difference(const Image& image, const Image& reference);
 
-/// What lies in one square of a grid over the image (less at the right and lower border).
+/// The means over one square of a grid over the image (smaller at the right and lower border).
 struct TileMeans {
   int x, y;  // the upper left pixel
   Rgb image, reference;

@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/parallel.h"
 #include "dspm/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
+#include "dspm/world/job.h"
 
 namespace dspm::test {
 namespace {
@@ -24,7 +29,7 @@ void iterate(Integrator& integrator, int first, int end) {
   for (int i = first; i < end; ++i) integrator.iterate(i);
 }
 
-/// After so many iterations of one integrator, the others by another one that takes over its state.
+/// Runs `before` iterations on one integrator, the others on another one that takes over its state.
 Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterations,
                      const std::vector<Image>& expected) {
   const auto first = test.integrator(scene), second = test.integrator(scene);
@@ -39,9 +44,20 @@ Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterat
   if (!state.all_read()) return {false, "persist() loads less than it saves"};
   iterate(*second, before, iterations);
   if (images_of(*second, scene) != expected)
-    return {false, fmt::format("resumed after iteration {} it gives other bits", before)};
+    return {false, fmt::format("resumed after iteration {}, it gives different bits", before)};
   return {};
 }
+
+/// The order of sums may differ, and no more.
+bool near(const Rgb& a, const Rgb& b) {
+  constexpr float kRounding = 1e-5f;
+  const float scale = std::max({1.f, max_component(a), max_component(b)});
+  for (int c = 0; c < 3; ++c)
+    if (!(std::abs(a[c] - b[c]) <= kRounding * scale)) return false;
+  return true;
+}
+
+std::string in_words(const Rgb& c) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", c.r, c.g, c.b); }
 
 }  // namespace
 
@@ -53,7 +69,7 @@ Verdict check_threads(const std::string& scene, int iterations) {
   Verdict verdict;
   const std::vector<Image> alone = with(1);
   for (const int threads : {2, 5})
-    if (with(threads) != alone) verdict.fail(fmt::format("{} threads give other bits than one", threads));
+    if (with(threads) != alone) verdict.fail(fmt::format("{} threads give different bits than one", threads));
   return verdict;
 }
 
@@ -64,11 +80,46 @@ Verdict check_resume(const std::string& scene, int iterations) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
     iterate(*calm, 0, iterations);
-    if (CountingStream size; !calm->persist(size)) return {false, "persist() says that there are no checkpoints of it"};
+    if (CountingStream size; !calm->persist(size))
+      return {false, "persist() says that it does not support checkpoints"};
     const std::vector<Image> expected = images_of(*calm, *interval);
     for (int before = 1; before < iterations && verdict.passed; ++before)
       verdict = check_resume(test, *interval, before, iterations, expected);
   }
+  return verdict;
+}
+
+Verdict check_joint(const std::string& scene, int iterations) {
+  TestScene test(scene);
+  Verdict verdict;
+  const std::vector<Image> joint = test.render_all(iterations);
+  for (const Frame frame : test.all_frames()) {
+    const Image &a = joint[static_cast<std::size_t>(frame)], b = test.render(frame, iterations);
+    for (std::size_t i = 0; i < b.pixels.size(); ++i)
+      if (!near(a.pixels[i], b.pixels[i]))
+        verdict.fail(fmt::format("frame {} of the joint render has {} in pixel {}, alone {}", frame + 1,
+                                 in_words(a.pixels[i]), i, in_words(b.pixels[i])));
+  }
+  return verdict;
+}
+
+Verdict check_crop(const std::string& scene, int iterations) {
+  TestScene whole(scene);
+  const PixelRect all = whole.job().settings.crop;
+  Choices choices;
+  const int x = all.width() / 4, y = all.height() / 4;
+  choices.pixel_bounds = {all.x0 + x, all.x1 - x / 2, all.y0 + y, all.y1 - y / 2};
+  Verdict verdict;
+  const std::vector<Image> images = whole.render_all(iterations);
+  const std::vector<Image> crops = TestScene(scene, choices).render_all(iterations);
+  for (std::size_t frame = 0; frame < crops.size(); ++frame)
+    for (int row = 0; row < crops[frame].height; ++row)
+      for (int column = 0; column < crops[frame].width; ++column) {
+        const Rgb &a = images[frame].at(column + x, row + y), &b = crops[frame].at(column, row);
+        if (!near(a, b))
+          verdict.fail(fmt::format("frame {}, pixel {}, {}: {} in the whole image, {} in a crop", frame + 1, column + x,
+                                   row + y, in_words(a), in_words(b)));
+      }
   return verdict;
 }
 

@@ -56,7 +56,7 @@ Vec3 peak(const Bsdf& bsdf, const DensityCase& c, const PathRandom& random) {
 std::vector<DensityCase> density_cases(const Material& material) {
   std::vector<DensityCase> cases;
   on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
-    if (bsdf.lobes(1e-6f) == 0) return;  // specular throughout: there is no density
+    if (bsdf.lobes(1e-6f) == 0) return;  // fully specular: no density
     for (const Vec3& wo : directions())
       for (const LobeSet lobes : subsets_of(bsdf.all_lobes())) {
         cases.push_back({point, wo, lobes, Transport::radiance});
@@ -74,19 +74,19 @@ Chi2Result chi2_of(const Material& material, const DensityCase& c, Chi2Settings 
   int n = 0;
   const auto sample = [&]() -> std::optional<Vec3> {
     const auto drawn = bsdf.sample(c.wo, three_numbers(random, n++), c.transport, c.lobes);
-    if (!drawn || drawn->specular || !is_finite(drawn->wi)) return std::nullopt;  // weights_agree tells of the last
+    if (!drawn || drawn->specular || !is_finite(drawn->wi)) return std::nullopt;  // weights_agree reports the last
     return drawn->wi;
   };
   return SphereChi2(settings).run(sample, [&](const Vec3& wi) { return bsdf.pdf_w(c.wo, wi, c.transport, c.lobes); });
 }
 
-/// What is wrong with one sample; empty: nothing.
+/// The fault of one sample; empty: none.
 std::string fault(const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo, Transport transport, LobeSet lobes,
                   const BsdfSample& drawn) {
   if (!(std::abs(length(drawn.wi) - 1) < 1e-5f)) return "is not of unit length";
   if (drawn.specular) return drawn.pdf_w == 0 ? "" : "is specular and has a density";
   if (!(drawn.pdf_w > 0)) return "has no density";
-  // Facet normals found again from both directions differ in the last digits, which sharp lobes magnify.
+  // Facet normals recomputed from both directions differ in the last digits, which sharp lobes magnify.
   const float pdf_w = bsdf.pdf_w(wo, drawn.wi, transport, lobes);
   if (!(std::abs(pdf_w - drawn.pdf_w) <= 3e-3f * drawn.pdf_w))
     return fmt::format("says density {}, pdf_w says {}", drawn.pdf_w, pdf_w);
@@ -171,7 +171,7 @@ Verdict keeps_to_sides(const Material& material) {
   return verdict;
 }
 
-// On a bent surface, too: photons then go where camera paths look for them.
+// On a bent surface, too, so that photons go where camera paths look for them.
 Verdict is_reciprocal(const Material& material) {
   Verdict verdict;
   const PathRandom random(5, Stream::setup, 6, 0);
@@ -226,7 +226,8 @@ Albedo albedo(const Bsdf& bsdf, const Vec3& wo, Transport transport, const PathR
   std::array<double, 3> sum{}, sum2{};
   for (int n = 0; n < samples; ++n) {
     Vec3 u = three_numbers(random, n);
-    u.z = (static_cast<float>(n) + u.z) / static_cast<float>(samples);  // strata: lobes get their share
+    u.z =
+        (static_cast<float>(n) + u.z) / static_cast<float>(samples);  // stratified, so that each lobe gets its fraction
     const auto drawn = bsdf.sample(wo, u, transport, bsdf.all_lobes());
     for (int c = 0; drawn && c < 3; ++c) {
       const auto weight = static_cast<double>(drawn->weight[c]);

@@ -1,6 +1,6 @@
-// Checks of a material: sample, pdf_w and evaluate of its Bsdf tell the same story, and no light is made up. Each asks
-// on a plain surface and on one with a bent shading normal, from directions straight on to grazing, outside and inside,
-// for every subset of the lobes. Random numbers are fixed: a pass stays a pass.
+// Checks of a material: sample, pdf_w and evaluate of its Bsdf agree, and no light is created. Each check uses a plain
+// surface and one with a bent shading normal, directions from straight on to grazing, outside and inside, and every
+// subset of the lobes. Random numbers are fixed: a pass stays a pass.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,12 @@
 
 namespace dspm::test {
 
-/// The material that a scene gets for these words: `"velvet" "float falloff" 4`. A mistake in them is a SceneError.
+/// The material that a scene gets for these words: `"velvet" "float falloff" 4`. Throws SceneError for a mistake in
+/// them.
 std::shared_ptr<const Material> material_of(const std::string& words);
 
-/// Chi-square tests of samples against pdf_w, for radiance and, on the bent surface, for flux. A right material fails any of them with a chance of `level`.
+/// Chi-square tests of samples against pdf_w, for radiance and, on the bent surface, for flux. A correct material fails
+/// any of them with a chance of `level`.
 Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1);
 /// sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
 Verdict weights_agree(const Material& material);
@@ -26,14 +28,14 @@ Verdict weights_agree(const Material& material);
 Verdict keeps_to_sides(const Material& material);
 /// f for flux is f for radiance with the directions exchanged; on one side of a plain surface both are equal.
 Verdict is_reciprocal(const Material& material);
-/// No more light comes back than came.
+/// No more light comes back than came in.
 Verdict gains_nothing(const Material& material);
 
 /// All of these.
 Verdict check_scattering(const std::string& words);
 
-/// The share of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error. u.z
-/// is stratified, so that specular choices hardly vary.
+/// The fraction of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error.
+/// u.z is stratified, so that specular choices hardly vary.
 struct Albedo {
   Rgb mean, error;
 };

@@ -1,4 +1,4 @@
-// What tests of materials ask about: surfaces to put them on, directions, subsets of lobes.
+// Cases for tests of materials: surfaces to put them on, directions, subsets of lobes.
 #pragma once
 
 #include <cmath>

@@ -1,12 +1,12 @@
-// Small scenes that integrators can be tried on.
+// Small scenes to try integrators on.
 #pragma once
 
 #include <string>
 
 namespace dspm::test {
 
-/// Inside a closed body that glows with radiance 1 and reflects a share `albedo` diffusely: the radiance L is the same
-/// everywhere, L = 1 + albedo L, so L = 1 / (1 - albedo). `integrator` and `shape` are what the directives say:
+/// Inside a closed body that glows with radiance 1 and reflects a fraction `albedo` diffusely: the radiance L is the
+/// same everywhere, L = 1 + albedo L, so L = 1 / (1 - albedo). `integrator` and `shape` go into the directives:
 /// "\"path\" \"integer maxdepth\" 40". The camera is at the origin.
 std::string furnace(const std::string& integrator, float albedo,
                     const std::string& shape = "\"sphere\" \"float radius\" 2");

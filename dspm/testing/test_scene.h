@@ -19,7 +19,7 @@ class World;
 
 namespace test {
 
-/// What is wrong with the text is a SceneError.
+/// Throws SceneError for errors in the text.
 class TestScene {
  public:
   /// Files that the text names are looked for beside `name`.

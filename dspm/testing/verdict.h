@@ -1,4 +1,4 @@
-// What a check has found: a plain value, for any library of tests or none.
+// The result of a check: a plain value, for any test library or none.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace dspm::test {
 
 struct Verdict {
   bool passed = true;
-  std::string message;  // figures; of several failures the first
+  std::string message;  // figures; of several failures, the first
 
   void fail(const std::string& why) {
     if (passed) message = why;

@@ -5,7 +5,7 @@
 //
 //   | dimension | 2 | 2: squares, 3: cubes                                     |
 //   | tex1      | 1 | in the square or cube whose lower corner is the origin   |
-//   | tex2      | 0 | in those beside it                                       |
+//   | tex2      | 0 | in the adjacent ones                                     |
 //   and the mapping's parameters, see mapping.h, which apply to squares
 #include <cmath>
 
@@ -40,7 +40,7 @@ class CheckerboardTexture final : public Texture<T> {
 
  private:
   bool in_second(const TexturePoint& at) const {
-    float sum = 0;  // of the cell's coordinates; in floats throughout, as they may be beyond every integer type
+    float sum = 0;  // of the cell's coordinates; in floats, because they may exceed every integer type
     if (cubes_) {
       const Vec3 p = world_from_texture_.inverse_point(at.p);
       sum = std::floor(p.x) + std::floor(p.y) + std::floor(p.z);
@@ -62,11 +62,12 @@ class CheckerboardTexture final : public Texture<T> {
 template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context) {
   const int dimension = reader.integer("dimension", 2, {}, "2: squares, 3: cubes");
-  const auto first = value_or_texture<T>(reader, "tex1", 1, "where the origin is the lower corner, and every other");
-  const auto second = value_or_texture<T>(reader, "tex2", 0, "in those between");
+  const auto first =
+      value_or_texture<T>(reader, "tex1", 1, "where the origin is the lower corner, and every other one");
+  const auto second = value_or_texture<T>(reader, "tex2", 0, "in the ones between");
   const TextureMapping mapping = TextureMapping::read(reader, context.world_from_texture);
   reader.finish();
-  if (dimension != 2 && dimension != 3) reader.error("dimension", "a checkerboard's dimension is 2 or 3");
+  if (dimension != 2 && dimension != 3) reader.error("dimension", "the dimension of a checkerboard must be 2 or 3");
   Diagnostics& diagnostics = reader.diagnostics();
   return std::make_shared<CheckerboardTexture<T>>(texture_of(first, context.textures, diagnostics),
                                                   texture_of(second, context.textures, diagnostics), dimension == 3,

@@ -1,5 +1,5 @@
-// Pictures that several textures, or one texture in several frames, share: each file is read once an encoding, as long
-// as a texture holds it.
+// Pictures shared by several textures, or by one texture in several frames: each file is read once per encoding, as
+// long as a texture holds it.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ class ImageCache {
  public:
   /// Throws std::runtime_error as read_image does.
   std::shared_ptr<const Image> read(const std::filesystem::path& path, const ColorEncoding& encoding);
-  /// How many are held by textures.
+  /// The number of images that textures hold.
   int alive() const;
 
  private:

@@ -1,10 +1,10 @@
-// A picture on a surface; with a number in the file's name, one a frame.
+// A picture on a surface; with a number in the file name, one per frame.
 //
 //   Texture "label" "spectrum" "imagemap" "string filename" "label.png" "string wrap" "clamp"
 //
-//   | filename | required   | PNG, JPEG, OpenEXR or Radiance HDR; "water.%03d.png" is numbered as the frames |
-//   | wrap     | "repeat"   | what lies outside of 0..1: repeat, clamp or black |
-//   | filter   | "bilinear" | or point; trilinear and ewa are taken as bilinear |
+//   | filename | required   | PNG, JPEG, OpenEXR or Radiance HDR; "water.%03d.png" is numbered like the frames |
+//   | wrap     | "repeat"   | outside 0..1: repeat, clamp or black |
+//   | filter   | "bilinear" | or point; trilinear and ewa are treated as bilinear |
 //   | scale    | 1          | multiplies the picture |
 //   | invert   | false      | 1 - the scaled picture, not below 0 |
 //   | encoding | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for PNG and JPEG, else linear |
@@ -32,7 +32,7 @@ Wrap wrap_of(const std::string& word) {
   return word == "repeat" ? Wrap::repeat : word == "black" ? Wrap::black : Wrap::clamp;
 }
 
-/// One axis of a lookup: two neighbouring pixels, -1 for none, and the share of the second.
+/// One axis of a lookup: two neighbouring pixels, -1 for none, and the weight of the second.
 struct Taps {
   std::array<int, 2> pixel;
   float share;
@@ -78,7 +78,7 @@ class ImageTexture final : public Texture<T> {
   Taps taps(float s, int count) const {
     if (look_.wrap == Wrap::repeat) s -= std::floor(s);
     const float n = static_cast<float>(count), centred = s * n - (look_.smooth ? 0.5f : 0.f);
-    // In this order of min and max a coordinate that is not a number becomes -1.
+    // In this order of min and max, a coordinate that is NaN becomes -1.
     const float x = std::max(-1.f, std::min(centred, n)), first = std::floor(x);
     const int i = static_cast<int>(first);
     return {{wrapped(i, count), wrapped(i + 1, count)}, x - first};
@@ -101,9 +101,9 @@ class ImageTexture final : public Texture<T> {
   Look look_;
 };
 
-/// Once a scene, however many textures ask for it.
+/// Once per scene, however many textures ask for it.
 void note_filter(ParamReader& reader, const std::string& filter) {
-  const std::string message = "texture filter \"" + filter + "\" is taken as \"bilinear\"";
+  const std::string message = "texture filter \"" + filter + "\" is treated as \"bilinear\"";
   const auto& all = reader.diagnostics().all();
   if (std::none_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.message == message; }))
     reader.diagnostics().note(reader.where("filter"), message);
@@ -114,11 +114,11 @@ void note_filter(ParamReader& reader, const std::string& filter) {
 template <class T>
 TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) {
   const std::filesystem::path path =
-      reader.file("filename", "PNG, JPEG, OpenEXR or Radiance HDR; one a frame with %03d");
+      reader.file("filename", "PNG, JPEG, OpenEXR or Radiance HDR; one per frame with %03d");
   const std::string wrap = reader.choice("wrap", "repeat", {"repeat", "clamp", "black", "octahedralsphere"},
-                                         "what lies outside of 0..1; octahedralsphere is not built");
+                                         "the picture outside 0..1; octahedralsphere is not supported");
   const std::string filter = reader.choice("filter", "bilinear", {"bilinear", "point", "trilinear", "ewa"},
-                                           "between pixels; trilinear and ewa are taken as bilinear");
+                                           "between pixels; trilinear and ewa are treated as bilinear");
   reader.number("maxanisotropy", 8, {}, "of ewa; without effect");
   typename ImageTexture<T>::Look look{wrap_of(wrap), filter != "point"};
   look.scale = reader.number("scale", 1, {}, "multiplies the picture");
@@ -128,11 +128,12 @@ TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) 
   const TextureMapping mapping = TextureMapping::read(reader, context.world_from_texture);
   reader.finish();
 
-  if (wrap == "octahedralsphere") reader.unsupported("wrap", "the octahedral sphere; lenient: clamp");
+  if (wrap == "octahedralsphere") reader.unsupported("wrap", "the octahedral sphere; with --lenient: clamp");
   if (filter == "trilinear" || filter == "ewa") note_filter(reader, filter);
   const std::optional<ColorEncoding> encoding = words.empty() ? ColorEncoding{} : ColorEncoding::parse(words);
   if (!encoding)
-    reader.error("encoding", "unknown encoding \"" + words + "\"", "sRGB, linear or gamma with its exponent");
+    reader.error("encoding", "unknown encoding \"" + words + "\"",
+                 "available: sRGB, linear, or gamma with an exponent");
   try {
     if (!path.empty() && encoding)
       return std::make_shared<ImageTexture<T>>(context.images.read(path, *encoding), mapping, look);

@@ -13,7 +13,7 @@ float turn(const Vec3& p) {
   return fraction < 0 ? fraction + 1 : fraction;
 }
 
-/// s goes from the pole at +z to the other one, t around: that way round in pbrt.
+/// s runs from the pole at +z to the other, and t around the axis, as in pbrt.
 Vec2 spherical(const Vec3& p) { return {std::atan2(std::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
 
 /// s is 0 at -x, as in pbrt; t is the height.
@@ -33,12 +33,12 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
   TextureMapping mapping;
   mapping.kind_ =
       kind_of(reader.choice("mapping", "uv", {"uv", "spherical", "cylindrical", "planar"}, "from surface to picture"));
-  mapping.scale_.x = reader.number("uscale", 1, {}, "of uv: how often the picture fits between u = 0 and 1");
-  mapping.scale_.y = reader.number("vscale", 1, {}, "of uv: how often the picture fits between v = 0 and 1");
+  mapping.scale_.x = reader.number("uscale", 1, {}, "of uv: repetitions of the picture between u = 0 and 1");
+  mapping.scale_.y = reader.number("vscale", 1, {}, "of uv: repetitions of the picture between v = 0 and 1");
   mapping.delta_.x = reader.number("udelta", 0, {}, "of uv and planar: shift");
   mapping.delta_.y = reader.number("vdelta", 0, {}, "of uv and planar: shift");
-  mapping.v1_ = reader.vector("v1", {1, 0, 0}, {}, "of planar: the picture's horizontal");
-  mapping.v2_ = reader.vector("v2", {0, 1, 0}, {}, "of planar: the picture's vertical");
+  mapping.v1_ = reader.vector("v1", {1, 0, 0}, {}, "of planar: the picture's horizontal axis");
+  mapping.v2_ = reader.vector("v2", {0, 1, 0}, {}, "of planar: the picture's vertical axis");
   mapping.world_from_texture_ = world_from_texture;
   return mapping;
 }

@@ -4,7 +4,7 @@
 //   | uscale, vscale, udelta, vdelta       | 1, 1, 0, 0 | of uv: s = uscale u + udelta; planar takes the deltas too |
 //   | v1, v2                               | x, y     | of planar: s = v1 . p + udelta, t = v2 . p + vdelta       |
 //
-// All but uv look at the point in the texture's own space: the transform that stood where the texture was defined.
+// All but uv use the point in the texture's own space: the transform in force where the texture was defined.
 #pragma once
 
 #include "dspm/math/transform.h"

@@ -2,9 +2,9 @@
 //
 //   Texture "worn" "spectrum" "mix" "texture tex1" "paint" "texture tex2" "steel" "texture amount" "scratches"
 //
-//   | tex1   | 0  | where amount is 0           |
-//   | tex2   | 1  | where amount is 1           |
-//   | amount | .5 | share of tex2; float always |
+//   | tex1   | 0  | where amount is 0              |
+//   | tex2   | 1  | where amount is 1              |
+//   | amount | .5 | fraction of tex2; always float |
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/plugins.h"
@@ -41,7 +41,7 @@ template <class T>
 TexturePtr<T> make_mix(ParamReader& reader, const TextureContext& context) {
   const auto first = value_or_texture<T>(reader, "tex1", 0, "where amount is 0");
   const auto second = value_or_texture<T>(reader, "tex2", 1, "where amount is 1");
-  const auto amount = reader.number_or_texture("amount", 0.5f, {}, "share of tex2");
+  const auto amount = reader.number_or_texture("amount", 0.5f, {}, "fraction of tex2");
   reader.finish();
   Diagnostics& diagnostics = reader.diagnostics();
   return std::make_shared<MixTexture<T>>(texture_of(first, context.textures, diagnostics),

@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-// One file a texture; each makes both kinds.
+// One file per texture; each makes both kinds.
 template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context);
 template <class T>
@@ -25,7 +25,7 @@ PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
       {
           {"checkerboard", "two textures in alternating squares or cubes", make_checkerboard<T>},
           {"constant", "one value everywhere", make_constant<T>},
-          {"imagemap", "a picture, or one a frame", make_imagemap<T>},
+          {"imagemap", "a picture, or one per frame", make_imagemap<T>},
           {"mix", "a blend of two textures", make_mix<T>},
           {"scale", "a texture times another", make_scale<T>},
       },

@@ -1,4 +1,4 @@
-// The textures that there are, and what their factories need to know.
+// The table of textures, and the input of their factories.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ using MakeTexture = TexturePtr<T>(ParamReader& reader, const TextureContext& con
 template <class T>
 PluginTable<Plugin<MakeTexture<T>>>& texture_plugins();
 
-/// The texture of that type, never null: after an error, or where --lenient lets pass what is not built, a grey one.
+/// The texture of that type, never null: a grey one after an error, or if --lenient lets an unsupported one pass.
 template <class T>
 TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const TextureContext& context);
 

@@ -2,8 +2,8 @@
 //
 //   Texture "faded" "spectrum" "scale" "texture tex" "wood" "float scale" .5
 //
-//   | tex   | 1 | what is scaled            |
-//   | scale | 1 | by how much; float always |
+//   | tex   | 1 | the texture to scale     |
+//   | scale | 1 | the factor; always float |
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/plugins.h"
@@ -34,8 +34,8 @@ class ScaleTexture final : public Texture<T> {
 
 template <class T>
 TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context) {
-  const auto texture = value_or_texture<T>(reader, "tex", 1, "what is scaled");
-  const auto scale = reader.number_or_texture("scale", 1, {}, "by how much");
+  const auto texture = value_or_texture<T>(reader, "tex", 1, "the texture to scale");
+  const auto scale = reader.number_or_texture("scale", 1, {}, "the factor");
   reader.finish();
   Diagnostics& diagnostics = reader.diagnostics();
   return std::make_shared<ScaleTexture<T>>(texture_of(texture, context.textures, diagnostics),

@@ -1,5 +1,5 @@
-// A texture: a value that depends on where on a surface it is asked for. Materials hold textures; a plain number in the
-// scene becomes a texture that is the same everywhere.
+// A texture: a value that varies over a surface. Materials hold textures; a plain number in the scene becomes a texture
+// that is the same everywhere.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ class Texture {
  public:
   virtual ~Texture() = default;
   virtual T evaluate(const TexturePoint& at) const = 0;
-  /// The value, where it is the same everywhere. For asking once, when a material is made.
+  /// The value, if it is the same everywhere. To be called once, when a material is made.
   virtual std::optional<T> constant() const { return std::nullopt; }
 };
 using FloatTexture = Texture<float>;

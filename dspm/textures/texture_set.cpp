@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::string_view word_of_kind(bool is_float) { return is_float ? "float" : "spectrum"; }
 
-/// Why there is no texture of that name and kind, as far as one can guess.
+/// The likely reason why no texture has that name and kind.
 template <class T>
 std::string hint(const std::string& name, const TextureSet& textures) {
   using Other = std::conditional_t<std::is_same_v<T, float>, Rgb, float>;
   if (!textures.find<Other>(name)) return did_you_mean(name, textures.names<T>());
   constexpr bool is_float = std::is_same_v<T, float>;
-  return "\"" + name + "\" is a " + std::string(word_of_kind(!is_float)) + " texture, a " +
+  return "\"" + name + "\" is a " + std::string(word_of_kind(!is_float)) + " texture, but a " +
          std::string(word_of_kind(is_float)) + " texture is needed";
 }
 

@@ -1,4 +1,4 @@
-// A scene's textures by name. Textures of numbers and of colours have names of their own kind, as in pbrt.
+// A scene's textures by name. Textures of numbers and textures of colours have separate names, as in pbrt.
 #pragma once
 
 #include <map>
@@ -17,13 +17,13 @@ namespace dspm {
 
 class TextureSet {
  public:
-  /// A texture of the same name and kind is replaced; those who hold it keep it.
+  /// Replaces a texture of the same name and kind; its holders keep it.
   template <class T>
   void add(std::string name, TexturePtr<T> texture) {
     textures<T>()[std::move(name)] = std::move(texture);
   }
 
-  /// Null where there is none.
+  /// Null if there is none.
   template <class T>
   TexturePtr<T> find(std::string_view name) const {
     const auto found = textures<T>().find(name);
@@ -54,7 +54,7 @@ class TextureSet {
 };
 
 /// The texture that a parameter names, else one of its constant value; T is float or Rgb. An unknown name is an error
-/// where it stands; the constant then takes its place, so that the result is never null.
+/// at its location; the constant then takes its place, so that the result is never null.
 template <class T>
 TexturePtr<T> texture_of(const ValueOrTexture<T>& parameter, const TextureSet& textures, Diagnostics& diagnostics);
 

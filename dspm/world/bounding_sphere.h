@@ -9,10 +9,10 @@ namespace dspm {
 
 struct BoundingSphere {
   Vec3 center;
-  float radius = 1;  // where there is nothing
+  float radius = 1;  // of an empty scene
 };
 
-/// Around the box's corners; never a point.
+/// Around the box's corners; the radius is never 0.
 inline BoundingSphere sphere_around(const Bounds3& bounds) {
   if (bounds.empty()) return {};
   const Vec3 center = bounds.center();

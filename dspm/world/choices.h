@@ -1,4 +1,4 @@
-// What is asked for on top of what the scene says.
+// The user's choices, which override what the scene says.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace dspm {
 
 struct Choices {
   std::vector<std::string> defines;  // name=value
-  bool lenient = false;              // what dspm lacks is a warning, not an error
+  bool lenient = false;              // unsupported features are warnings, not errors
   bool quick = false;                // a quarter of the resolution and of the iterations
 
   std::string outfile;       // empty: the Film's filename
-  std::optional<bool> half;  // what the Film says otherwise
+  std::optional<bool> half;  // none: as the Film says
 
   std::optional<std::uint64_t> seed;
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons;
   std::vector<Frame> frames;                         // of the animation, ascending; empty: all
   std::vector<std::string> variations;               // patterns of names; empty: all
-  std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 in parts of the image
+  std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 as fractions of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
 };
 

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t kNamesListed = 10;
 
-/// A way out for who chose none.
+/// A hint for a pattern that matches nothing.
 std::string names_in_words(const std::string& pattern, const std::vector<Combination>& combinations) {
   std::vector<std::string> names;
   for (const Combination& each : combinations) names.push_back(each.name);
   if (const std::string guess = did_you_mean(pattern, names); !guess.empty()) return guess;
-  std::string list = "there are: ";
+  std::string list = "the scene has: ";
   for (std::size_t i = 0; i < std::min(names.size(), kNamesListed); ++i) list += (i > 0 ? ", " : "") + names[i];
   return list + (names.size() > kNamesListed ? ", ... (--list-variations prints all)" : "");
 }
@@ -33,7 +33,7 @@ std::vector<bool> chosen_variations(const SceneDescription& description, const s
     for (std::size_t c = 0; c < combinations.size(); ++c)
       if (glob.matches(combinations[c].name)) any = chosen[c] = true;
     if (any) continue;
-    // Of more combinations than are made, only those that another pattern chose are there.
+    // If there are too many combinations to make them all, the list holds only those that another pattern chose.
     throw UsageError(fmt::format("--variation {}: there is no such variation{}", pattern,
                                  combinations.empty() ? "" : "; " + names_in_words(pattern, combinations)));
   }

@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// Ascending. Throws UsageError where an option chooses none, with the names that may have been meant.
+/// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.
 std::vector<Frame> chosen_frames(const SceneDescription& description, const Choices& choices);
 
 }  // namespace dspm

@@ -17,7 +17,7 @@ namespace {
 
 using ShapeParts = std::vector<ShapePart>;
 
-/// The shapes that a directive's parameters yield, state by state.
+/// The directive's parameters, state by state.
 Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
   const bool keyed = params.is_keyed();
   return Timeline<ParamList>::of_moments(
@@ -96,8 +96,8 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
 }
 
-/// A mesh that bounds a body should be closed: what is wrong is said once for the whole sequence, and repaired in all
-/// of its frames alike where the scene asks for it.
+/// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of
+/// its frames alike if the scene asks for it.
 void Geometry::check(const ShapeUse& use, Source& source) {
   for (std::size_t p = 0; p < source.materials.size(); ++p) {
     ShapePart& first = source.parts.front()[p];
@@ -132,7 +132,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
     for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
   const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
-  // A state of the geometry and a placement: the same shape at two places is two, so is one place with two geometries.
+  // A geometry state and a placement: one shape at two places counts as two, and so do two geometries at one place.
   using Place = std::pair<int, int>;
   const auto places = Timeline<Place>::of(
       static_cast<int>(present.size()),
@@ -151,7 +151,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
     for (const auto& [state, matrix] : places.states) {
       std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][part];
       Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
-      // What stays at one place goes into the world's space; what moves rigidly, or is there many times, is stored
+      // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
       if (alone && uses_of_state[static_cast<std::size_t>(state)] == 1 && shape->triangles()) {
         if (!to_world.is_identity()) shape = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));

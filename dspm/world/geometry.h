@@ -11,16 +11,16 @@
 
 namespace dspm {
 
-/// A shape at one place, and when it is there.
+/// A shape at one place, and the frames in which it is there.
 struct WorldShape {
-  PlacedShape placed;         // `frames` and `light` are left to the scene that is cut
+  PlacedShape placed;         // `frames` and `light` are set when a scene is cut
   std::vector<bool> present;  // by frame of the file
   int emitter = -1;           // which of Geometry::emitters it belongs to
   int dynamic_block = -1;     // of the description; -1: static
   const ShapeUse* use = nullptr;
 };
 
-/// A thing that emits: the places of one part of one shape directive, with its AreaLightSource.
+/// An emitter: all places of one ShapePart of a shape directive, with its AreaLightSource.
 struct Emitter {
   const AreaLightUse* use;
   std::vector<int> shapes;  // into Geometry::shapes, disjoint in frames
@@ -30,7 +30,7 @@ class Geometry {
  public:
   Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics);
 
-  const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses stay
+  const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
   const Bounds3& bounds() const { return bounds_; }  // over all frames
 

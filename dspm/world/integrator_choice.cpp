@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// pbrt's integrators that compute what `path` does where there is no medium.
+/// pbrt's integrators that compute the same as `path` if there is no medium.
 constexpr std::string_view kPathLike[] = {"volpath", "simplepath", "simplevolpath"};
 constexpr std::string_view kPhotonsAlias = "photonsperiteration";
 

@@ -14,18 +14,18 @@ struct IntegratorChoice {
   SourceLocation where;
 };
 
-/// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. Parameters that were meant
-/// for another integrator than the one used are left out where this one does not know them.
+/// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. If it replaces the scene's
+/// integrator, parameters that it does not know are left out.
 IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
                                    Diagnostics& diagnostics);
 
-/// Names of pbrt's that "path" answers to where no plugin has them.
+/// Names of pbrt's integrators that "path" stands in for, unless a plugin has them.
 bool is_name_of_path(std::string_view name);
 
 /// How the integrator describes its parameters.
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
 
-/// The plugin that the option names; UsageError where there is none.
+/// The plugin that the option names; throws UsageError if there is none.
 template <class AnyPlugin>
 const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const char* option, const std::string& name) {
   Diagnostics diagnostics;
@@ -34,7 +34,7 @@ const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const cha
   throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
 }
 
-/// The value of an integer parameter of the list, `fallback` where it is absent.
+/// The value of an integer parameter of the list, `fallback` if it is absent.
 int integer_of(const ParamList& list, std::string_view name, int fallback);
 
 }  // namespace dspm

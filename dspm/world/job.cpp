@@ -15,7 +15,7 @@
 namespace dspm {
 namespace {
 
-/// What the Sampler directive tells dspm, which has a sequence of its own.
+/// What dspm takes from the Sampler directive; the sequence is its own.
 struct SamplerSettings {
   std::optional<int> pixel_samples, seed;
 };
@@ -48,7 +48,7 @@ SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& d
   return settings;
 }
 
-/// The object that a directive before WorldBegin asks for, or that of the usual type.
+/// The object that a directive before WorldBegin asks for, or one of the usual type.
 template <class Make>
 auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const std::optional<PluginUse>& use,
               Diagnostics& diagnostics) {
@@ -66,10 +66,10 @@ auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const
 void check_crop(const FilmSettings& film, const SceneDescription& description, Diagnostics& diagnostics) {
   const PixelRect crop = crop_of(film);
   if (crop.empty())
-    throw UsageError(fmt::format("nothing is left of the image of {} x {} pixels", film.width, film.height));
+    throw UsageError(fmt::format("the crop leaves nothing of the image of {} x {} pixels", film.width, film.height));
   if (crop.width() > static_cast<int>(kMaxPixels) / crop.height())
     diagnostics.error(description.film ? description.film->where : SourceLocation(),
-                      fmt::format("{} x {} pixels are more than the {} million of the largest image", crop.width(),
+                      fmt::format("{} x {} pixels are more than the {} million that an image may have", crop.width(),
                                   crop.height(), kMaxPixels / 1'000'000),
                       "--cropwindow renders a part of it");
 }
@@ -105,7 +105,7 @@ float shutter_seconds(const SceneDescription& description) {
   return seconds > 0 ? seconds : 1;
 }
 
-/// The command line's, else the scene's where dspm has it; pbrt's trees change nothing in the image.
+/// The command line's, else the scene's if dspm has it; pbrt's trees change nothing in the image.
 std::string accel_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   if (!choices.accel.empty()) return std::string(find_by_option(accel_plugins(), "accel", choices.accel)->name);
   const std::optional<PluginUse>& use = description.accelerator;
@@ -118,7 +118,7 @@ std::string accel_of(const SceneDescription& description, const Choices& choices
   return {};
 }
 
-/// Reports what is wrong with the integrator's parameters before there is a scene to make it for.
+/// Reports errors in the integrator's parameters before there is a scene to make it for.
 void check_integrator(const Job& job, Diagnostics& diagnostics) {
   ParamReader reader(job.params, fmt::format("integrator \"{}\"", job.integrator), job.where, diagnostics);
   reader.only_check();
@@ -150,8 +150,7 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
   bounded.memory = memory;
   std::unique_ptr<Integrator> made = plugin->make(reader, scene, bounded);
   if (made == nullptr && diagnostics.error_count() == 0)
-    diagnostics.error(where,
-                      fmt::format("integrator \"{}\" has made nothing: its factory returned null", plugin->name));
+    diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
   return made;
 }
 

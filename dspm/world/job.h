@@ -1,5 +1,4 @@
-// What is to be rendered, and how: the scene's Film, PixelFilter, Sampler and Integrator with the caller's
-// choices on top. Everything that is not in the scene itself.
+// What to render, and how: the scene's Film, PixelFilter, Sampler and Integrator, overridden by the caller's choices.
 #pragma once
 
 #include <memory>
@@ -18,14 +17,14 @@
 
 namespace dspm {
 
-/// Where the scene names none.
+/// If the scene names none.
 inline constexpr const char* kUsualPixelFilter = "gaussian";
 
 struct Job {
   std::string scene_file;
   const SceneDescription* description = nullptr;  // outlives the job
   std::vector<Frame> frames;                      // of the file, ascending
-  bool numbered = false;                          // the images' names have the frame's number
+  bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
   FilmSettings film;
   float exposure = 1;  // image values over radiance
@@ -38,20 +37,20 @@ struct Job {
   std::optional<int> chosen_iterations;
   bool quick = false;  // a quarter of the iterations
 
-  /// The file's frame without its variation, counted from 0, and the variation's name; empty: there is none.
+  /// The file's frame without its variation, counted from 0, and the variation's name; empty: none.
   Frame moment(Frame frame) const { return description->frames.moment(frame); }
   const std::string& variation(Frame frame) const { return description->frames.variation(frame); }
   /// "25 frames", "8 variations" or "200 frames (8 variations)".
   std::string frames_in_words() const;
 
-  /// To do in all: those that were chosen, else those of the integrator; 0: until stopped.
+  /// How many to do in all: as chosen, else as the integrator says; 0: until stopped.
   int iterations(const Integrator& made) const;
-  /// `memory`: bytes that it may hold, else it throws NotEnoughMemory; 0: no bound.
+  /// `memory`: bytes that it may hold; 0: no bound. Throws NotEnoughMemory if they are too few.
   std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                               std::size_t memory = 0) const;
 };
 
-/// What is wrong goes to `diagnostics`, what the command line got wrong about this scene is a UsageError.
+/// Errors go to `diagnostics`. Throws UsageError if the command line does not fit this scene.
 Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics);
 
 }  // namespace dspm

@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-/// What a light looks like in one frame, before it is made.
+/// A light in one frame, before it is made.
 struct LightState {
   ParamList params;
   Matrix4 placement;
@@ -122,7 +122,7 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
                                     const BoundingSphere& sphere, Diagnostics& diagnostics) {
   LightMaker maker(description, geometry, sphere, diagnostics);
   std::vector<WorldLight> lights;
-  // One that could not be made leaves an empty place, so that emitters keep their numbers; its error stops the scene.
+  // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
   for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
   if (diagnostics.error_count() > 0) return lights;

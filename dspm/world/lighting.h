@@ -14,7 +14,7 @@ namespace dspm {
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
   float probability = 0;                // in proportion to the mean power over all frames
-  std::vector<std::vector<int>> alike;  // its states in groups whose photons start as those of the first
+  std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
   bool is_delta = false;  // neither infinite nor of a shape
   std::string name;       // for messages

@@ -1,4 +1,4 @@
-// A texture or a material by name: from what it is made in each frame of the file, and what of it is made just now.
+// A named texture or material: its recipe in each frame of the file, and what has been made of it so far.
 #pragma once
 
 #include <cstddef>
@@ -15,25 +15,25 @@
 
 namespace dspm {
 
-/// What the text says of a name: the scene's own definition first, then those that take its place.
+/// All definitions of a name: the scene's own first, then those that replace it in variations.
 struct Definition {
   struct Use {
     const PluginUse* plugin;
-    const Motion* motion;  // null: has no place
+    const Motion* motion;  // null: no placement
     bool is_keyed() const { return plugin->params.is_keyed() || (motion && motion->is_keyed()); }
   };
   std::vector<Use> uses;
   std::vector<std::size_t> use_of;  // by combination of variations
 };
 
-/// Where two axes replace the same name, the later one has its way.
+/// If two axes replace the same name, the later one wins.
 Definition definition_of(const SceneDescription& scene, const MaterialUse& own);
 Definition definition_of(const SceneDescription& scene, const TextureUse& own);
 
 template <class T>
 struct Look;
 
-/// A texture that is named by parameters, in one of its states.
+/// A texture that parameters name, in one of its states.
 template <class T>
 struct Ingredient {
   std::string name;
@@ -42,7 +42,7 @@ struct Ingredient {
   friend bool operator==(const Ingredient& a, const Ingredient& b) { return a.look == b.look && a.state == b.state; }
 };
 
-/// What a texture or material is made from; where it is equal, so is what is made.
+/// What a texture or material is made from: equal recipes make equal objects.
 struct Recipe {
   const PluginUse* use = nullptr;
   ParamList params;  // of one moment
@@ -59,8 +59,8 @@ template <class T>
 struct Look {
   Timeline<Recipe> recipes;
   mutable std::vector<std::weak_ptr<const T>> made;  // by state
-  std::vector<std::shared_ptr<const T>> kept;        // what is held even if no scene does
-  std::vector<int> lookups;  // by state: of textures, for one of this texture; up to kMostLookups
+  std::vector<std::shared_ptr<const T>> kept;        // held even if no scene holds them
+  std::vector<int> lookups;  // by state: texture lookups for one of this texture, at most kMostLookups
 };
 
 }  // namespace dspm

@@ -28,7 +28,7 @@ std::vector<std::string> named_textures(const ParamList& params) {
   return names;
 }
 
-/// A recipe that has not been worked out.
+/// A recipe before its parameters are evaluated.
 struct Source {
   Definition::Use use;
   Frame moment;
@@ -44,7 +44,7 @@ struct Source {
   }
 };
 
-/// With those that its textures take in turn. Deep ones would use up the stack, wide ones never end.
+/// Counts the lookups of its textures in turn. Deep nesting would exhaust the stack, wide nesting would never end.
 constexpr int kMostLookups = 1000;
 int lookups_for(const Recipe& recipe) {
   int sum = 1;
@@ -65,7 +65,7 @@ Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
     const std::string& name = use.name.empty() ? use.type : use.name;
     of_use_.push_back(add_material(use, fmt::format("material \"{}\"", name)));
     if (!use.name.empty() && !by_name_.emplace(use.name, of_use_.back()).second)
-      diagnostics.error(use.where, fmt::format("there is a material named \"{}\" already", use.name));
+      diagnostics.error(use.where, fmt::format("a material named \"{}\" exists already", use.name));
   }
 }
 
@@ -78,7 +78,7 @@ void Looks::add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& p
 
 Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
   const FileFrames& frames = description_.frames;
-  // A recipe without its parameters: most frames have one that has been met already.
+  // Compared before parameters are evaluated, as most frames repeat an earlier recipe.
   const auto sources = Timeline<Source>::of(
       frames.count(),
       [&](Frame f) {
@@ -104,7 +104,7 @@ bool Looks::is_kept(const std::vector<int>& state_of, int state) const {
 
 template <class T, class Make>
 bool Looks::look_at(Look<T>& look, Make&& make) {
-  std::set<const PluginUse*> wrong;  // is told once
+  std::set<const PluginUse*> wrong;  // reported once
   for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
     const Recipe& recipe = look.recipes.states[s];
     look.made.emplace_back();
@@ -199,7 +199,7 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
   const PluginUse& use = *recipe.use;
   const auto* plugin = material_plugins().find(use.type, use.type_where, diagnostics);
   if (!plugin && !diagnostics.lenient()) return nullptr;
-  const ParamList none;  // with --lenient, what is not built becomes grey
+  const ParamList none;  // with --lenient, unsupported materials become grey
   if (!plugin) plugin = material_plugins().find("diffuse");
   ParamReader reader(plugin->name == use.type ? recipe.params : none, fmt::format("material \"{}\"", use.type),
                      use.where, diagnostics, description_.main_directory());

@@ -1,6 +1,6 @@
-// Textures and materials of a scene, with their states over the frames of the file. All of them are looked at once, so
-// that errors are known before anything is rendered; where frames are many, what only some of them need is made anew
-// for each scene that needs it.
+// Textures and materials of a scene, with their states over the frames of the file. All of them are made once up front,
+// so that errors show before anything is rendered. If there are many frames, those that only some frames need are made
+// again for each scene that needs them.
 #pragma once
 
 #include <deque>
@@ -24,23 +24,23 @@ class Looks {
  public:
   Looks(const SceneDescription& description, Diagnostics& diagnostics);
 
-  /// Index of the material in force, pbrt's default for none; an unknown name is an error.
+  /// Index of the current material, pbrt's default if there is none; an unknown name is an error.
   int find(const MaterialRef& ref);
-  /// A material that a geometry file brought along.
+  /// A material from a geometry file.
   int add(const FileMaterial& material, const SourceLocation& where);
 
-  /// By index, in these frames of the file. Throws SceneError where a file has changed since it was looked at.
+  /// By index, in these frames of the file. Throws SceneError if a file has changed since the first time.
   std::vector<FrameStates<Material>> materials_in(const std::vector<Frame>& frames) const;
 
   /// How many pictures are in memory for textures.
   int pictures_held() const { return images_.alive(); }
 
   int material_count() const { return static_cast<int>(materials_.size()); }
-  /// Which state of the material holds, by frame of the file.
+  /// The material's state, by frame of the file.
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
-  /// Light passes into bodies of this material, in some frame.
+  /// Whether light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
-  /// What the text says of it in a frame of the file.
+  /// Its definition in a frame of the file.
   const PluginUse& use_of(int material, Frame frame) const {
     const Timeline<Recipe>& recipes = look(material).recipes;
     return *recipes.states[static_cast<std::size_t>(recipes.at(frame))].use;
@@ -55,7 +55,7 @@ class Looks {
   };
   template <class T>
   struct Textures {
-    std::deque<Look<Texture<T>>> looks;  // addresses stay
+    std::deque<Look<Texture<T>>> looks;  // addresses are stable
     std::map<std::string, const Look<Texture<T>>*> by_name;
   };
 
@@ -73,9 +73,9 @@ class Looks {
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>
   void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const;
-  /// Whether a state is held, once made, as long as the world is there.
+  /// Whether a state, once made, is held as long as the world exists.
   bool is_kept(const std::vector<int>& state_of, int state) const;
-  /// Makes every state to learn what is wrong, with `make(recipe, textures)`, and keeps those that are to be kept.
+  /// Makes every state by `make(recipe, textures)` to find errors, and holds those with is_kept().
   template <class T, class Make>
   bool look_at(Look<T>& look, Make&& make);
 

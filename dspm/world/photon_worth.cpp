@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// By frame: around what is in it; the file's where that is nothing.
+/// By frame: around what is in it; the file's sphere if it is empty.
 std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphere& of_file, int frames) {
   std::vector<Bounds3> bounds(static_cast<std::size_t>(frames));
   for (const WorldShape& shape : geometry.shapes()) {
@@ -22,7 +22,7 @@ std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphe
   return all;
 }
 
-/// A state of a light: its power in this file, and whether that is what falls on the whole sphere.
+/// Of a light's state. If it is infinitely far, its power is what falls on the file's whole sphere.
 struct Power {
   double power;
   bool infinitely_far;
@@ -39,9 +39,9 @@ std::vector<Power> powers(const WorldLight& light, const Vec3& center) {
 
 }  // namespace
 
-// n paths, of which a share p_i starts at light i of power P_i, give the flux of light i as n p_i photons of P_i / (n
-// p_i) each: a variance in proportion to P_i^2 / p_i, and to the sum of that for all lights. In a file of its own p_i is
-// P_i / P, P the sum of all P_i, which makes the sum P^2, the least there is.
+// n paths, of which a fraction p_i starts at light i of power P_i, give the flux of light i as n p_i photons of P_i /
+// (n p_i) each: a variance in proportion to P_i^2 / p_i, and to the sum of that for all lights. In a file of its own
+// p_i is P_i / P, P the sum of all P_i, which makes the sum P^2, the minimum.
 std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vector<WorldLight>& lights,
                                       const BoundingSphere& sphere, int frames) {
   std::vector<std::vector<Power>> of_states;

@@ -1,5 +1,5 @@
-// What a file's photons are worth to each of its frames: photon paths choose lights, and those of lights infinitely far
-// away start, as suits all frames of the file.
+// What a file's photons are worth to each of its frames. Photon paths choose lights, and starting points for lights
+// infinitely far away, to suit all frames of the file.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace dspm {
 
 /// Of one frame; both are 1 in a file that holds this frame alone.
 struct PhotonWorth {
-  /// The flux of the frame's lights is as noisy as with this share of the photons in a file of its own.
+  /// The flux of the frame's lights is as noisy as with this fraction of the photons in a file of its own.
   double by_choice = 1;
-  /// The share of photons from infinitely far that enter the sphere around what is in the frame.
+  /// The fraction of photons from infinitely far that enter the sphere around what is in the frame.
   double by_reach = 1;
 };
 

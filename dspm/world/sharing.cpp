@@ -49,12 +49,12 @@ Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Fr
 
 std::string explain_block(const DynamicBlock& block, const Summary& s, std::size_t frames) {
   const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
-  if (s.frames_present == 0) return fmt::format("dynamic \"{}\": not there in these frames.", block.name);
+  if (s.frames_present == 0) return fmt::format("dynamic \"{}\": absent from these frames.", block.name);
   if (s.states == 1)
     return fmt::format("dynamic \"{}\": the same in all frames, so it is static here: fully shared ({}).", block.name,
                        stored);
   const std::string where =
-      s.frames_present < frames ? fmt::format("there in {} of {} frames, ", s.frames_present, frames) : "";
+      s.frames_present < frames ? fmt::format("present in {} of {} frames, ", s.frames_present, frames) : "";
   const std::string how =
       s.geometries.size() < s.places
           ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
@@ -87,22 +87,22 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
 
   for (int m = 0; m < looks.material_count(); ++m)
     if (const std::size_t n = states_in(looks.states_of(m), frames); n > 1)
-      lines.push_back(
-          fmt::format("{}: {} over the frames. Paths that meet it stay together where its states send them "
-                      "the same way, as colours and textures do; others split.",
-                      looks.name_of(m), counted(n, "state")));
+      lines.push_back(fmt::format(
+          "{}: {} over the frames. Paths that meet it stay together if its states scatter them the same way, as "
+          "different colours and textures do; others split.",
+          looks.name_of(m), counted(n, "state")));
   for (const WorldLight& light : lights) {
     const std::size_t n = states_in(light.states.state_of, frames);
     if (n > 1)
       lines.push_back(
           fmt::format("{}: {} over the frames. Photon paths are traced once for states that differ in strength or "
                       "colour only, else "
-                      "once a state; those of other lights once.",
+                      "once per state; those of other lights once.",
                       light.name, counted(n, "state")));
   }
   const std::size_t camera_states = states_in(camera.state_of, frames);
   lines.push_back(camera_states > 1
-                      ? fmt::format("camera: {}. Hit points are traced once a state; photons are shared all the same.",
+                      ? fmt::format("camera: {}. Hit points are traced once per state; photons are still shared.",
                                     counted(camera_states, "state"))
                       : "camera: the same in all frames: hit points are shared where nothing dynamic is seen.");
   return lines;
@@ -127,8 +127,8 @@ std::vector<std::string> explain_worth(const FileFrames& file, const std::vector
   if (const auto frame = worst(&PhotonWorth::by_reach))
     lines.push_back(
         fmt::format("distant and infinite lights: their photons start on a disk that covers what is in any "
-                    "of the {} of the file. Frame {} fares worst: {:.2g}% of them would start in a file of "
-                    "its own.",
+                    "of the {} of the file. Frame {} fares worst: {:.2g}% of them would be enough in a file "
+                    "of its own.",
                     all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_reach)));
   return lines;
 }

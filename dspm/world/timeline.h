@@ -1,4 +1,4 @@
-// Which of a thing's distinct states holds in which frame of the file.
+// The distinct states of a thing, and its state in each frame of the file.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,9 @@ namespace dspm {
 template <class State>
 struct Timeline {
   std::vector<State> states;
-  std::vector<int> state_of;  // by frame of the file; -1: not there
+  std::vector<int> state_of;  // by frame of the file; -1: absent
 
-  /// The states that `at(frame)` (an optional State) takes over `frames` frames, equal ones once, in order of first
-  /// use.
+  /// The states that `at(frame)` (an optional State) takes over `frames` frames, each once, in order of first use.
   template <class At, class Same>
   static Timeline of(int frames, At&& at, Same&& same) {
     Timeline line;
@@ -27,7 +26,7 @@ struct Timeline {
     return line;
   }
 
-  /// Of a thing that is there in `present` (by frame of the file), and whose state, `at(moment)`, depends on the moment
+  /// Of a thing that is there in `present` (by frame of the file) and whose state, `at(moment)`, depends on the moment
   /// alone.
   template <class At, class Same>
   static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same) {
@@ -45,10 +44,10 @@ struct Timeline {
     return line;
   }
 
-  /// The index of that state, which is added where there is none like it.
+  /// The index of that state, which is added if it is new.
   template <class Same>
   int place(State state, Same&& same) {
-    // Newest first: what changes from frame to frame seldom goes back.
+    // Newest first: a thing that changes from frame to frame seldom returns to an old state.
     for (std::size_t i = states.size(); i-- > 0;)
       if (same(states[i], state)) return static_cast<int>(i);
     states.push_back(std::move(state));

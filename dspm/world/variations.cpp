@@ -34,7 +34,7 @@ float scale_of(const LightScale& scale, Frame moment) {
   return numbers_of(*scale.params.at(moment).find("scale")).front();
 }
 
-/// By what the frame's variations multiply the lights of that name.
+/// Of the frame's variations, for lights of that name.
 float factor_of(const SceneDescription& scene, const std::string& light, Frame frame) {
   float factor = 1;
   for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
@@ -76,7 +76,7 @@ ParamList light_params(const SceneDescription& scene, const PluginUse& use, cons
     one.where = one.values_where = use.where;
     scale = params.params.insert(scale, std::move(one));
   }
-  if (scale->type != ParamType::number && scale->type != ParamType::integer) return params;  // its reader says it
+  if (scale->type != ParamType::number && scale->type != ParamType::integer) return params;  // its reader reports it
   std::vector<float> numbers = numbers_of(*scale);
   for (float& number : numbers) number *= factor;
   scale->type = ParamType::number, scale->values = std::move(numbers);

@@ -1,4 +1,4 @@
-// What variations make of parts and lights, frame by frame of the file.
+// The effect of variations on Dynamic blocks and lights, in each frame of the file.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace dspm {
 
-inline constexpr int kAlwaysThere = -1;  // the Dynamic block of what is static
+inline constexpr int kAlwaysThere = -1;  // instead of a Dynamic block: static
 
-/// In which frames of the file the things of a Dynamic block are there. A part that one of an axis's variations shows
-/// is hidden in its others; it is there where no axis hides it, nor a block around it.
+/// In which frames of the file the contents of a Dynamic block are there. A block that one variation of an axis shows
+/// is hidden in the axis's others; it is there if neither an axis nor a block around it hides it.
 std::vector<bool> presence(const SceneDescription& scene, int dynamic_block);
 
-/// A light's parameters in a frame of the file; `scale` is multiplied by what the frame's variations say of the lights
-/// of that name.
+/// A light's parameters in a frame of the file; `scale` is multiplied by the factors that the frame's variations give
+/// to lights of that name.
 ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, Frame frame);
 
 }  // namespace dspm

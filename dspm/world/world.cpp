@@ -46,13 +46,13 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   return cameras;
 }
 
-/// What the language knows and the renderer does not.
+/// The language knows media, the renderer does not.
 void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
   for (const MediumUse& use : description.media)
-    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": participating media are not built in dspm");
+    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media");
   for (const MediumInterfaceUse& use : description.medium_interfaces)
     if (!use.inside.empty() || !use.outside.empty())
-      diagnostics.unsupported(use.where, "participating media are not built in dspm");
+      diagnostics.unsupported(use.where, "dspm does not render participating media");
 }
 
 template <class T>

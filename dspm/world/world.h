@@ -22,22 +22,22 @@ struct WorldOptions {
 
 class World {
  public:
-  /// Everything wrong with the scene goes to `diagnostics`; where errors come up, scenes cannot be made.
-  /// `description` must outlive the world.
+  /// Errors and warnings go to `diagnostics`; after an error, scenes cannot be made. `description` must outlive the
+  /// world.
   World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics);
   ~World();
 
   int frame_count() const;
   /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
-  /// a world agree in what sampling derives from the scene (light probabilities, bounding sphere).
+  /// a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
-  /// The directive that made a part of scene(frames), as frame j of it has it.
+  /// The directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const;
-  /// How many pictures the textures hold of those that are made: those of this world's scenes, and what all need.
+  /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
-  /// What the trees of that scene may take at most while it is made, in bytes: an estimate, without making it.
+  /// An upper estimate of the bytes that the trees of that scene take while it is made, without making it.
   std::size_t tree_bytes_at_most(std::span<const Frame> frames) const;
-  /// What is shared between frames and what is not, and why: a sentence a line, for --explain.
+  /// What is shared between frames and what is not, and why: one sentence per line, for --explain.
   std::vector<std::string> explain(std::span<const Frame> frames) const;
 
  private:

@@ -1,7 +1,7 @@
 // Integrator "ambient" "float distance" 2 "integer iterations" 64
 //
-// Ambient occlusion: how much of the sky each surface sees, white where all of it. All frames at once: a camera ray and
-// a ray to the sky are each traced once for the frames in which they meet the same.
+// Ambient occlusion: how much of the sky each surface sees; white if all of it. All frames at once: a camera ray and a
+// ray to the sky are each traced once for the frames in which they meet the same.
 //
 //   iterations  rays to the sky, a pixel             64; 0: until stopped
 //   distance    how far away things can hide the sky 1e6, in scene units

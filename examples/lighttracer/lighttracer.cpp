@@ -1,10 +1,10 @@
 // Integrator "lighttracer" "integer photons" 300000 "integer iterations" 64
 //
-// Photons walk from the lights, and wherever they are scattered, what of them goes straight to the camera is added to
+// Follows photons from the lights. Wherever one is scattered, the light that goes straight to the camera is added to
 // the pixel that sees the place. [Dutré et al. 1993] All frames at once: a photon path is one path as long as the
-// frames meet the same; where they part, so do copies of it, with disjoint sets of frames. What is seen in a mirror or
-// through glass is left out, as are the lights themselves.
-#include <dspm/integrators/path_step.h>
+// frames meet the same; then it splits into copies with disjoint sets of frames. Left out are things seen in a mirror
+// or through glass, and the lights themselves.
+#include <dspm/integrators/branching_path.h>
 #include <dspm/integrators/tiles.h>
 #include <dspm/modules/module.h>
 #include <dspm/system/parallel.h>
@@ -19,10 +19,10 @@ struct Splat {
   Rgb radiance;
 };
 
-class PhotonWalk {
+class PhotonTracer {
  public:
-  PhotonWalk(const Scene& scene, const RenderSettings& render, int max_depth)
-      : scene_(scene), render_(render), max_depth_(max_depth) {}
+  PhotonTracer(const Scene& scene, const RenderSettings& render, int max_depth)
+      : scene_(scene), render_(render), max_depth_(max_depth), branches_(scene, counts_) {}
 
   void trace(std::uint64_t path_index, int iteration) {
     const PathRandom random(render_.seed, Stream::photon, path_index, static_cast<std::uint64_t>(iteration));
@@ -31,45 +31,45 @@ class PhotonWalk {
     const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
     light.states.for_each(scene_.frames(), [&](FrameSet frames, const Light& state) {
       const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
-      if (start) stack_.push({start->ray, start->flux / chosen.probability, frames});
+      if (start) branches_.push({start->ray, start->flux / chosen.probability, frames}).random = random;
     });
-    while (!stack_.empty()) {
-      const PathState path = stack_.pop();
-      for (const FrameHit& part : scene_.accel->partition(path.ray, path.frames))
-        if (!part.hit.missed()) scatter(path, part, random);
-    }
+    branches_.follow(*this);
+    branches_.count_path();
   }
 
-  const std::vector<Splat>& splats() const { return splats_; }
-
- private:
-  void scatter(const PathState& path, const FrameHit& part, const PathRandom& random) {
-    const SurfacePoint point = scene_.surface_point(part.hit);
-    const Vec3 wo = -path.ray.direction;
-    for_each_surface(scene_, part, point, [&](FrameSet frames, const Bsdf& bsdf) {
-      connect(path, frames, point, bsdf, wo, random);
+  // Called by branches_: where a path meets a surface, its frames may find different materials.
+  void arrived(const PathState& path, const Vertex& vertex) {
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      connect(path, frames, vertex, bsdf);
       if (path.bounces + 1 >= max_depth_) return;
-      const auto sample = sample_bsdf(bsdf, wo, random, path.bounces + 1, Transport::flux, bsdf.all_lobes());
-      if (!sample) return;
       PathState next = path;
       next.frames = frames;
-      extend(next, point, *sample);
-      next.throughput *= shading_correction(point, wo, sample->wi);
+      const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, bsdf.all_lobes());
+      if (!sample) return;
+      extend(next, vertex.point, *sample);
+      next.throughput *= shading_correction(vertex.point, vertex.wo, sample->wi);
       const float survival = std::min(1.f, max_component(next.throughput) / max_component(path.throughput));
-      if (survives(next, survival, random.number(next.bounces, kRoulette))) stack_.push(next);
+      if (survives(next, survival, path.random.number(next.bounces, kRoulette))) branches_.push(next);
     });
   }
+  void escaped(const PathState&, FrameSet) {}
+  void lost(const PathState&, FrameSet, const ScenePart&) {}
+  bool postpones(const PathState&, const HitPartition&) { return false; }
 
-  void connect(const PathState& path, FrameSet frames, const SurfacePoint& point, const Bsdf& bsdf, const Vec3& wo,
-               const PathRandom& random) {
+  const std::vector<Splat>& splats() const { return splats_; }
+  const PathCounts& counts() const { return counts_; }
+
+ private:
+  void connect(const PathState& path, FrameSet frames, const Vertex& vertex, const Bsdf& bsdf) {
+    const SurfacePoint& point = vertex.point;
     scene_.camera.for_each(frames, [&](FrameSet seeing, const Camera& camera) {
-      const auto sight = camera.sight(point.p, random.pair(path.bounces + 1, kLightPoint));
+      const auto sight = camera.sight(point.p, path.random.pair(path.bounces + 1, kLightPoint));
       if (!sight) return;
-      const Vec2 film = sight->film - render_.filter->sample(random.pair(path.bounces + 1, kLightDirection));
+      const Vec2 film = sight->film - render_.filter->sample(path.random.pair(path.bounces + 1, kLightDirection));
       const int x = static_cast<int>(std::floor(film.x)), y = static_cast<int>(std::floor(film.y));
       if (x < render_.crop.x0 || x >= render_.crop.x1 || y < render_.crop.y0 || y >= render_.crop.y1) return;
-      const float cosine = std::abs(dot(sight->w, point.ns)) * shading_correction(point, wo, sight->w);
-      const Rgb radiance = path.throughput * bsdf.evaluate(wo, sight->w, Transport::flux, bsdf.all_lobes()) *
+      const float cosine = std::abs(dot(sight->w, point.ns)) * shading_correction(point, vertex.wo, sight->w);
+      const Rgb radiance = path.throughput * bsdf.evaluate(vertex.wo, sight->w, Transport::flux, bsdf.all_lobes()) *
                            (cosine * sight->pixels_per_area);
       if (is_black(radiance) || !is_finite(radiance)) return;
       const FrameSet open = seeing - scene_.accel->occluded(point.spawn(sight->w, sight->distance), seeing);
@@ -80,8 +80,9 @@ class PhotonWalk {
   const Scene& scene_;
   const RenderSettings& render_;
   int max_depth_;
-  PathStack<PathState> stack_;
   std::vector<Splat> splats_;
+  PathCounts counts_;
+  BranchingPath<PathState> branches_;
 };
 
 class LightTracer final : public Integrator {
@@ -98,17 +99,23 @@ class LightTracer final : public Integrator {
   void iterate(int iteration) override {
     const StepTimer timer(statistics_.steps[0]);
     constexpr int kGrain = 4096;  // fixed, so that sums have the same order with any number of threads
-    std::vector<PhotonWalk> walks(static_cast<std::size_t>(chunk_count(photons_, kGrain)),
-                                  {scene_, render_, max_depth_});
+    struct Chunk {
+      std::vector<Splat> splats;
+      PathCounts counts;
+    };
+    std::vector<Chunk> chunks(static_cast<std::size_t>(chunk_count(photons_, kGrain)));
     parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-      PhotonWalk& walk = walks[static_cast<std::size_t>(begin / kGrain)];
-      for (std::int64_t i = begin; i < end; ++i) walk.trace(static_cast<std::uint64_t>(i), iteration);
+      PhotonTracer tracer(scene_, render_, max_depth_);
+      for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
+      chunks[static_cast<std::size_t>(begin / kGrain)] = {tracer.splats(), tracer.counts()};
     });
-    for (const PhotonWalk& walk : walks)
-      for (const Splat& splat : walk.splats())
+    for (const Chunk& chunk : chunks) {
+      statistics_.photon += chunk.counts;
+      for (const Splat& splat : chunk.splats)
         splat.frames.for_each([&](Frame frame) {
           sums_[static_cast<std::size_t>(frame)].pixels[static_cast<std::size_t>(splat.pixel)] += splat.radiance;
         });
+    }
     ++statistics_.iterations;
   }
 
@@ -134,9 +141,9 @@ class LightTracer final : public Integrator {
 };
 
 std::unique_ptr<Integrator> make_lighttracer(ParamReader& params, const Scene& scene, const RenderSettings& render) {
-  const int iterations = params.integer("iterations", 64, "", "each of that many photons; 0: until stopped");
-  const int photons = params.integer("photons", 300'000, "", "paths an iteration");
-  const int max_depth = params.integer("maxdepth", 8, "", "scatterings of a path");
+  const int iterations = params.integer("iterations", 64, "", "of `photons` paths each; 0: until stopped");
+  const int photons = params.integer("photons", 300'000, "", "paths per iteration");
+  const int max_depth = params.integer("maxdepth", 8, "", "scattering events of a path");
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   if (photons < 1 || max_depth < 1) params.error("photons", "photons and maxdepth must be at least 1");
   params.finish();

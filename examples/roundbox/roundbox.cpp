@@ -1,13 +1,13 @@
 // Shape "roundbox" "vector3 size" [2 1 1] "float radius" 0.2
 //
-// A box with round edges and corners, met by sphere tracing its distance function: no triangles, no formula for the
-// hit. A box with half sides b, grown by r, is where the distance to the box is r. [Hart 1996, Sphere tracing]
+// A box with round edges and corners, intersected by sphere tracing its distance function: no triangles, no formula for
+// the hit. A box with half sides b, grown by r, is where the distance to the box is r. [Hart 1996, Sphere tracing]
 //
-//   size    vector3  2 2 2   sides, round parts included
+//   size    vector3  2 2 2   sides, rounding included
 //   radius  float    0.1     of the edges; at most half the shortest side
 //
-// Rays ask for the surface again by two numbers only, so these have to name a point: the surface is seen whole from the
-// middle, and (u, v) are the angles of the direction in which it lies.
+// Only two numbers say later where a ray hit the surface, so they must identify the point: the whole surface is visible
+// from the middle, and (u, v) are the angles of the direction to the point.
 #include <dspm/modules/module.h>
 #include <dspm/shapes/double_vec.h>
 
@@ -36,7 +36,7 @@ class RoundBox final : public Shape {
   std::optional<PrimitiveHit> intersect(int, const Ray& ray) const override {
     const DoubleVec3 o = widen(ray.origin), d = widen(ray.direction);
     const double speed = length(d), middle = -dot(o, d) / (speed * speed), half = reach_ / speed;
-    // From far away, sphere tracing would lose its digits: it starts where the ball around the box begins.
+    // From far away, sphere tracing would lose precision, so it starts where the ball around the box begins.
     double t = std::max(0.0, middle - half);
     const double end = std::min(double{ray.t_max}, middle + half);
     if (!(t < end)) return std::nullopt;
@@ -55,7 +55,7 @@ class RoundBox final : public Shape {
   SurfacePoint surface_point(int, Vec2 uv) const override {
     const double phi = kTwoPi * uv.x, theta = kTwoPi / 2 * uv.y, rho = std::sin(theta);
     const DoubleVec3 direction{rho * std::cos(phi), rho * std::sin(phi), std::cos(theta)};
-    double low = 0, high = reach_ * 1.01;  // the surface lies between: it is seen whole from the middle
+    double low = 0, high = reach_ * 1.01;  // the surface lies between, as all of it is visible from the middle
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (distance(direction * middle) < 0 ? low : high) = middle;
@@ -82,7 +82,7 @@ class RoundBox final : public Shape {
 
  private:
   static constexpr int kSteps = 32;
-  static constexpr double kClose = 1e-9;  // to the surface, in parts of the shape's reach
+  static constexpr double kClose = 1e-9;  // to the surface, as a fraction of the shape's reach
 
   /// Negative inside.
   double distance(const DoubleVec3& p) const {
@@ -135,7 +135,7 @@ class RoundBox final : public Shape {
   double edges() const { return 2 * kTwoPi * radius_ * (box_.x + box_.y + box_.z); }
   double corners() const { return 2 * kTwoPi * radius_ * radius_; }
 
-  /// Uses up the part of `u` that chooses: one of three axes by weight, and which of the two sides.
+  /// One of three axes, chosen by weight, and one of its two sides; `rest` is what remains of `u`.
   struct Axis {
     int axis;
     double sign, rest;
@@ -179,7 +179,7 @@ class RoundBox final : public Shape {
 };
 
 std::vector<ShapePart> make_roundbox(ParamReader& reader) {
-  const Vec3 size = reader.vector("size", {2, 2, 2}, "scene units", "sides, round parts included");
+  const Vec3 size = reader.vector("size", {2, 2, 2}, "scene units", "sides, rounding included");
   const float radius = reader.number("radius", 0.1f, "scene units", "of the edges; at most half the shortest side");
   reader.finish();
   std::vector<ShapePart> parts;

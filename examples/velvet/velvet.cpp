@@ -5,11 +5,11 @@
 //
 //   f(wo, wi) = [ reflectance (1 - rim g(wo)) (1 - rim g(wi)) + rim N g(wo) g(wi) ] / pi.
 //
-// N makes the second term reflect the share rim g(wo) of the light: 2 N times the integral of (1 - c)^falloff c over
-// [0, 1] is 1. So no more than all light comes back, and f is the same both ways round.
+// N makes the second term reflect the fraction rim g(wo) of the light: 2 N times the integral of (1 - c)^falloff c over
+// [0, 1] is 1. So no more light comes back than came in, and f is reciprocal.
 //
-//   reflectance  spectrum texture  0.5   share of the light that the ground reflects
-//   rim          spectrum texture  0.5   share that the fibres reflect at grazing angles
+//   reflectance  spectrum texture  0.5   fraction of the light that the ground reflects
+//   rim          spectrum texture  0.5   fraction that the fibres reflect at grazing angles
 //   falloff      float             4     how narrow the rim is; 1 to 64
 #include <dspm/materials/parameters.h>
 #include <dspm/materials/shading_frame.h>
@@ -61,7 +61,7 @@ class Velvet final : public Bsdf {
     return (ground_ * (Rgb(1) - rim_ * g_o) * (Rgb(1) - rim_ * g_i) + rim_ * (n * g_o * g_i)) / kPi;
   }
 
-  /// Of drawing from the whole hemisphere, as the rim asks for.
+  /// Of sampling the whole hemisphere uniformly, as suits the rim.
   float rim_chance(float cos_o) const {
     const float rim = max_component(rim_) * grazing(cos_o), ground = max_component(ground_) * (1 - rim);
     return rim + ground > 0 ? rim / (rim + ground) : 0;
@@ -94,9 +94,9 @@ class VelvetMaterial final : public Material {
 
 std::unique_ptr<Material> make_velvet(ParamReader& reader, const MaterialContext& context) {
   const auto ground = reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo,
-                                            "share of the light that the ground reflects");
-  const auto rim =
-      reader.rgb_or_texture("rim", Rgb(0.5f), SpectrumRole::albedo, "share that the fibres reflect at grazing angles");
+                                            "fraction of the light that the ground reflects");
+  const auto rim = reader.rgb_or_texture("rim", Rgb(0.5f), SpectrumRole::albedo,
+                                         "fraction that the fibres reflect at grazing angles");
   const float falloff = reader.number("falloff", 4, "", "how narrow the rim is; 1 to 64");
   if (!(falloff >= 1 && falloff <= 64)) reader.error("falloff", "the falloff must be between 1 and 64");
   refuse_unbuilt_parameters(reader);

@@ -9,8 +9,8 @@ int main(int count, char** arguments) {
     for (const char* falloff : {"1", "4", "64"}) {
       const std::string velvet =
           R"("velvet" "rgb reflectance" [.25 .5 1] "rgb rim" [.9 .4 1] "float falloff" )" + std::string(falloff);
-      checks.add("scattering of " + velvet, check_scattering(velvet));
-      checks.add("the open furnace with " + velvet, check_open_furnace(velvet));
+      checks.add("scattering of " + velvet, [&] { return check_scattering(velvet); });
+      checks.add("the open furnace with " + velvet, [&] { return check_open_furnace(velvet); });
     }
   });
 }

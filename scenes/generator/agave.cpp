@@ -1,4 +1,4 @@
-// What stands beside the basin of water.dsc: agave.ply, a rosette of fleshy leaves, its foot at the origin, and
+// The plant beside the basin of water.dsc: agave.ply, a rosette of fleshy leaves, its foot at the origin, and
 // agave_pot.ply, the bowl that it grows in, standing on y = -0.2. Metres.
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The glass animal of horse.dsc and figure9/ on its way through the hall: animal.NNN.ply, NNN the time in 1/768 of the
-// run. There are the files that 8, 16, 24, 32, 64 and 256 frames of the run need: multiples of 3 and of 32.
+// run. Only the times that 8, 16, 24, 32, 64 and 256 frames of the run need: multiples of 3 and of 32.
 #include "scenes/generator/animal.h"
 
 #include <fmt/format.h>

@@ -26,11 +26,11 @@ using Skeleton = std::array<Segment, kBones>;
 
 /// The pose in which the body is modelled: standing, all joints open.
 const Skeleton& rest();
-/// The pose at `phase` of a stride (any number; its whole part does not matter), over the ground it has covered.
+/// The pose at `phase` of a stride (any number; its integer part does not matter), over the ground it has covered.
 Skeleton gallop(float phase);
-inline constexpr float kStride = 3.9f;  // metres a stride
+inline constexpr float kStride = 3.9f;  // metres per stride
 
-/// The body at rest, and how far each of its vertices follows which bone: kBones weights a vertex, of sum 1.
+/// The body at rest, and how far each of its vertices follows each bone: kBones weights per vertex, of sum 1.
 struct Body {
   MeshData mesh;
   std::vector<std::array<float, kBones>> weights;

@@ -9,7 +9,7 @@
 namespace dspm::animal {
 namespace {
 
-constexpr float kStance = 0.24f;                                       // the part of a stride that a foot stands
+constexpr float kStance = 0.24f;                                       // the fraction of a stride that a foot stands
 constexpr std::array<float, leg_count> kStrikes{0, .11f, .36f, .48f};  // when it comes down
 
 float length_of(const Segment& s) { return std::hypot(s.to.x - s.from.x, s.to.y - s.from.y); }
@@ -30,7 +30,8 @@ Segment turned_bone(const Segment& at_rest, Vec2 from, float turn) {
   return {from, from + direction(angle_of(at_rest) + turn) * length_of(at_rest)};
 }
 
-/// What a leg does: where its hoof is and how far that is folded back (radians), and the swing of its uppermost bone.
+/// The state of a leg: where its hoof is and how far that is folded back (radians), and the swing of its uppermost
+/// bone.
 struct Step {
   Vec2 hoof;
   float fold = 0, swing = 0;
@@ -60,7 +61,7 @@ float sinking(Vec2 from, Vec2 to, float reach) {
   return std::max(0.f, from.y - to.y - std::sqrt(reach * reach - x * x));
 }
 
-/// The uppermost bone swings, the hoof goes its way, and the two bones between follow. Where the leg is too short the
+/// The uppermost bone swings, the hoof follows its path, and the two bones between adapt. If the leg is too short, the
 /// shoulder or hip sinks, as it does in a horse.
 void pose_leg(Skeleton& pose, Leg leg, float phase) {
   const auto bone = [&](LegBone b) { return static_cast<std::size_t>(bone_of(leg, b)); };

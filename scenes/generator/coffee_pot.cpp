@@ -114,7 +114,7 @@ double coffee_pot(const Vec3& p) {
   return -melted(-closed, mouth.distance(p), 0.06);
 }
 
-/// Finer where the surface bends most: at the spout's mouth, where the lid lies on, and at the foot.
+/// Finer where the surface bends most: at the spout's mouth, where the lid rests, and at the foot.
 double coarseness(const Vec3& p) {
   const bool bends = p.x > 1.5f || std::abs(p.y - 2.31f) < 0.1f || p.y < 0.08f;
   return bends ? 0.4 : 1;

@@ -55,7 +55,7 @@ constexpr std::array<Weave, 10> kWeaves{{
     {"tartan", sett, sett, twill, 0.2f},
 }};
 
-/// A thread is thicker and thinner, paler and darker along its way.
+/// A thread varies in thickness and shade along its length.
 float thread_shade(const Weave& weave, int thread, float along, bool is_warp) {
   const float across = (static_cast<float>(thread) + 0.5f) / kThreads;
   const float slub = is_warp ? noise(21, across, along, kThreads, 6) : noise(22, along, across, 6, kThreads);

@@ -1,7 +1,8 @@
 // The glass ball of disco.dsc: glass_ball.01.ply to .24.ply, two seconds, at its place in the room; metres, the floor
-// is at y = 0. It bounces to and fro, a jump a second, and rings like a drop: every impact squeezes it and it swings
-// back in the two lowest modes of a ball with surface tension, whose squared frequencies are as l (l - 1) (l + 2). The
-// volume stays. Frame 25 would be frame 1 again. [Rayleigh 1879, On the Capillary Phenomena of Jets]
+// is at y = 0. It bounces to and fro, one jump per second, and rings like a drop: every impact squeezes it, and it
+// swings back in the two lowest modes of a ball with surface tension, whose squared frequencies are as
+// l (l - 1) (l + 2). The volume stays the same. Frame 25 would be frame 1 again. [Rayleigh 1879, On the Capillary
+// Phenomena of Jets]
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The cathedral of horse.dsc and figure9/: hall_*.ply, one file a material.
+// The cathedral of horse.dsc and figure9/: hall_*.ply, one file per material.
 #include "scenes/generator/hall.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace dspm {
 namespace hall {
 namespace {
 
-/// A flat tile with uv in metres, turned so that `turn` puts the pattern on its corner.
+/// A flat tile with uv in metres; `diagonal` turns the pattern by 45 degrees.
 MeshData tile(float x0, float x1, float z0, float z1, bool diagonal) {
   MeshData mesh{{{x0, 0, z0}, {x1, 0, z0}, {x1, 0, z1}, {x0, 0, z1}}, {}, {}, {{0, 2, 1}, {0, 3, 2}}};
   for (const Vec3& p : mesh.vertices)

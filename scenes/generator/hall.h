@@ -1,4 +1,4 @@
-// The cathedral's measures, in metres, and the parts that it is put together from. The nave runs along x, y is up, and
+// The cathedral's measures, in metres, and the pieces that it is assembled from. The nave runs along x, y is up, and
 // the middle of its floor is the origin; the apse is at the end of large x, the rose at the other.
 #pragma once
 
@@ -21,7 +21,7 @@ inline constexpr float kPointedness = 0.4f;  // of all vaults
 /// By material.
 struct Parts {
   MeshData floor, border;       // tiles with uv in metres; the bands on which the piers stand
-  MeshData stone, trim, webs;   // walls; columns, ribs and mouldings; what lies between the ribs
+  MeshData stone, trim, webs;   // walls; columns, ribs and mouldings; the vaults between the ribs
   MeshData sunny, shady, rose;  // panes of the windows: towards small z, towards large z, the western one
 };
 

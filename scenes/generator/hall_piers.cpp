@@ -35,7 +35,7 @@ MeshData column() {
   return mesh;
 }
 
-/// What carries the aisles' ribs at the outer walls.
+/// It carries the aisles' ribs at the outer walls.
 MeshData respond() {
   MeshData mesh = slab(0.36f, -0.05f, 0.25f);
   append(mesh, lathe(kRespond, 12));

@@ -34,7 +34,7 @@ std::vector<float> whole_arch(int steps) {
   return places;
 }
 
-/// One of the four cells between the diagonals: part of the barrel across x or across z, on the side `sign`.
+/// One of the four cells between the diagonals: a piece of the barrel across x or across z, on the side `sign`.
 void add_cell(MeshData& webs, const Bay& bay, bool across_x, float sign, float reach) {
   MeshData cell;
   const std::vector<float> places = whole_arch(bay.steps);

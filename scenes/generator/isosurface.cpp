@@ -39,7 +39,7 @@ class Grid {
  private:
   static constexpr int kBlock = 8;  // corners along its edge
 
-  /// Far from the surface the value in a block's middle does for all of it: only its sign matters there.
+  /// Far from the surface, the value in a block's middle stands for all of it: only its sign matters there.
   void sample(const Field& field, const std::array<int, 3>& block) {
     constexpr float kMiddle = 0.5f * (kBlock - 1);
     const auto middle = [&](std::size_t axis) { return static_cast<float>(block[axis] * kBlock) + kMiddle; };
@@ -60,7 +60,7 @@ class Grid {
   std::vector<double> values_;
 };
 
-/// Cuts cubes into six tetrahedra each and these by the surface. What neighbours have in common is cut alike, so the
+/// Cuts each cube into six tetrahedra, and these by the surface. Neighbours cut the faces that they share alike, so the
 /// result is closed and manifold whatever the field. [Doi, Koide 1991]
 class Marcher {
  public:
@@ -133,7 +133,7 @@ class Marcher {
   std::map<std::pair<int, int>, int> vertices_;
 };
 
-/// Every vertex goes to the middle of its neighbours.
+/// Every vertex moves to the middle of its neighbours.
 void relax(MeshData& mesh) {
   std::vector<Vec3> sums(mesh.vertices.size());
   std::vector<float> counts(mesh.vertices.size(), 0);

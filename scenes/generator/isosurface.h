@@ -12,13 +12,13 @@ namespace dspm {
 /// Negative inside, and near the surface about the distance to it; it must not change much faster than distance does.
 using Field = std::function<double(const Vec3&)>;
 
-/// The surface in the box `bounds`, which it must not cross: closed, manifold, the outside outside. Sampled in cubes of
-/// the width `cell`, then thinned out to about `triangles`, of the same size unless `coarseness` says otherwise.
+/// The surface in the box `bounds`, which it must not cross: closed, manifold, facing outwards. Sampled in cubes of the
+/// width `cell`, then thinned out to about `triangles`, of the same size unless `coarseness` says otherwise.
 MeshData isosurface(
     const Field& field, const Bounds3& bounds, float cell, int triangles,
     const Coarseness& coarseness = [](const Vec3&) { return 1; });
 
-/// The field's direction of growth there, of unit length.
+/// The direction in which the field grows there, of unit length.
 Vec3 gradient(const Field& field, const Vec3& p);
 
 }  // namespace dspm

@@ -9,7 +9,7 @@ namespace dspm {
 namespace {
 
 constexpr int kSides = 40, kRows = 96;
-constexpr float kCap = 0.07f;  // share of v that each end takes
+constexpr float kCap = 0.07f;  // fraction of v that each end takes
 
 /// [Catmull, Rom 1974]; the ends' slopes are those of their neighbours' chords.
 template <class T>
@@ -31,7 +31,7 @@ Station station_at(const std::vector<Station>& all, float along) {
           between(a.half_depth, b.half_depth, c.half_depth, d.half_depth, t)};
 }
 
-/// Where a ring of the limb lies: along its path, and on the rounded ends before and behind that.
+/// Where a ring of the limb lies: along its path, and on the rounded ends before and after that.
 struct Ring {
   float along, shrink, beyond;
 };

@@ -1,5 +1,5 @@
 // Walls with arched openings. A wall lies in coordinates of its own, s along it, y up and d into it, which a function
-// carries into the world: a curved wall is built as a flat one is.
+// maps to the world, so that curved walls are built like flat ones.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ struct Opening {
 
 struct Arch {
   float middle = 0, half_width = 1, sill = 0, spring = 1, pointedness = 0.4f;
-  int steps = 8;  // a half
+  int steps = 8;  // per half
 };
 std::vector<Vec2> outline_of(const Arch& arch);
 std::vector<Vec2> circle_outline(const Vec2& middle, float radius, int steps);
@@ -42,7 +42,7 @@ struct Wall {
 
   MeshData face() const;     // with holes
   MeshData reveals() const;  // from the face to each opening's depth
-  MeshData panes() const;    // what closes the openings there
+  MeshData panes() const;    // that close the openings there
   /// A block in the wall's coordinates, such as a bar of a window.
   MeshData block(const Vec3& low, const Vec3& high) const;
 };

@@ -1,4 +1,4 @@
-// Meshes into files: binary PLY, as small as it can be, whole or not at all. The scenes read them by Shape "plymesh".
+// Writes meshes: binary PLY, as small as possible, complete or not at all. The scenes read them by Shape "plymesh".
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// Vertices, normals and texture coordinates where there are any, and faces.
+/// Vertices, normals and texture coordinates if there are any, and faces.
 void write_ply(const std::filesystem::path& file, const MeshData& mesh);
 
 }  // namespace dspm

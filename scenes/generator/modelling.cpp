@@ -96,7 +96,7 @@ void append(MeshData& mesh, const MeshData& part, const Transform& placement) {
 
 MeshData with_normals(const MeshData& mesh, float crease_degrees) {
   const float cosine = std::cos(crease_degrees * kPi / 180);
-  std::vector<Vec3> face_normals;  // as long as the face is large
+  std::vector<Vec3> face_normals;  // each as long as twice the face's area
   std::vector<std::vector<int>> faces_at(mesh.vertices.size());
   for (const Face& face : mesh.faces) {
     const auto corner = [&](int i) {

@@ -10,8 +10,8 @@
 
 namespace dspm {
 
-/// A profile of points (radius, height) turned around the y axis in `sides` steps, from the bottom up for a body whose
-/// outside is outside. Points on the axis become one vertex.
+/// A profile of points (radius, height) turned around the y axis in `sides` steps, from the bottom up for a body that
+/// faces outwards. Points on the axis become one vertex.
 MeshData lathe(const std::vector<Vec2>& profile, int sides);
 
 /// A closed, convex, counterclockwise profile carried along a path that lies in a plane with the unit normal `side`:

@@ -13,7 +13,7 @@ namespace {
 
 namespace simplification = CGAL::Surface_mesh_simplification;
 
-/// The shortest edge collapses first: what remains is about equilateral.
+/// The shortest edge collapses first, so that triangles become roughly equilateral.
 struct LengthCost {
   const Coarseness& coarseness;
 

@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// How long edges are to be here, compared with elsewhere.
+/// How long edges should be here, relative to elsewhere.
 using Coarseness = std::function<double(const Vec3&)>;
 
 /// A closed mesh of small triangles thinned out to about `triangles`, without normals and texture coordinates.

@@ -1,4 +1,4 @@
-// What stands around the chair of chair.dsc: cove.ply, floor and wall in one sheet, the wall's foot rounded;
+// The things around the chair of chair.dsc: cove.ply, floor and wall in one sheet, the wall's foot rounded;
 // side_table.ply, a tray on a stem; vase.ply, of glass. Table and vase stand on the origin. The unit is 10 cm.
 #include <cmath>
 

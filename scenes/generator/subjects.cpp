@@ -13,9 +13,9 @@ std::span<const Subject> subjects() {
       {"coffee_pot", "the product of material.dsc", make_coffee_pot},
       {"tableware", "glass and cup of material.dsc", make_tableware},
       {"chair", "the product of chair.dsc", make_chair},
-      {"studio", "what stands around it", make_studio},
+      {"studio", "the things around it", make_studio},
       {"lamp", "the product of lamp.dsc, with three shades", make_lamp},
-      {"wood", "the grain of wood, a picture", make_wood},
+      {"wood", "a picture of wood grain", make_wood},
       {"fabrics", "pictures of ten weaves, and 500 variations of them", make_fabrics},
   };
   return all;

@@ -1,5 +1,5 @@
-// What the generator makes. Each subject is a file of its own, which says how the thing is built and in which files and
-// units it ends.
+// The subjects that the generator makes. Each has a source file of its own, which says how the thing is built, and into
+// which files and in which units it is written.
 #pragma once
 
 #include <filesystem>

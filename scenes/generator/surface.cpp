@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// By central differences. At a pole, where one slope vanishes, a little beside it.
+/// By central differences. At a pole, where one slope vanishes, slightly next to it.
 Vec3 normal_at(const Surface& surface, float u, float v) {
   constexpr float kStep = 1e-3f;
   const Vec3 du = surface(u + kStep, v) - surface(u - kStep, v), dv = surface(u, v + kStep) - surface(u, v - kStep);

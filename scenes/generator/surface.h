@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// A point for u and v in 0..1, and, being asked for slopes, a little beyond.
+/// A point for u and v in 0..1 and, for slopes, a little beyond.
 using Surface = std::function<Vec3(float u, float v)>;
 using TextureMap = std::function<Vec2(float u, float v)>;
 

@@ -1,4 +1,4 @@
-// What stands around the coffee pot of material.dsc, each on the origin: tumbler.ply, of glass and with a thick bottom,
+// The things around the coffee pot of material.dsc, each on the origin: tumbler.ply, of glass and with a thick bottom,
 // and cup.ply, of china. The unit is 10 cm.
 #include "dspm/math/vec.h"
 #include "scenes/generator/mesh_file.h"

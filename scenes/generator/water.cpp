@@ -17,7 +17,7 @@ namespace {
 constexpr int kFrames = 25, kCells = 100;
 constexpr float kSeconds = 1.f / 25;  // a frame
 constexpr float kSide = 0.6f, kDepth = 0.1f, kInStone = 0.004f;
-constexpr float kFinerInside = 0.35f;  // cells in the middle are smaller by this share, those at the walls larger
+constexpr float kFinerInside = 0.35f;  // cells in the middle are smaller by this fraction, those at the walls larger
 
 std::vector<float> coordinates() {
   std::vector<float> list;
@@ -66,7 +66,7 @@ int add(MeshData& mesh, const Vec3& p, const Vec3& normal) {
   return static_cast<int>(mesh.vertices.size()) - 1;
 }
 
-/// What is hidden in the stone.
+/// Adds the sides and the bottom, which are hidden in the stone.
 void close_below(MeshData& mesh) {
   const std::vector<int> edge = rim();
   const Vec3 down{0, -1, 0};

@@ -45,7 +45,7 @@ std::vector<double> WaterWaves::amplitudes(float time) const {
     const double x = static_cast<double>(blow.place.x), z = static_cast<double>(blow.place.y);
     for (int n = 0; n < kModes; ++n)
       for (int m = 0; m < kModes; ++m) {
-        if (m + n == 0) continue;  // a blow moves no water away
+        if (m + n == 0) continue;  // a blow takes no water away
         const double km = m * kPiD / side_, kn = n * kPiD / side_, k = std::hypot(km, kn);
         // The blow's Fourier transform, pi R^2 s exp(-s) with s = k^2 R^2 / 4, over the norm of the cosines.
         const double s = 0.25 * k * k * static_cast<double>(blow.radius) * static_cast<double>(blow.radius);

@@ -1,5 +1,5 @@
 // Waves on the water of a square basin: gravity and surface tension over a flat floor, linear, reflected by the walls.
-// Every standing wave of the basin swings on its own, so the state at any time is a sum that needs no steps of time.
+// Every standing wave of the basin swings on its own, so the state at any time is a sum that needs no time steps.
 //   height(x, z, t) = sum over m, n of a_mn(t) cos(m pi x / side) cos(n pi z / side),   k = pi / side |(m, n)|
 //   a_mn(t) = strength exp(-damping k^2 t) sin(omega t) / omega after a blow,
 //   omega^2 = (g k + sigma / rho k^3) tanh(k depth)
@@ -22,7 +22,7 @@ struct Blow {
 
 class WaterWaves {
  public:
-  /// `side` and `depth` in metres, `damping` in m^2/s: twice water's viscosity, or more where waves are to calm down.
+  /// `side` and `depth` in metres, `damping` in m^2/s: twice water's viscosity, or more to calm the waves.
   WaterWaves(float side, float depth, float damping, std::vector<Blow> blows);
 
   struct Point {

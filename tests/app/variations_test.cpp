@@ -259,7 +259,8 @@ TEST(Variations, ThatAreNotThereAreAUsageError) {
   EXPECT_EQ(close.code, 2);
   EXPECT_EQ(close.err, "dspm: --variation oka-dots: there is no such variation; did you mean \"oak-dots\"?\n");
   const Outcome far = run(directory, {"finishes.dsc", "--variation", "x*"});
-  EXPECT_NE(far.err.find("there are: oak-dots, oak-glass, oak-bare, steel-dots, steel-glass, steel-bare"), far.err.npos)
+  EXPECT_NE(far.err.find("the scene has: oak-dots, oak-glass, oak-bare, steel-dots, steel-glass, steel-bare"),
+            far.err.npos)
       << far.err;
   EXPECT_EQ(run(directory, {"chair.dsc", "--variation", "oak"}).err,
             "dspm: --variation oak: the scene has no variations\n");

@@ -190,7 +190,7 @@ TEST(Cameras, RejectWhatMakesNoSense) {
   EXPECT_EQ(errors(number("fov", 180)), "parameter \"fov\" of plugin \"perspective\" must be below 180\n");
   EXPECT_EQ(errors(number("fov", 0)), "parameter \"fov\" of plugin \"perspective\" must be above 0\n");
   EXPECT_EQ(errors(number("lensradius", -1)),
-            "parameter \"lensradius\" of plugin \"perspective\" must not be below 0\n");
+            "parameter \"lensradius\" of plugin \"perspective\" must not be negative\n");
   EXPECT_EQ(errors(number("focaldistance", 0)),
             "parameter \"focaldistance\" of plugin \"perspective\" must be above 0\n");
   EXPECT_NE(errors(numbers("screenwindow", {-1, 1, -1})), "");

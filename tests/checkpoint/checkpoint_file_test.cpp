@@ -94,6 +94,26 @@ TEST(CheckpointFile, HoldsTheLastStateOfEachInterval) {
   }
 }
 
+// The file in which the other intervals' states are is cut off by somebody while the render goes on.
+TEST(CheckpointFile, IsNotReplacedByWhatCannotBeCopied) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path path = directory / "cut.ck";
+  std::vector<IntervalState> states(2);
+  states[0].frames = {0}, states[1].frames = {1};
+  auto file = CheckpointFile::write(path, {}, states, nullptr, nullptr);
+  Numbers many(std::vector<double>(100'000, 0.5)), one({1});
+  const auto save = [&](std::size_t interval, Numbers& numbers) {
+    std::vector<IntervalState> now = file->intervals();
+    now[interval].iterations = 1;
+    const CheckpointFile::NewState state{interval, numbers};
+    file = CheckpointFile::write(path, {}, now, &state, file.get());
+  };
+  save(0, many);
+  std::filesystem::resize_file(path, 400'000);
+  EXPECT_THROW(save(1, one), std::runtime_error);
+  EXPECT_EQ(std::filesystem::file_size(path), 400'000u);
+}
+
 TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   const TemporaryDirectory directory;
   Numbers integrator({1, 2, 3});

@@ -136,7 +136,7 @@ TEST(Checkpoint, OfAnotherSceneIsRefusedAndTheChangeNamed) {
       {"photons\" 200", "photons\" 201", "tiny.dsc:3:1: error: integrator \"dsppm\" has changed"},
       {"seed\" 5", "seed\" 6", "the seed: 6 now, 5 in the checkpoint"},
       {"WorldBegin", "PixelFilter \"box\" WorldBegin", "the pixel filter has changed since the checkpoint"},
-      {"Shape \"sphere\" \"float radius\" 0.4", "", "shape \"sphere\" of the checkpoint is not there any more"},
+      {"Shape \"sphere\" \"float radius\" 0.4", "", "shape \"sphere\" has been removed since the checkpoint"},
   };
   for (const Change& change : changes) {
     put_file(directory / "tiny.dsc", tiny_scene(change.from, change.to));
@@ -213,7 +213,7 @@ TEST(Checkpoint, IsNeverOverwrittenByAnotherRun) {
   const std::string before = contents(directory / "a");
   const Outcome outcome = run(directory, {"tiny.dsc", "--checkpoint", "a"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.err.find("--resume a goes on with it"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("continue it by --resume a"), std::string::npos) << outcome.err;
   EXPECT_EQ(contents(directory / "a"), before);
 }
 

@@ -72,7 +72,7 @@ TEST_F(Bounds, FilesThatIncludeOneAnother) {
   expect_refused_scene("Include \"a.dsc\"", {"a.dsc:1:9", "this file includes itself"});
   put("b.dsc", repeated("Shape \"sphere\"\n", 7'000));
   expect_refused_scene(scene(repeated("Include \"b.dsc\"\n", 3'000)),
-                       {"a.dsc:27:9", "the same files are included until", "ObjectInstance"});
+                       {"a.dsc:27:9", "including the same files repeatedly adds up to", "ObjectInstance"});
   for (int i = 0; i < 40; ++i) put(fmt::format("f{}.dsc", i), repeated(fmt::format("Include \"f{}.dsc\" ", i + 1), 2));
   put("f40.dsc", "");
   expect_refused_scene("WorldBegin Include \"f0.dsc\"", {"more than 50000 files are included"});
@@ -125,7 +125,7 @@ TEST_F(Bounds, PathsWithoutEnd) {
 TEST_F(Bounds, NamesWithZeros) {
   using namespace std::string_literals;
   expect_refused_scene(scene("Shape \"plymesh\" \"string filename\" \"a\0.ply\""s),
-                       {"a.dsc:5:", "this string holds a byte of value 0"});
+                       {"a.dsc:5:", "this string contains a zero byte"});
 }
 
 TEST_F(Bounds, LongListsInForce) {
@@ -169,7 +169,7 @@ TEST_F(Bounds, MeshesThatAnnounceABillion) {
   const std::string face = "element face 1\nproperty list uint int vertex_indices\n";
   expect_refused_mesh(ply("element vertex 1\n" + kXyz + face, "0 0 0\n1000000000 0 0 0\n"), "the file ends early");
   expect_refused_mesh(ply("element vertex 1\n" + kXyz + face, zeros.substr(0, 12) + many, "binary_little_endian"),
-                      "this is no count of a list");
+                      "this is not the count of a list");
   expect_refused_mesh(ply("element other 1000000000000000000\nproperty char a\n", zeros, "binary_little_endian"),
                       "the file ends early");
 }

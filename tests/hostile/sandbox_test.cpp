@@ -50,7 +50,7 @@ class Sandbox : public testing::Test {
     }
     return run(directory, options);
   }
-  std::string refusal() const { return "lies outside of the sandbox " + (fs::canonical(directory / "box")).string(); }
+  std::string refusal() const { return "lies outside the sandbox " + (fs::canonical(directory / "box")).string(); }
 
   void expect_refused(const Outcome& outcome, const std::string& what) const {
     EXPECT_EQ(outcome.code, 1) << what << "\n" << outcome.err;

@@ -107,6 +107,43 @@ INSTANTIATE_TEST_SUITE_P(Estimators, Progressive,
                                            R"("sppm" "string estimator" "hj09")",
                                            R"("sppm" "string estimator" "kz11")"));
 
+/// What is in use, without the room that vectors keep for growing.
+std::size_t bytes_in_use(const std::vector<HitPointTile>& tiles) {
+  std::size_t bytes = 0;
+  for (const HitPointTile& tile : tiles)
+    bytes += (tile.hit_points.size() + tile.glossy.size()) * sizeof(HitPoint) +
+             tile.scatterings.size() * sizeof(Scattering) + tile.seen.size() * sizeof(SeenLight);
+  return bytes;
+}
+
+// The estimate looks at small blocks of pixels and is on the safe side, by no more than a half.
+TEST(MemoryNeeds, OfHitPointsAreThoseOfAnIteration) {
+  TestScene test(R"(
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective" "float fov" 60
+Film "rgb" "integer xresolution" 200 "integer yresolution" 150
+WorldBegin
+LightSource "point" "point3 from" [0 2 -2] "rgb I" [8 8 8]
+LightSource "infinite" "rgb L" [.2 .2 .2]
+Material "coateddiffuse" "float roughness" 0.4
+Shape "sphere"
+Material "conductor" "float roughness" 0.5
+Translate 1.5 0.5 0
+Shape "sphere" "float radius" 0.7
+)");
+  const auto scene = test.scene({0});
+  for (const bool keep_bsdf : {false, true}) {
+    const HitPointSettings settings{.sample_direct = true, .keep_bsdf = keep_bsdf};
+    const RenderSettings& render = test.job().settings;
+    const auto estimate = static_cast<double>(hit_point_bytes(*scene, render, settings));
+    for (const std::uint64_t iteration : {0, 7}) {
+      const auto actual = static_cast<double>(bytes_in_use(trace_hit_points(*scene, render, settings, iteration, {})));
+      EXPECT_GE(estimate, actual);
+      EXPECT_LE(estimate, 1.5 * actual);
+    }
+  }
+}
+
 class BoundedMemory : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BoundedMemory, HoldsWhatItSays) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/session/revertible.h"
 #include "dspm/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 
@@ -43,7 +44,7 @@ bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int ite
   });
   bool cancelled = false;
   try {
-    integrator.iterate(iteration);
+    iterate_revertibly(integrator, iteration);
   } catch (const Cancelled&) {
     cancelled = true;
   }

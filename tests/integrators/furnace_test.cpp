@@ -33,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
 "integer causticphotons" 20000)",
                          3},
+                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2 "integer nearest" 5
+"integer causticphotons" 20000)",
+                         3},
                     Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
 "integer causticphotons" 20000)",
                          2},

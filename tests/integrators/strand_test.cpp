@@ -45,6 +45,16 @@ TEST(Strands, MultiplesOfAColourBecomeGrey) {
   EXPECT_EQ(dimming.strands()[1].weight, Rgb(0.5f));
 }
 
+TEST(Strands, ColoursThatNearlyAgreeAreNoMultiples) {
+  Strands tinted;
+  tinted.add(kFew, {1, 1, 1});
+  tinted.add(kOther, {1, 1, 0.95f});
+  const Rgb common = tinted.take_common();
+  ASSERT_EQ(tinted.strands().size(), 2u);
+  EXPECT_FALSE(tinted.strands()[0].grey);
+  EXPECT_EQ(common * tinted.strands()[1].weight, Rgb(1, 1, 0.95f));
+}
+
 TEST(Strands, EqualWeightsAreOneStrand) {
   Strands alike;
   alike.add(kFew, {0.3f, 0.2f, 0.1f});

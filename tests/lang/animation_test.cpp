@@ -50,7 +50,7 @@ TEST(Animation, ABlockBeyondTheLastFrameIsAWarning) {
   const Parsed parsed = parse("Frames 4\nWorldBegin\nDynamicBegin \"a\" \"integer frames\" [3 9]\nDynamicEnd");
   EXPECT_EQ(parsed.scene.dynamic_blocks[0].moments, (FrameInterval{2, 4}));
   EXPECT_EQ(parsed.messages(),
-            "scene.dsc:3:18: warning: this key for frame 9 lies outside: the scene has 4 frames\n"
+            "scene.dsc:3:18: warning: this key for frame 9 is out of range: the scene has 4 frames\n"
             "    3 | DynamicBegin \"a\" \"integer frames\" [3 9]\n"
             "      |                  ^~~~~~~~~~~~~~~~\n");
 }
@@ -142,8 +142,8 @@ WorldBegin
 Material "diffuse" "float sigma@3" 1)");
   EXPECT_EQ(parsed.diagnostics.error_count(), 0);
   ASSERT_EQ(parsed.diagnostics.all().size(), 3u);
-  EXPECT_EQ(parsed.diagnostics.all()[0].message, "this key for frame 2 lies outside: the scene has 1 frame");
-  EXPECT_EQ(parsed.diagnostics.all()[1].message, "this key for frame 9 lies outside: the scene has 1 frame");
+  EXPECT_EQ(parsed.diagnostics.all()[0].message, "this key for frame 2 is out of range: the scene has 1 frame");
+  EXPECT_EQ(parsed.diagnostics.all()[1].message, "this key for frame 9 is out of range: the scene has 1 frame");
   EXPECT_EQ(parsed.diagnostics.all()[2].where.line, 4);
 }
 

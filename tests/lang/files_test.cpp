@@ -128,7 +128,7 @@ TEST_F(Files, IncludesAreLimited) {
     put("f" + std::to_string(i) + ".dsc",
         (i == 0 ? "WorldBegin Include \"f" : "Include \"f") + std::to_string(i + 1) + ".dsc\"");
   put("f80.dsc", "");
-  EXPECT_NE(parse({"f0.dsc"}).find("files include one another more than 64 deep"), std::string::npos);
+  EXPECT_NE(parse({"f0.dsc"}).find("Include and Import are nested more than 64 deep"), std::string::npos);
   for (int i = 0; i < 40; ++i) {
     const std::string next = "Include \"g" + std::to_string(i + 1) + ".dsc\" ";
     put("g" + std::to_string(i) + ".dsc", (i == 0 ? "WorldBegin " : "") + next + next);

@@ -28,11 +28,11 @@ const Mistake kSyntax[] = {
      "    2 |   Shape\n"
      "      |   ^~~~~\n"},
     {"WorldBegin 12",
-     "scene.dsc:1:12: error: WorldBegin takes no 12 here\n"
+     "scene.dsc:1:12: error: WorldBegin does not take 12 here\n"
      "    1 | WorldBegin 12\n"
      "      |            ^~\n"},
     {"WorldBegin \"a\"",
-     "scene.dsc:1:12: error: WorldBegin takes no \"a\" here\n"
+     "scene.dsc:1:12: error: WorldBegin does not take \"a\" here\n"
      "    1 | WorldBegin \"a\"\n"
      "      |            ^~~\n"},
     {"WorldBegin\nShape \"sphere\" \"flaot radius\" 1",
@@ -87,7 +87,7 @@ const Mistake kSyntax[] = {
      "scene.dsc:2:11: error: 4 numbers cannot be values of type point3\n"
      "    2 | Shape \"a\" \"point3 P\" [1 2 3 4]\n"
      "      |           ^~~~~~~~~~\n"
-     "  each of them has 3 numbers\n"},
+     "  each value has 3 numbers\n"},
     {"WorldBegin\nShape \"a\" \"spectrum s\" [1 2 3]",
      "scene.dsc:2:11: error: 3 numbers cannot be values of type spectrum\n"
      "    2 | Shape \"a\" \"spectrum s\" [1 2 3]\n"
@@ -97,12 +97,12 @@ const Mistake kSyntax[] = {
      "scene.dsc:2:11: error: 1 number cannot be values of type rgb\n"
      "    2 | Shape \"a\" \"rgb c\" 1 2 3\n"
      "      |           ^~~~~~~\n"
-     "  several numbers stand in brackets\n"},
+     "  put several numbers in brackets\n"},
     {"WorldBegin\nShape \"a\" \"float f\" 1 2",
      "scene.dsc:2:23: error: expected a parameter or a directive, not 2\n"
      "    2 | Shape \"a\" \"float f\" 1 2\n"
      "      |                       ^\n"
-     "  several numbers stand in brackets\n"},
+     "  put several numbers in brackets\n"},
     {"WorldBegin\nShape \"a\" \"float f\" [1 2\nShape \"b\"",
      "scene.dsc:3:1: error: expected a number, or ] to end the list\n"
      "    3 | Shape \"b\"\n"
@@ -123,17 +123,17 @@ const Mistake kSyntax[] = {
      "scene.dsc:2:9: error: unknown escape\n"
      "    2 | Shape \"a\\q\"\n"
      "      |         ^~\n"
-     "  there are: \\b \\f \\n \\r \\t \\\\ \\' \\\"\n"},
+     "  available: \\b \\f \\n \\r \\t \\\\ \\' \\\"\n"},
     {"WorldBegin\nShape \"a\" \"float f\" 1 \"float f\" 2",
      "scene.dsc:2:23: error: parameter \"f\" is given twice\n"
      "    2 | Shape \"a\" \"float f\" 1 \"float f\" 2\n"
      "      |                       ^~~~~~~~~\n"
-     "  first in line 2\n"},
+     "  first on line 2\n"},
     {"WorldBegin\nMaterial \"a\" \"float f@2\" 1 \"float f\" 2",
      "scene.dsc:2:14: error: parameter \"f\" is given both with and without a frame\n"
      "    2 | Material \"a\" \"float f@2\" 1 \"float f\" 2\n"
      "      |              ^~~~~~~~~~~\n"
-     "  first in line 2\n"},
+     "  first on line 2\n"},
     {"WorldBegin\nMaterial \"a\" \"float f@x\" 1",
      "scene.dsc:2:14: error: expected a frame after @, counted from 1, but found \"x\"\n"
      "    2 | Material \"a\" \"float f@x\" 1\n"
@@ -151,7 +151,7 @@ const Mistake kTransforms[] = {
      "    2 | Translate 1 2\n"
      "      | ^~~~~~~~~\n"},
     {"WorldBegin\nTranslate 1 2 3 4",
-     "scene.dsc:2:17: error: Translate takes no 4 here\n"
+     "scene.dsc:2:17: error: Translate does not take 4 here\n"
      "    2 | Translate 1 2 3 4\n"
      "      |                 ^\n"},
     {"WorldBegin\nRotate inf 0 0 1",
@@ -159,7 +159,7 @@ const Mistake kTransforms[] = {
      "    2 | Rotate inf 0 0 1\n"
      "      |        ^~~\n"},
     {"WorldBegin\nTransform [1 0 0]",
-     "scene.dsc:2:11: error: Transform takes 16 numbers, but 3 stand here\n"
+     "scene.dsc:2:11: error: Transform takes 16 numbers, but this list has 3\n"
      "    2 | Transform [1 0 0]\n"
      "      |           ^\n"},
     {"WorldBegin\nTransform 1 0 0",
@@ -180,7 +180,7 @@ const Mistake kTransforms[] = {
      "scene.dsc:2:1: error: LookAt is singular\n"
      "    2 | LookAt 0 0 0  0 2 0  0 1 0\n"
      "      | ^~~~~~\n"
-     "  eye and target must differ, and up must not point along the view\n"},
+     "  eye and target must differ, and up must not be parallel to the view direction\n"},
     {"WorldBegin\nTransform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]",
      "scene.dsc:2:1: error: Transform is singular\n"
      "    2 | Transform [1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1]\n"
@@ -192,7 +192,7 @@ const Mistake kTransforms[] = {
      "      | ^~~~~~~~~\n"
      "  values 4, 8 and 12 must be 0, value 16 must be 1\n"},
     {"WorldBegin\nScale 1e25 1e25 1e25 Scale 1e25 1e25 1e25",
-     "scene.dsc:2:22: error: with this Scale the current transform is singular\n"
+     "scene.dsc:2:22: error: this Scale makes the current transform singular\n"
      "    2 | Scale 1e25 1e25 1e25 Scale 1e25 1e25 1e25\n"
      "      |                      ^~~~~\n"},
     {"WorldBegin\nCoordSysTransform \"camrea\"",
@@ -201,11 +201,11 @@ const Mistake kTransforms[] = {
      "      |                   ^~~~~~~~\n"
      "  did you mean \"camera\"?\n"},
     {"WorldBegin\nActiveTransform EndTime\nScale 2 2 2\nScale 2 2 2",
-     "scene.dsc:3:1: error: motion blur (a transform for one end of the shutter's time) is not supported for now\n"
+     "scene.dsc:3:1: error: motion blur (a transform for one end of the shutter interval) is not supported yet\n"
      "    3 | Scale 2 2 2\n"
      "      | ^~~~~\n"},
     {"TransformTimes 0 1\nWorldBegin",
-     "scene.dsc:1:1: note: TransformTimes has no effect: there is no motion blur for now\n"
+     "scene.dsc:1:1: note: TransformTimes has no effect: motion blur is not supported yet\n"
      "    1 | TransformTimes 0 1\n"
      "      | ^~~~~~~~~~~~~~\n"},
 };
@@ -213,12 +213,12 @@ INSTANTIATE_TEST_SUITE_P(Transforms, Mistakes, testing::ValuesIn(kTransforms));
 
 const Mistake kNesting[] = {
     {"WorldBegin\n\nDynamicBegin \"horse\"\n  Shape \"a\"\nAttributeEnd",
-     "scene.dsc:5:1: error: AttributeEnd closes DynamicBegin \"horse\" of line 3\n"
+     "scene.dsc:5:1: error: AttributeEnd does not match DynamicBegin \"horse\" (line 3)\n"
      "    5 | AttributeEnd\n"
      "      | ^~~~~~~~~~~~\n"
      "  DynamicBegin ends with DynamicEnd\n"},
     {"WorldBegin\nAttributeBegin\nObjectBegin \"leg\"\nAttributeEnd",
-     "scene.dsc:4:1: error: AttributeEnd closes ObjectBegin \"leg\" of line 3\n"
+     "scene.dsc:4:1: error: AttributeEnd does not match ObjectBegin \"leg\" (line 3)\n"
      "    4 | AttributeEnd\n"
      "      | ^~~~~~~~~~~~\n"
      "  ObjectBegin ends with ObjectEnd\n"},
@@ -236,40 +236,40 @@ const Mistake kNesting[] = {
      "      |   ^~~~~~~~~~~~\n"
      "  DynamicEnd is missing\n"},
     {"WorldBegin\nObjectBegin \"a\"\nObjectBegin \"b\"\nObjectEnd\nObjectInstance \"c\"\nObjectEnd",
-     "scene.dsc:3:1: error: ObjectBegin inside ObjectBegin \"a\" of line 2\n"
+     "scene.dsc:3:1: error: ObjectBegin inside ObjectBegin \"a\" (line 2)\n"
      "    3 | ObjectBegin \"b\"\n"
      "      | ^~~~~~~~~~~\n"
      "  objects cannot hold objects\n"
-     "scene.dsc:5:1: error: ObjectInstance inside ObjectBegin \"a\" of line 2\n"
+     "scene.dsc:5:1: error: ObjectInstance inside ObjectBegin \"a\" (line 2)\n"
      "    5 | ObjectInstance \"c\"\n"
      "      | ^~~~~~~~~~~~~~\n"
      "  objects cannot hold objects\n"},
     {"WorldBegin\nFilm \"rgb\"",
-     "scene.dsc:2:1: error: Film must stand before WorldBegin\n"
+     "scene.dsc:2:1: error: Film must come before WorldBegin\n"
      "    2 | Film \"rgb\"\n"
      "      | ^~~~\n"
-     "  the world begins in line 1\n"},
+     "  the world begins on line 1\n"},
     {"Shape \"a\"\nShape \"b\"",
-     "scene.dsc:1:1: error: Shape must stand after WorldBegin\n"
+     "scene.dsc:1:1: error: Shape must come after WorldBegin\n"
      "    1 | Shape \"a\"\n"
      "      | ^~~~~\n"
-     "  WorldBegin is missing before it, unless this file is a part for another one to Include\n"},
+     "  WorldBegin is missing before it, unless this file is meant to be included by another\n"},
     {"WorldBegin\nWorldBegin",
      "scene.dsc:2:1: error: a second WorldBegin\n"
      "    2 | WorldBegin\n"
      "      | ^~~~~~~~~~\n"
-     "  the first is in line 1\n"},
-    {"Film \"rgb\"", "scene.dsc: error: there is no WorldBegin, and so nothing to render\n"},
-    {"", "scene.dsc: error: there is no WorldBegin, and so nothing to render\n"},
+     "  the first is on line 1\n"},
+    {"Film \"rgb\"", "scene.dsc: error: there is no WorldBegin, so there is nothing to render\n"},
+    {"", "scene.dsc: error: there is no WorldBegin, so there is nothing to render\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Nesting, Mistakes, testing::ValuesIn(kNesting));
 
 const Mistake kNames[] = {
     {"WorldBegin\nMakeNamedMaterial \"a\" \"string type\" \"b\"\nMakeNamedMaterial \"a\" \"string type\" \"c\"",
-     "scene.dsc:3:19: error: MakeNamedMaterial \"a\" a second time\n"
+     "scene.dsc:3:19: error: MakeNamedMaterial \"a\" appears twice\n"
      "    3 | MakeNamedMaterial \"a\" \"string type\" \"c\"\n"
      "      |                   ^~~\n"
-     "  the first stands in scene.dsc:2\n"},
+     "  the first is at scene.dsc:2\n"},
     {"WorldBegin\nMakeNamedMaterial \"a\"",
      "scene.dsc:2:1: error: MakeNamedMaterial \"a\" needs a \"string type\"\n"
      "    2 | MakeNamedMaterial \"a\"\n"
@@ -278,7 +278,7 @@ const Mistake kNames[] = {
      "scene.dsc:2:13: error: a texture cannot be of type \"rgb\"\n"
      "    2 | Texture \"t\" \"rgb\" \"constant\"\n"
      "      |             ^~~~~\n"
-     "  there are: float, spectrum\n"},
+     "  available: float, spectrum\n"},
     {"WorldBegin\nAttribute \"sahpe\" \"float r\" 1",
      "scene.dsc:2:11: error: unknown target \"sahpe\" of Attribute\n"
      "    2 | Attribute \"sahpe\" \"float r\" 1\n"
@@ -301,7 +301,7 @@ const Mistake kNames[] = {
      "scene.dsc:1:12: error: dspm has no ColorSpace \"rec2020\"\n"
      "    1 | ColorSpace \"rec2020\"\n"
      "      |            ^~~~~~~~~\n"
-     "  there is: srgb\n"},
+     "  available: srgb\n"},
     {"WorldBegin\nShape \"a\" \"float f\" $radius",
      "scene.dsc:2:21: error: $radius has no value\n"
      "    2 | Shape \"a\" \"float f\" $radius\n"
@@ -319,12 +319,12 @@ const Mistake kAnimation[] = {
      "scene.dsc:1:10: error: unknown parameter \"fsp\" of Frames\n"
      "    1 | Frames 4 \"float fsp\" 25\n"
      "      |          ^~~~~~~~~~~\n"
-     "  did you mean \"fps\"? (it knows: fps)\n"},
+     "  did you mean \"fps\"? (known parameters: fps)\n"},
     {"Frames 4\nFrames 5\nWorldBegin",
-     "scene.dsc:2:1: error: a second Frames\n"
+     "scene.dsc:2:1: error: a second Frames directive\n"
      "    2 | Frames 5\n"
      "      | ^~~~~~\n"
-     "  the first is in line 1\n"},
+     "  the first is on line 1\n"},
     {"Film \"rgb\" \"integer xresolution@2\" 3\nWorldBegin",
      "scene.dsc:1:12: error: parameters of Film cannot change between frames\n"
      "    1 | Film \"rgb\" \"integer xresolution@2\" 3\n"
@@ -341,18 +341,18 @@ const Mistake kAnimation[] = {
      "      |                 ^~~~~~~~~~~~~~~~~\n"
      "  put it between DynamicBegin \"a name\" and DynamicEnd\n"},
     {"Frames 9\nWorldBegin\nKeyframe 1 KeyframeEnd",
-     "scene.dsc:3:1: error: Keyframe must stand in a Dynamic block or before Camera\n"
+     "scene.dsc:3:1: error: Keyframe must be in a Dynamic block or before Camera\n"
      "    3 | Keyframe 1 KeyframeEnd\n"
      "      | ^~~~~~~~\n"},
     {"Frames 9\nCamera \"perspective\"\nKeyframe 1 KeyframeEnd\nWorldBegin",
-     "scene.dsc:3:1: error: Keyframe must stand in a Dynamic block or before Camera\n"
+     "scene.dsc:3:1: error: Keyframe must be in a Dynamic block or before Camera\n"
      "    3 | Keyframe 1 KeyframeEnd\n"
      "      | ^~~~~~~~\n"},
     {"Frames 9\nKeyframe 3 Keyframe 3 KeyframeEnd\nWorldBegin",
-     "scene.dsc:2:12: error: Keyframe 3 stands after Keyframe 3\n"
+     "scene.dsc:2:12: error: Keyframe 3 comes after Keyframe 3\n"
      "    2 | Keyframe 3 Keyframe 3 KeyframeEnd\n"
      "      |            ^~~~~~~~\n"
-     "  keys are written in ascending order\n"},
+     "  keys must be in ascending order\n"},
     {"Frames 9\nKeyframe 1.5 KeyframeEnd\nWorldBegin",
      "scene.dsc:2:1: error: expected a frame from 1 to 100000\n"
      "    2 | Keyframe 1.5 KeyframeEnd\n"
@@ -363,15 +363,15 @@ const Mistake kAnimation[] = {
      "      | ^~~~~~~~\n"
      "  AttributeBegin opens another block\n"},
     {"Frames 9\nKeyframe 1 Translate 0 1 0\nCamera \"perspective\"\nWorldBegin",
-     "scene.dsc:3:1: error: only transforms stand between keys, no Camera\n"
+     "scene.dsc:3:1: error: only transforms are allowed between keys, not Camera\n"
      "    3 | Camera \"perspective\"\n"
      "      | ^~~~~~\n"
-     "  KeyframeEnd is missing: the keys began in line 2\n"},
+     "  KeyframeEnd is missing: the keys began on line 2\n"},
     {"Frames 9\nKeyframe 1 \"string ease\" \"bouncy\" KeyframeEnd\nWorldBegin",
      "scene.dsc:2:26: error: parameter \"ease\" of Keyframe cannot be \"bouncy\"\n"
      "    2 | Keyframe 1 \"string ease\" \"bouncy\" KeyframeEnd\n"
      "      |                          ^~~~~~~~\n"
-     "  it can be: linear, smooth, step\n"},
+     "  choices: linear, smooth, step\n"},
     {"KeyframeEnd\nWorldBegin",
      "scene.dsc:1:1: error: KeyframeEnd without Keyframe\n"
      "    1 | KeyframeEnd\n"
@@ -419,7 +419,7 @@ TEST(OldPbrt, IsOneMessage) {
       "\"SurfaceIntegrator\"\n"
       "    1 | SurfaceIntegrator \"path\"\n"
       "      | ^~~~~~~~~~~~~~~~~\n"
-      "  pbrt-v3's documentation tells how to bring it to v3; pbrt-v4 --upgrade does the rest\n");
+      "  pbrt-v3's documentation explains how to convert it to v3; pbrt-v4 --upgrade does the rest\n");
 }
 
 TEST(OldPbrt, IsNotSuspectedWhereTheSceneIsCertainlyNew) {
@@ -428,7 +428,7 @@ TEST(OldPbrt, IsNotSuspectedWhereTheSceneIsCertainlyNew) {
             "new.pbrt:3:1: error: unknown directive WorldEnd\n"
             "    3 | WorldEnd\n"
             "      | ^~~~~~~~\n"
-            "  pbrt-v4 has no such directive any more\n");
+            "  pbrt-v4 no longer has this directive\n");
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ TEST(Scene, SaysWhenTheSecondReplacesTheFirst) {
   const Parsed parsed = parse("Film \"rgb\"\nFilm \"spectral\"\nWorldBegin");
   EXPECT_EQ(parsed.scene.film->type, "spectral");
   EXPECT_EQ(parsed.messages(),
-            "scene.dsc:2:1: warning: this Film replaces the one of line 1\n    2 | Film \"spectral\"\n      | ^~~~\n");
+            "scene.dsc:2:1: warning: this Film replaces the one on line 1\n    2 | Film \"spectral\"\n      | ^~~~\n");
 }
 
 TEST(Scene, WithLenientMotionBlurIsLeftOut) {

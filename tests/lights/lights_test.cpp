@@ -188,7 +188,7 @@ TEST(Lights, RejectWhatMakesNoSense) {
   const auto errors = [](const std::string& name, std::vector<Param> params) {
     return errors_of(light_plugins(), name, std::move(params), LightContext{});
   };
-  EXPECT_EQ(errors("point", {number("scale", -1)}), "parameter \"scale\" of plugin \"point\" must not be below 0\n");
+  EXPECT_EQ(errors("point", {number("scale", -1)}), "parameter \"scale\" of plugin \"point\" must not be negative\n");
   EXPECT_NE(errors("spot", {number("coneangle", 0)}), "");
   EXPECT_NE(errors("spot", {number("coneangle", 10), number("conedeltaangle", 11)}), "");
   EXPECT_NE(errors("distant", {point("from", {0, 0, 1})}), "");

@@ -91,7 +91,7 @@ TEST(Parameters, TexturesAreLookedUp) {
 TEST(Parameters, EtaIsOneNumber) {
   EXPECT_EQ(said("dielectric", {number("eta", 1.33f)}), "");
   const Param bk7{ParamType::spectrum, "eta", 0, std::vector<std::string>{"glass-BK7"}, {}, {}};
-  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: there is no dispersion: eta is 1.52"))
+  EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: dispersion is not supported: eta is 1.52"))
       << said("dielectric", {bk7});
   EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
 }

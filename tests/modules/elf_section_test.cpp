@@ -35,7 +35,7 @@ TEST(ElfSection, OtherFilesAreNoLibraries) {
   put_file(directory / "empty", "");
   put_file(directory / "zeros", std::string(4096, '\0'));
   for (const char* name : {"text", "empty", "zeros"})
-    EXPECT_EQ(error_of(directory / name), "it is no shared library") << name;
+    EXPECT_EQ(error_of(directory / name), "it is not a shared library") << name;
 
   EXPECT_EQ(error_of(directory / "missing"), "it cannot be read");
 }

@@ -22,6 +22,19 @@ build() {  # folder: configures, builds and tests it
     { cat "$work/log" >&2; fail "$1 does not build, or fails its tests, with $compiler"; }
 }
 
+# Stable headers include no others of dspm.
+stable_headers() {
+  local stable header included
+  stable=$(sed -n '/^set(public_headers/,/^set(toolkit_headers/p' "$source_dir/cmake/public_headers.cmake" |
+    grep -oE '[a-z_]+/[a-z0-9_]+\.h')
+  for header in $stable; do
+    for included in $(grep -oE '^#include [<"]dspm/[^>"]+' "$include/$header" | sed 's|.*dspm/||'); do
+      [[ $included == modules/interface.h || " "$stable" " == *[[:space:]]"$included"[[:space:]]* ]] ||
+        fail "$header is stable and includes $included, which is not"
+    done
+  done
+}
+
 # Every header stands alone, and shows no library's types.
 headers() {
   local forbidden='#include *[<"](oneapi|tbb|embree|OpenEXR|Imath|Imf|CGAL|fmt|CLI)'
@@ -30,6 +43,7 @@ headers() {
   find "$include" -name '*.h' -printf '%P\n' >"$work/headers"
   xargs -P "$(nproc)" -I {} sh -c "echo '#include <dspm/{}>' | $compiler $flags -" <"$work/headers" ||
     fail "a header does not compile alone"
+  stable_headers
   (($(wc -l <"$work/headers") > 40)) || fail "too few headers are installed"
 }
 

@@ -101,11 +101,11 @@ struct Unfit {
 
 TEST(Modules, UnfitOnesAreToldAndNothingRuns) {
   const std::vector<Unfit> all = {
-      {"other_version", {"libother_version.so: it was built for dspm 7.1.0, and this is dspm 0.1.0", "build it again"}},
-      {"other_layout", {"dspm::SurfacePoint takes", "build it again"}},
-      {"usurper", {"dspm itself has the material \"diffuse\" already"}},
+      {"other_version", {"libother_version.so: it was built for dspm 7.2.0, and this is dspm 0.2.0", "rebuild it"}},
+      {"other_layout", {"dspm::SurfacePoint takes", "rebuild it"}},
+      {"usurper", {"dspm itself already has the material \"diffuse\""}},
       {"idle", {"it adds no plugin"}},
-      {"thrower", {"libthrower.so: no licence for dspm 0.1.0"}},
+      {"thrower", {"libthrower.so: no licence for dspm 0.2.0"}},
       {"missing", {"No such file or directory"}},
   };
   for (const Unfit& unfit : all) {
@@ -130,7 +130,7 @@ TEST(Modules, UnfitOnesAreToldAndNothingRuns) {
 TEST(Modules, WhatIsNoModuleIsTold) {
   const TinyDirectory directory;
   put_file(directory / "text.so", "no library");
-  expect_contains(run(directory, {"--plugin", "text.so", "--list"}).err, "text.so: it is no shared library");
+  expect_contains(run(directory, {"--plugin", "text.so", "--list"}).err, "text.so: it is not a shared library");
   expect_contains(run(directory, {"--plugin", "missing.so", "--list"}).err, "missing.so: No such file or directory");
   ASSERT_EQ(mkfifo((directory / "pipe.so").c_str(), 0600), 0);
   expect_contains(run(directory, {"--plugin", "pipe.so", "--list"}).err, "pipe.so: it is not a regular file");
@@ -145,7 +145,7 @@ TEST(Modules, ANameBelongsToOne) {
   const Outcome outcome =
       run(directory, {"--plugin", module_file("mischief"), "--plugin", module_file("twin"), "--list"});
   EXPECT_EQ(outcome.code, 2);
-  expect_contains(outcome.err, "libtwin.so: libmischief.so has the integrator \"mischief\" already");
+  expect_contains(outcome.err, "libtwin.so: libmischief.so already has the integrator \"mischief\"");
 }
 
 TEST(Modules, WhatOneThrowsIsItsErrorAndImagesAreKept) {
@@ -171,7 +171,7 @@ TEST(Modules, OneThatTakesAllMemoryIsNamedAndImagesAreKept) {
   EXPECT_EQ(outcome.code, 1);
   expect_contains(
       outcome.err,
-      "out of memory: iteration 3 (in integrator \"mischief\" of libmischief.so) needs more than there is, after ");
+      "out of memory: iteration 3 (in integrator \"mischief\" of libmischief.so) needs more than is available, after ");
   expect_contains(outcome.err, " of the 300.0 MB that ulimit -v allows");
   expect_paintings(directory);
 }

@@ -76,6 +76,21 @@ TEST(ContactSheet, ImagesAndLabelsAppear) {
   EXPECT_GT(text_pixels, 20);
 }
 
+TEST(ContactSheet, ALabelIsNearerToItsImageThanToTheNextRow) {
+  const SheetLayout layout(4, 64, 48);
+  ASSERT_GT(layout.rows * layout.columns, layout.columns) << "there is no next row";
+  ContactSheet sheet(layout);
+  const Rgb background = sheet.image().at(0, 0);
+  sheet.put(0, Image(64, 48), "0001");
+  const PixelRect place = layout.place(0);
+  int first = 0, last = 0;
+  for (int y = place.y1; y < sheet.image().height; ++y)
+    for (int x = place.x0; x < place.x1; ++x)
+      if (!(sheet.image().at(x, y) == background)) first = first == 0 ? y : first, last = y;
+  ASSERT_GT(first, 0);
+  EXPECT_LT(first - place.y1, layout.place(layout.columns).y0 - last);
+}
+
 TEST(ContactSheet, LongLabelsAreCutOff) {
   const SheetLayout layout(2, 32, 32);
   ContactSheet sheet(layout);

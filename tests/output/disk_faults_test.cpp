@@ -126,7 +126,7 @@ TEST(BeforeTheRender, TooLittleRoomForAllIsAWarning) {
   put_file(directory / "tiny.dsc", tiny_scene("12 \"integer yresolution\" 8", "100 \"integer yresolution\" 80"));
   const Outcome large = run(directory, words({"--check"}));
   EXPECT_EQ(large.code, 0) << large.err;
-  EXPECT_NE(large.err.find(warning + "144.0 KB, and there are 131.1 KB left"), std::string::npos) << large.err;
+  EXPECT_NE(large.err.find(warning + "144.0 KB, but only 131.1 KB are left"), std::string::npos) << large.err;
   EXPECT_EQ(run(directory, words({"--check", "--frames", "1"})).err.find(warning), std::string::npos);
 }
 
@@ -200,7 +200,7 @@ TEST_P(DuringTheRender, AFaultIsToldOnceAndLaterImagesAreWhole) {
     EXPECT_EQ(read_image(directory_.image(frame)).width, 12);
   }
   end(process);
-  EXPECT_TRUE(says(directory_, "what could not be written is written now")) << directory_.said();
+  EXPECT_TRUE(says(directory_, "the files that could not be written are written now")) << directory_.said();
   process.send(SIGINT);
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.code, 130) << outcome.err;

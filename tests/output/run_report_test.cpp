@@ -53,11 +53,5 @@ TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   EXPECT_NE(json.find("\"factor\": 3"), std::string::npos) << json;
 }
 
-TEST(RunReport, BytesAreReadable) {
-  EXPECT_EQ(readable_bytes(999), "999 B");
-  EXPECT_EQ(readable_bytes(12'345), "12.3 KB");
-  EXPECT_EQ(readable_bytes(678'200'000), "678.2 MB");
-}
-
 }  // namespace
 }  // namespace dspm

@@ -136,7 +136,7 @@ TEST(Video, ATrialThatMakesNoFilmFails) {
   const TemporaryDirectory directory;
   for (const char* script : {"exit 0", "cat >/dev/null"}) {
     const FakeFfmpeg ffmpeg(script);
-    EXPECT_NE(error_of(directory / "a.mp4", 0).find("no whole video"), std::string::npos);
+    EXPECT_NE(error_of(directory / "a.mp4", 0).find("did not write a complete video"), std::string::npos);
   }
   EXPECT_EQ(directory.file_count(), 0);
 }

@@ -32,7 +32,7 @@ class Faults : public ::testing::Test {
     return ::testing::internal::GetCapturedStderr();
   }
   std::string told() {
-    return told([this] { faults.tell(); });
+    return told([this] { faults.report(); });
   }
 
   Messages messages{false};
@@ -61,15 +61,15 @@ TEST_F(Faults, AreOverWhenAllFilesAreWritten) {
   EXPECT_EQ(told(), "");
   EXPECT_TRUE(faults.attempt(b.name, b.write()));
   EXPECT_FALSE(faults.any());
-  EXPECT_EQ(told(), "dspm: what could not be written is written now\n");
+  EXPECT_EQ(told(), "dspm: the files that could not be written are written now\n");
   EXPECT_EQ(told(), "");
-  EXPECT_EQ(told([this] { faults.tell_end(); }), "");
+  EXPECT_EQ(told([this] { faults.report_missing(); }), "");
 }
 
 TEST_F(Faults, TheEndTellsAllThatIsMissing) {
   for (File* file : {&a, &b}) faults.attempt(file->name, file->write());
   told();
-  EXPECT_EQ(told([this] { faults.tell_end(); }), "dspm: cannot write a.exr and b.exr: the disk is full\n");
+  EXPECT_EQ(told([this] { faults.report_missing(); }), "dspm: cannot write a.exr and b.exr: the disk is full\n");
 }
 
 TEST_F(Faults, WhatIsKeptIsTriedAgainUntilItIsWritten) {

@@ -174,7 +174,7 @@ TEST(ParamReader, WrongTypesCountsAndValuesAreErrors) {
     Reading r({text("mapping", "plannar")});
     EXPECT_EQ(r.reader.choice("mapping", "uv", {"uv", "planar"}, ""), "uv");
     EXPECT_EQ(r.message(), "parameter \"mapping\" of material \"diffuse\" cannot be \"plannar\"");
-    EXPECT_EQ(r.hint(), "did you mean \"planar\"? it can be: uv, planar");
+    EXPECT_EQ(r.hint(), "did you mean \"planar\"? choices: uv, planar");
   }
 }
 
@@ -239,7 +239,7 @@ TEST(ParamReader, ColoursInTheirForms) {
   EXPECT_EQ(read(named("metal-Au-k"), SpectrumRole::unbounded).first,
             to_rgb(*named_spectrum("metal-Au-k"), SpectrumRole::unbounded));
   EXPECT_EQ(read(named("metal-Ag-etta"), SpectrumRole::unbounded).second,
-            "unknown spectrum \"metal-Ag-etta\", nor is there a file of that name");
+            "unknown spectrum \"metal-Ag-etta\", and no file has that name");
 }
 
 TEST(ParamReader, TexturesAndNamedDefaults) {
@@ -322,9 +322,9 @@ TEST(Registry, FindsOrListsWhatThereIs) {
   EXPECT_EQ(kThings.find("ball"), kThings.find("ball", {}, diagnostics));
   EXPECT_EQ(kThings.find("bal", {}, diagnostics), nullptr);
   EXPECT_EQ(diagnostics.all().back().message, "unknown thing \"bal\"");
-  EXPECT_EQ(diagnostics.all().back().hint, "did you mean \"ball\"? there are: box, ball");
+  EXPECT_EQ(diagnostics.all().back().hint, "did you mean \"ball\"? available: box, ball");
   EXPECT_EQ(kThings.find("teapot", {}, diagnostics), nullptr);
-  EXPECT_EQ(diagnostics.all().back().message, "thing \"teapot\" is not built in dspm");
+  EXPECT_EQ(diagnostics.all().back().message, "thing \"teapot\" is not supported by dspm");
   EXPECT_EQ(diagnostics.error_count(), 1);
 }
 

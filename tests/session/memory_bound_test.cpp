@@ -100,6 +100,38 @@ INSTANTIATE_TEST_SUITE_P(Integrators, MemoryBound,
                                            R"("photonmap" "integer causticphotons" 50000)",
                                            R"("photonmap" "integer causticphotons" 50000 "integer finalgather" 2)"));
 
+/// A square of n x n small ones, each of two triangles, as an ASCII PLY.
+std::string sheet(int n) {
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      (n + 1) * (n + 1), 2 * n * n);
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x) text += fmt::format("{:.4f} {:.4f} 3\n", 8. * x / n - 4, 8. * y / n - 4);
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const int a = y * (n + 1) + x, b = a + n + 1;
+      text += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, a + 1, b, b, a + 1, b + 1);
+    }
+  return text;
+}
+
+TEST(Memory, OfMeshesAndTheirTreesCounts) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  const double without = least_bytes(directory);
+  put_file(directory / "sheet.ply", sheet(300));
+  put_file(directory / "tiny.dsc",
+           contents(directory / "tiny.dsc") + "\nShape \"plymesh\" \"string filename\" \"sheet.ply\"\n");
+  const double least = bytes_taken(run_within(directory, megabytes(without)).err);
+  ASSERT_GT(least, without + 10 * kMegabyte);
+  const Outcome bounded = run_within(directory, megabytes(least));
+  ASSERT_EQ(bounded.code, 0) << bounded.err;
+  EXPECT_LE(bounded.peak_bytes, least);
+}
+
 TEST(Memory, SaysWhatItMeans) {
 #ifdef DSPM_MEMORY_OF_ITS_OWN
   GTEST_SKIP();

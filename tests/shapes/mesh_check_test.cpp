@@ -65,7 +65,7 @@ TEST(MeshCheck, HolesAreFound) {
 TEST(MeshCheck, SidesAreFound) {
   MeshData data = test::icosphere(1, 1, {});
   turn_over(data);
-  EXPECT_EQ(faults(data), "it is inside out, or some of its parts are\n");
+  EXPECT_EQ(faults(data), "it is inside out, or some of its components are\n");
   data = test::box(1, {});
   std::swap(data.faces[4][0], data.faces[4][1]);
   EXPECT_EQ(check_mesh(TriangleMesh(data)).twisted_edges.count, 3);

@@ -111,20 +111,26 @@ TEST(Ply, PluginReadsCompressedFiles) {
 }
 
 TEST(Ply, FaultsSayWhatAndWhere) {
-  EXPECT_EQ(message("solid x\n"), "this is no PLY file");
+  EXPECT_EQ(message("solid x\n"), "this is not a PLY file");
   EXPECT_EQ(message("ply\nformat ascii 1.0\n"), "the PLY header does not end");
-  EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex many\n"), "\"many\" is no count (line 3)");
-  EXPECT_EQ(message("ply\nelement vertex 1\nproperty real x\n"), "unknown type of number (line 3)");
+  EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex many\n"), "\"many\" is not a count (line 3)");
+  EXPECT_EQ(message("ply\nelement vertex 1\nproperty real x\n"), "unknown number type (line 3)");
+  for (const char* type : {"float", "double"})
+    EXPECT_NE(message(std::string("ply\nformat ascii 1.0\nelement face 1\nproperty list ") + type +
+                      " int vertex_indices\nend_header\n3 0 1 2\n")
+                  .find("(line 4)"),
+              std::string::npos)
+        << "a count is a whole number, not a " << type;
   EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             "vertices have no x, y, z (in \"vertex\" 0 of 1)");
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 ";
   EXPECT_EQ(message(head), "the file ends early (in \"vertex\" 2 of 3)");
-  EXPECT_EQ(message(head + "0 1 O"), "this is no number (in \"vertex\" 2 of 3)");
-  EXPECT_EQ(message(head + "0 1 0\n3 0 1 -1"), "-1 is no vertex (in \"face\" 0 of 1)");
+  EXPECT_EQ(message(head + "0 1 O"), "this is not a number (in \"vertex\" 2 of 3)");
+  EXPECT_EQ(message(head + "0 1 0\n3 0 1 -1"), "-1 is not a vertex index (in \"face\" 0 of 1)");
   EXPECT_EQ(message(head + "0 1 0\n3 0 1 3"), "a face refers to vertex 3 of 3");
-  EXPECT_EQ(message(head + "0 1 0\n-3 0 1 3"), "this is no count of a list (in \"face\" 0 of 1)");
+  EXPECT_EQ(message(head + "0 1 0\n-3 0 1 3"), "this is not the count of a list (in \"face\" 0 of 1)");
 }
 
 // Counts far beyond the data cost neither memory nor time.
@@ -140,7 +146,7 @@ TEST(Ply, AnnouncedCountsAreNotBelieved) {
             std::string::npos);
   EXPECT_NE(message("ply\nformat binary_big_endian 1.0\nelement face 1\nproperty list uint uchar vertex_index\n"
                     "end_header\n\xff\xff\xff\xff")
-                .find("no count"),
+                .find("not the count"),
             std::string::npos);
 }
 

@@ -119,7 +119,7 @@ TEST_F(Imagemap, WhatIsWrongIsSaid) {
   EXPECT_EQ(message({text_param("filename", "nowhere.png")}), "there is no file \"nowhere.png\"");
   EXPECT_EQ(message({text_param("filename", ramp()), text_param("encoding", "rgb")}), "unknown encoding \"rgb\"");
   EXPECT_EQ(message({text_param("filename", ramp()), text_param("filter", "ewa")}),
-            "texture filter \"ewa\" is taken as \"bilinear\"");
+            "texture filter \"ewa\" is treated as \"bilinear\"");
   std::ofstream(directory / "torn.png") << "no picture";
   EXPECT_NE(message({text_param("filename", (directory / "torn.png").string())}).find("torn.png"), std::string::npos);
 

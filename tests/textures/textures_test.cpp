@@ -27,7 +27,7 @@ TEST(Texture, ParametersBecomeTextures) {
   EXPECT_EQ(w.diagnostics.all().back().message, "there is no texture \"wod\" before this line");
   EXPECT_EQ(w.diagnostics.all().back().hint, "did you mean \"wood\"?");
   EXPECT_EQ(texture_of(ValueOrTexture<float>{1, "wood", {}}, w.textures, w.diagnostics)->constant(), 1);
-  EXPECT_EQ(w.diagnostics.all().back().hint, "\"wood\" is a spectrum texture, a float texture is needed");
+  EXPECT_EQ(w.diagnostics.all().back().hint, "\"wood\" is a spectrum texture, but a float texture is needed");
 }
 
 TEST(Texture, ANewTextureOfTheSameNameReplaces) {
@@ -78,7 +78,7 @@ TEST(Checkerboard, CubesLieInTheTexturesSpace) {
   EXPECT_EQ(cubes->evaluate(at_point(13, 1, 3)), 1);
   EXPECT_EQ(cubes->evaluate(at_point(9, 1, 1)), 0);
   w.make<float>("checkerboard", {integer_param("dimension", 4)});
-  EXPECT_EQ(w.message(), "a checkerboard's dimension is 2 or 3");
+  EXPECT_EQ(w.message(), "the dimension of a checkerboard must be 2 or 3");
 }
 
 TEST(Checkerboard, AnyCoordinateHasAnAnswer) {
@@ -134,7 +134,7 @@ TEST(TexturePlugins, WhatIsNotBuiltIsAnErrorOrGrey) {
     EXPECT_EQ(grey->constant(), Rgb(.5f));
     EXPECT_EQ(w.diagnostics.error_count(), lenient ? 0 : 1);
     EXPECT_EQ(w.diagnostics.all().size(), 1u);
-    EXPECT_EQ(w.message().find("texture \"marble\" is not built in dspm"), 0u);
+    EXPECT_EQ(w.message().find("texture \"marble\" is not supported by dspm"), 0u);
   }
   Workshop w;
   EXPECT_NE(w.make<float>("imgemap", {}), nullptr);

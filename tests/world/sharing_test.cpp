@@ -32,7 +32,7 @@ TEST(Sharing, SaysWhatIsSharedAndWhy) {
   EXPECT_NE(all.find("dynamic \"still\": the same in all frames"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"moving\": moves rigidly, 3 states"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"growing\": 6 states of its geometry"), std::string::npos) << all;
-  EXPECT_NE(all.find("dynamic \"late\": there in 2 of 6 frames, "), std::string::npos) << all;
+  EXPECT_NE(all.find("dynamic \"late\": present in 2 of 6 frames, "), std::string::npos) << all;
   EXPECT_NE(all.find("camera: the same in all frames"), std::string::npos) << all;
   EXPECT_EQ(all.find("file of its own"), std::string::npos) << all;
 }
@@ -40,7 +40,7 @@ TEST(Sharing, SaysWhatIsSharedAndWhy) {
 TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
   TestScene test(test::box("Frames 6\n", kContents));
   EXPECT_NE(explained(test, {3, 4}).find("dynamic \"moving\": the same in all frames"), std::string::npos);
-  EXPECT_NE(explained(test, {0, 1}).find("dynamic \"late\": not there"), std::string::npos);
+  EXPECT_NE(explained(test, {0, 1}).find("dynamic \"late\": absent"), std::string::npos);
   EXPECT_NE(explained(test, {2}).find("dynamic \"growing\": the same in all frames"), std::string::npos);
 }
 

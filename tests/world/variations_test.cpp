@@ -152,6 +152,17 @@ TEST(Looks, ChangeWithTheTexturesThatTheyAreMadeOf) {
   EXPECT_EQ(all.count({0b1011, 0b0100}), 1u);
 }
 
+// Without a variation, too: a parameter is keyed, or the place of a texture is.
+TEST(Looks, ChangeWithTheMoment) {
+  TestScene test(test::box("Frames 3\n", R"(
+Material "diffuse" "rgb reflectance@1" [.2 .2 .2] "rgb reflectance@3" [.4 .4 .4]
+Shape "sphere" "float radius" .3)"));
+  const auto scene = test.scene(test.all_frames());
+  std::size_t most = 0;
+  for (const auto& material : scene->materials) most = std::max(most, material.states.size());
+  EXPECT_EQ(most, 3u);
+}
+
 /// `count` fabrics of pictures, of which `scene` can be made.
 class Fabrics {
  public:

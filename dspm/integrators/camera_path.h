@@ -1,0 +1,36 @@
+// Camera paths, from the film on.
+#pragma once
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/integrators/tiles.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+struct CameraPath : PathState {
+  const Camera* camera = nullptr;
+  int pixel = 0;  // within the crop
+};
+
+/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image; lost(const CameraPath&)
+/// if the camera gives a ray that is not finite.
+template <class Start, class Lost>
+void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
+                        Start&& start, Lost&& lost) {
+  CameraPath path;
+  path.random = PathRandom(render.seed, Stream::camera, camera_path_index(render, x, y), iteration);
+  path.throughput = Rgb(1), path.pixel = pixel_in_crop(render.crop, x, y);
+  const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
+  scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {
+    path.ray = camera.ray(film, lens), path.frames = frames, path.camera = &camera;
+    if (is_finite(path.ray))
+      start(path);
+    else
+      lost(path);
+  });
+}
+
+}  // namespace dspm

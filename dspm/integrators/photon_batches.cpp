@@ -1,0 +1,44 @@
+#include "dspm/integrators/photon_batches.h"
+
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+namespace {
+
+// More and smaller batches cost time and save little: most of the memory is the pixels' by then.
+constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
+
+/// With several batches iterations are long: room for a copy of the state (session/revertible.h) is part of the plan.
+std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator) {
+  const std::size_t working = estimator.bytes(of);
+  if (!of.batched) return working;
+  of.batched = false;
+  return working + estimator.bytes(of);
+}
+
+}  // namespace
+
+EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const Scene& scene,
+                                     const RenderSettings& render, const PhotonBatches& batches) {
+  return {render.crop.count(), scene.frame_count(), settings.photons, settings.alpha, batches.are_many()};
+}
+
+PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
+                                    const RenderSettings& render, const EstimatorKind& estimator) {
+  if (render.memory == 0) return {settings.photons, settings.photons};
+  const double a_path = bytes_a_photon_path(scene, settings.photon);
+  MemoryNeeds needs, least;
+  needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
+  for (std::int64_t count = 1; count <= kMostBatches; ++count) {
+    const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
+    if (count > 1 && batches.size < kLeastPaths) break;
+    needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
+    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator);
+    if (needs.total() <= render.memory) return batches;
+    if (count == 1 || needs.total() < least.total()) least = needs;
+  }
+  throw NotEnoughMemory(least);
+}
+
+}  // namespace dspm

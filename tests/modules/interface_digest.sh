@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# The digest of the interface sees added functions and swapped fields, and no comments.
+# usage: interface_digest.sh <source directory>
+set -euo pipefail
+source_dir=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+digest() {
+  cmake -D FOLDER="$work/dspm" -P "$source_dir/cmake/interface_digest.cmake"
+}
+
+changed() {  # file, sed expression
+  rm -rf "$work/dspm" && cp -r "$source_dir/dspm" "$work/dspm"
+  sed -i "$2" "$work/dspm/$1"
+  ! cmp -s "$work/dspm/$1" "$source_dir/dspm/$1" || { echo "sed \"$2\" finds nothing in $1" >&2; exit 1; }
+  [[ $(digest) != "$before" ]]
+}
+
+cp -r "$source_dir/dspm" "$work/dspm"
+before=$(digest)
+changed lights/light.h 's|  virtual Rgb power() const = 0;|&\n  virtual int more() const = 0;|' ||
+  { echo "an added function is not seen" >&2; exit 1; }
+changed lights/light.h '/^  float distance;/{h;d};/^  Vec3 wi; /{p;G}' || { echo "swapped fields are not seen" >&2; exit 1; }
+changed lights/light.h 's|^// .*|& Another word.|' && { echo "a comment counts" >&2; exit 1; }
+exit 0

@@ -1,0 +1,150 @@
+// A render from C++, without a command line.
+#include "dspm/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dspm/image/image.h"
+#include "dspm/system/cancellation.h"
+#include "dspm/testing/test_scene.h"
+#include "tests/support/idle_integrator.h"
+
+namespace dspm::test {
+namespace {
+
+/// Takes a few iterations, of which one may end otherwise.
+class Stumbling : public IdleIntegrator {
+ public:
+  static inline std::function<void()> stumble;
+  static constexpr int kStumbles = 3;  // iterations before it does
+
+  int iterations() const override { return 6; }
+  void iterate(int iteration) override {
+    if (iteration == kStumbles && stumble) stumble();
+    ++done_;
+  }
+  bool persist(StateStream& state) override {
+    state.part(done_);
+    return true;
+  }
+  int done() const { return done_; }
+
+ private:
+  int done_ = 0;
+};
+
+std::unique_ptr<Integrator> make_stumbling(ParamReader& params, const Scene&, const RenderSettings&) {
+  params.finish();
+  return std::make_unique<Stumbling>();
+}
+
+struct Silent final : Messages {
+  Silent() : Messages(true) {}
+  void print(std::string_view) const override {}
+};
+
+/// Notes what happens, in order: "2" after an iteration, "i2" and "l2" for images so far and the last ones.
+class Notes : public SessionObserver {
+ public:
+  void iteration_done(const IntervalProgress& progress, Integrator&) override { note("", progress.iterations); }
+  void images_due(const IntervalProgress& progress, Integrator& integrator, Images which) override {
+    note(which == Images::last ? "l" : "i", progress.iterations);
+    if (which == Images::last) on_last(integrator);
+  }
+  void iteration_failed() override { text += "failed "; }
+  bool end_wanted() const override { return ends_after > 0 && iterations >= ends_after; }
+
+  std::string text;
+  int iterations = 0, ends_after = 0;
+  std::function<void(Integrator&)> on_last = [](Integrator&) {};
+
+ private:
+  void note(const char* what, int number) {
+    iterations = number;
+    text += what + std::to_string(number) + " ";
+  }
+};
+
+void render(const std::string& scene, Notes& notes, const SessionSettings& settings = {}) {
+  Diagnostics diagnostics;
+  const LoadedScene loaded("test.dsc", scene, {}, diagnostics);
+  Silent messages;
+  MemoryBound memory(0);
+  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, 0, {}, messages, notes);
+  Session(loaded, intervals, memory, settings, messages, notes).run();
+}
+
+std::string stumbling_scene() {
+  static const bool added = (integrator_plugins().add({{"stumbling", "may stumble", make_stumbling}}), true);
+  return added ? "Integrator \"stumbling\" WorldBegin Shape \"sphere\" LightSource \"point\"" : "";
+}
+
+class SessionWithStumbles : public ::testing::Test {
+ protected:
+  ~SessionWithStumbles() override { Stumbling::stumble = nullptr; }
+};
+
+TEST(Session, GivesTheImagesOfItsIntegrator) {
+  const std::string scene = R"(
+Integrator "dsppm" "integer iterations" 3 "integer photons" 2000
+Frames 2
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective"
+Film "rgb" "integer xresolution" 12 "integer yresolution" 8
+WorldBegin
+LightSource "point" "point3 from" [0 3 -3]
+DynamicBegin "ball"
+  Keyframe 1 Translate -1 0 0
+  Keyframe 2 Translate 1 0 0
+  KeyframeEnd
+  Shape "sphere"
+DynamicEnd
+)";
+  Notes notes;
+  std::vector<Image> images;
+  notes.on_last = [&](Integrator& integrator) {
+    for (const Frame frame : {0, 1}) images.push_back(integrator.estimate(frame));
+  };
+  render(scene, notes);
+  EXPECT_EQ(notes.text, "1 2 3 l3 ");
+  EXPECT_EQ(images, TestScene(scene).render_all(3));
+}
+
+TEST_F(SessionWithStumbles, ImagesAreDueAsAskedForAndOnceAtTheEnd) {
+  Notes notes;
+  render(stumbling_scene(), notes, {.write_every = {.iterations = 2}});
+  EXPECT_EQ(notes.text, "1 2 i2 3 4 i4 5 6 l6 ");
+}
+
+TEST_F(SessionWithStumbles, EndsWhereItsObserverWants) {
+  Notes notes;
+  notes.ends_after = 2;
+  render(stumbling_scene(), notes);
+  EXPECT_EQ(notes.text, "1 2 l2 ");
+}
+
+TEST_F(SessionWithStumbles, AnExceptionLeavesItAfterTheImagesSoFar) {
+  Stumbling::stumble = [] { throw std::runtime_error("stumbled"); };
+  Notes notes;
+  EXPECT_THROW(render(stumbling_scene(), notes), std::runtime_error);
+  EXPECT_EQ(notes.text, "1 2 3 i3 failed ");
+}
+
+TEST_F(SessionWithStumbles, AnIterationThatIsGivenUpDoesNotCount) {
+  Notes notes;
+  notes.on_last = [](Integrator& integrator) { EXPECT_EQ(dynamic_cast<Stumbling&>(integrator).done(), 3); };
+  Stumbling::stumble = [&] {
+    notes.ends_after = 1;  // whoever cancels an iteration wants an end, too
+    throw Cancelled();
+  };
+  render(stumbling_scene(), notes);
+  EXPECT_EQ(notes.text, "1 2 3 l3 ");
+}
+
+}  // namespace
+}  // namespace dspm::test
