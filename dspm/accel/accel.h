@@ -1,4 +1,4 @@
-// The query that everything stands on: what does a ray meet first, in each of these frames?
+// The query on which everything is built: what does a ray meet first in each of these frames?
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace dspm {
 
-/// What a ray meets: `shape` indexes the placed shapes and is negative for a miss.
+/// A ray's intersection. `shape` indexes the placed shapes and is negative for a miss.
 struct RayHit {
   float t = kInfinity;
   int shape = -1;
@@ -23,7 +23,7 @@ struct RayHit {
   Vec2 uv;
 
   bool missed() const { return shape < 0; }
-  /// The order that decides which of two hits is the nearest: distance, then shape, then primitive.
+  /// The order that decides which of two hits is nearer: distance, then shape, then primitive.
   bool nearer_than(const RayHit& o) const {
     if (t != o.t) return t < o.t;
     if (shape != o.shape) return static_cast<unsigned>(shape) < static_cast<unsigned>(o.shape);
@@ -31,14 +31,14 @@ struct RayHit {
   }
 };
 
-/// In these frames, this is what the ray meets first (or a miss).
+/// The ray's first hit (or a miss) in these frames.
 struct FrameHit {
   FrameSet frames;
   RayHit hit;
 };
 
-/// The frames of a ray cut up by what it meets: parts are disjoint, their union is what was asked for, a miss is a
-/// part, no two parts hold the same (shape, primitive). Ordered by the parts' lowest frames.
+/// The frames of a ray partitioned by its first hit: parts are disjoint, their union is the query's frames, a miss is a
+/// part, and no two parts have the same (shape, primitive). Ordered by the parts' lowest frames.
 class HitPartition {
  public:
   void add(FrameSet frames, const RayHit& hit) { parts_.add({frames, hit}); }
@@ -63,11 +63,11 @@ class Accel {
   virtual std::size_t memory() const = 0;
 };
 
-/// `shapes` and what they point to must outlive the tree; `all` are the frames of the interval: a shape that is there
-/// in all of them is static.
+/// `shapes` and the objects they point to must outlive the tree; `all` are the frames of the interval: a shape that
+/// exists in all of them is static.
 using MakeAccel = std::unique_ptr<Accel>(ParamReader&, std::span<const PlacedShape> shapes, FrameSet all);
 struct AccelPlugin : Plugin<MakeAccel> {
-  /// What it may hold at most while it is made, estimated before it is.
+  /// An upper estimate of its peak size during the build, made beforehand.
   std::size_t (*bytes_at_most)(std::span<const PlacedShape> shapes, FrameSet all);
 };
 PluginTable<AccelPlugin>& accel_plugins();

@@ -1,7 +1,7 @@
-// Rays against boxes, without losing a hit. A primitive test rounds: it may accept a ray that passes its box by some
-// roundings of the coordinates at hand. So boxes and the ray's origin are given a margin of kBoxMargin times their
-// largest coordinate. And since the arithmetic below is monotonic, a box that contains another is never entered later,
-// bit for bit: a hit that lies not before the entry of its primitive's own box (see meet.h) is never culled by a tree.
+// Rays against boxes, without losing a hit. A primitive test rounds: it may accept a ray that misses the box by a few
+// roundings of the coordinates involved. So boxes and the ray's origin get a margin of kBoxMargin times their largest
+// coordinate. And since the arithmetic below is monotonic, bit for bit, a ray never enters a box later than one inside
+// it: a tree never culls a hit that is not before the entry of its primitive's own box (see meet.h).
 #pragma once
 
 #include <array>
@@ -22,17 +22,16 @@ inline Bounds3 widened(const Bounds3& b, float by) {
   return {b.low - margin, b.high + margin};
 }
 
-/// The box of a primitive (or of anything in the same space as the ray) that trees work with.
+/// The box that trees use for a primitive, or for anything in the same space as the ray.
 inline Bounds3 with_margin(const Bounds3& b) { return widened(b, kBoxMargin * largest_coordinate(b)); }
 
-/// A ray prepared for boxes that have their margin. Along each axis, the near plane is the high one where the direction
-/// is negative.
+/// A ray prepared for boxes with margin. Along each axis, the near plane is the high one if the direction is negative.
 struct BoxRay {
   std::array<bool, 3> negative;
-  Vec3 near_origin, far_origin;  // the origin, moved by its margin so that boxes are entered earlier and left later
+  Vec3 near_origin, far_origin;  // moved by its margin so that the ray enters boxes earlier and leaves them later
   Vec3 inverse;                  // of the direction; infinite along an axis to which the ray is perpendicular
 
-  /// `margins`: how many margins of the origin are needed, see Tree::margins for more than one.
+  /// `margins`: the number of margins of the origin; see Tree::margins for more than one.
   explicit BoxRay(const Ray& ray, float margins = 1) {
     const float margin = margins * kBoxMargin * max_component(abs(ray.origin));
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,7 +43,7 @@ struct BoxRay {
     }
   }
 
-  /// Where the ray's line enters the box, at least 0. An axis for which 0 is multiplied by infinity does not count.
+  /// Where the ray's line enters the box, at least 0. Ignores an axis on which 0 is multiplied by infinity.
   float entry(const Bounds3& box) const {
     float t = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// Calls found(RayHit, frames) for every hit of every shape that is there in one of `frames`.
+/// Calls found(RayHit, frames) for every hit of every shape that exists in one of `frames`.
 template <class Found>
 void for_each_hit(std::span<const PlacedShape> shapes, const Ray& ray, FrameSet frames, const Found& found) {
   for (std::size_t s = 0; s < shapes.size(); ++s) {

@@ -1,6 +1,6 @@
 // Accelerator "bruteforce"
 //
-// Tests every primitive of every frame against every ray: what the trees must agree with, bit by bit. For tests and for
+// Tests every ray against every primitive of every frame: the trees must agree with it bit for bit. For tests and for
 // reference images of tiny scenes; it has no parameters.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A bounding volume hierarchy over anything that has a box and a set of frames: 8 wide nodes, built by the surface area
+// A bounding volume hierarchy over anything that has a box and a set of frames: 8-wide nodes, built by the surface area
 // heuristic (bvh_builder.cpp), traversed by traverse.h. It knows neither shapes nor what its leaves hold.
 #pragma once
 
@@ -12,41 +12,41 @@
 
 namespace dspm {
 
-/// What a tree is built over. `bounds` must have its margin (box_ray.h) and be finite.
+/// An element that a tree is built over. `bounds` must have its margin (box_ray.h) and be finite.
 struct Piece {
   Bounds3 bounds;
   FrameSet frames;
-  int size = 1;  // how much of a leaf it fills
+  int size = 1;  // leaf capacity that it uses
 };
 
 struct Bvh {
   static constexpr int kWidth = 8;
   /// Child numbers from here on are leaves.
   static constexpr std::uint32_t kLeaf = 1u << 31;
-  /// Nodes on the longest way from the root to a leaf.
+  /// Nodes on the longest path from the root to a leaf.
   static constexpr int kMaxDepth = 64;
 
   /// Boxes of the children: low and high x, low and high y, low and high z. Unused children have empty boxes, come
-  /// last, and are never met.
+  /// last, and are never hit.
   struct alignas(32) Node {
     float planes[6][kWidth];
     std::uint32_t child[kWidth];
 
     std::vector<Bounds3> boxes() const;
   };
-  /// The union of its pieces' frames, child by child.
+  /// The union of the pieces' frames, by child.
   using NodeFrames = std::array<FrameSet, kWidth>;
   /// Pieces order[first], ..., order[first + count - 1].
   struct Leaf {
     std::uint32_t first, count;
   };
 
-  std::vector<Node> nodes;  // the root first; none where there are no pieces
+  std::vector<Node> nodes;  // the root first; empty if there are no pieces
   std::vector<NodeFrames> node_frames;
   std::vector<Leaf> leaves;
   std::vector<std::uint32_t> order;  // piece numbers
 
-  /// To be called once the leaves are filled.
+  /// Call once the leaves are filled.
   void forget_pieces() { leaves = {}, order = {}; }
   std::size_t memory() const {
     return nodes.capacity() * sizeof(Node) + node_frames.capacity() * sizeof(NodeFrames) +
@@ -54,7 +54,7 @@ struct Bvh {
   }
 };
 
-/// A leaf holds pieces of sizes up to `leaf_size` in all, for the price of one. `frames`: all that rays may ask for.
+/// A leaf holds pieces of total size up to `leaf_size`, at the cost of one test. `frames`: all that rays may query.
 Bvh build_bvh(std::span<const Piece> pieces, int leaf_size, FrameSet frames);
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// Builds a Bvh top down: a node's range of pieces is cut until there are 8 ranges, always the one with the largest box,
-// always where the surface area heuristic in bins says. Which pieces end where depends on the pieces' order alone.
+// Builds a Bvh top down: a node's range of pieces is cut into 8 ranges, always cutting the range with the largest box
+// at the best split of a binned surface area heuristic. The result depends only on the order of the pieces.
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -14,7 +14,7 @@ namespace {
 constexpr int kBins = 32;
 // Below this level pieces are only halved, so that no input makes the tree deeper than Bvh::kMaxDepth.
 constexpr int kFreeLevels = 48;
-// The share of rays that ask for all frames; the others are taken to ask for one.
+// The assumed fraction of rays in all frames; the others are assumed to be in one.
 constexpr float kShareOfFullRays = 0.5f;
 
 struct Range {
@@ -55,7 +55,7 @@ class Builder {
 
   const Piece& piece(std::uint32_t place) const { return pieces_[bvh_.order[place]]; }
 
-  /// Expected, of leaves without any node above them.
+  /// The expected cost of leaves, without the nodes above them.
   float cost(const Bin& bin) const {
     const float share = static_cast<float>(bin.frames.count()) / static_cast<float>(std::max(1, all_frames_.count()));
     const float chance = bin.bounds.half_area() * (kShareOfFullRays + (1 - kShareOfFullRays) * share);
@@ -74,7 +74,7 @@ class Builder {
     return r;
   }
 
-  /// The bin of a piece along an axis; -1 where all pieces of the range would fall into one.
+  /// The bin of a piece along an axis; -1 if all pieces of the range would fall into the same bin.
   int bin_of(const Range& r, int axis, const Piece& p) const {
     if (axis == 3) {
       const int low = r.frames.lowest(), high = kMaxFrames - std::countl_zero(r.frames.bits());

@@ -1,5 +1,5 @@
 // A ray against four triangles side by side: the SIMD twin of meet() in meet.h. It does the same operations in the same
-// order, so that its hits are the same bit by bit; a triangle on whose edge the ray runs is handed to the other one.
+// order, so its hits are identical bit for bit; it leaves triangles whose edge the ray hits to the scalar one.
 #pragma once
 
 #include <immintrin.h>
@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// A ray prepared for this: all lanes hold the same. What the test in float needs is ordered by the ray's axes.
+/// A ray prepared for this: all lanes are equal. The inputs of the float test are ordered by the ray's axes.
 struct FourRays {
   MeshRay one;
   __m128 x, y, z, sx, sy, sz, near_origin[3], inverse[3];
@@ -27,12 +27,12 @@ struct FourRays {
 
 struct FourHits {
   alignas(16) float t[4], u[4], v[4];
-  unsigned lanes;  // bits of the triangles that are met
+  unsigned lanes;  // bits of the triangles that are hit
 };
 
 class FourTriangles {
  public:
-  /// Corner c of triangle i has coordinate a at vertices[(3 c + a) stride + i].
+  /// Coordinate a of corner c of triangle i is vertices[(3 c + a) stride + i].
   FourTriangles(const FourRays& ray, const float* vertices, int stride) : vertices_(vertices), stride_(stride) {
     const TriangleRay& r = ray.one.triangle;
     __m128 x[3], y[3];
@@ -47,9 +47,9 @@ class FourTriangles {
     w_ = x[1] * y[0] - y[1] * x[0];
   }
 
-  /// Those that the ray may meet at a distance in (0, limit]: whose edge functions have no two opposite signs, and of
-  /// whose corners not all are behind the ray or too far. Zero is no sign: there the triangle test looks closer. It
-  /// keeps distances between those of the corners.
+  /// Triangles that the ray may hit at a distance in (0, limit]: no two of their edge functions have opposite signs,
+  /// and their corners are not all behind the ray or all too far. Zero is no sign: the triangle test examines that
+  /// case. It keeps distances between those of the corners.
   unsigned candidates(float limit) const {
     const __m128 zero = _mm_setzero_ps();
     const __m128 outside = _mm_and_ps(_mm_cmplt_ps(least(u_, v_, w_), zero), _mm_cmpgt_ps(most(u_, v_, w_), zero));
@@ -62,7 +62,7 @@ class FourTriangles {
   FourHits meet(const FourRays& ray, unsigned wanted) const {
     const __m128 zero = _mm_setzero_ps(), infinity = _mm_set1_ps(kInfinity), t_max = _mm_set1_ps(ray.one.t_max);
     const __m128 determinant = (u_ + v_) + w_, scale = _mm_set1_ps(1) / determinant;
-    // std::min(a, b) is _mm_min_ps(b, a) where a or b is NaN, or both are zeros; so for max.
+    // std::min(a, b) is _mm_min_ps(b, a) if a or b is NaN, or both are zeros; likewise for max.
     const __m128 nearest = _mm_min_ps(_mm_min_ps(z_[2], z_[1]), z_[0]);
     const __m128 farthest = _mm_max_ps(_mm_max_ps(z_[2], z_[1]), z_[0]);
     const Planes planes = plane_distances(ray, wanted);
@@ -98,7 +98,7 @@ class FourTriangles {
   const float* at(int corner, int axis) const { return vertices_ + (3 * corner + axis) * stride_; }
   __m128 coordinate(int corner, int axis) const { return _mm_load_ps(at(corner, axis)); }
 
-  /// Where the ray meets the triangles' planes; only lanes that are wanted count.
+  /// The ray's hits on the triangles' planes; only wanted lanes are valid.
   Planes plane_distances(const FourRays& ray, unsigned wanted) const {
     __m128 t[2] = {_mm_setzero_ps(), _mm_setzero_ps()}, exist[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
     for (int pair = 0; pair < 2; ++pair) {
@@ -123,7 +123,7 @@ class FourTriangles {
   }
   static __m128d dot(const __m128d* a, const __m128d* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  /// BoxRay::entry of the triangles' boxes with margin.
+  /// BoxRay::entry for the triangles' boxes with margin.
   __m128 entry(const FourRays& ray) const {
     __m128 low[3], high[3], largest = _mm_setzero_ps();
     for (int axis = 0; axis < 3; ++axis) {

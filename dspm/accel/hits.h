@@ -1,4 +1,4 @@
-// What a traversal of the trees looks for (see traverse.h): the nearest hit of one frame, the nearest hit of each of many
+// The queries of a tree traversal (see traverse.h): the nearest hit in one frame, the nearest hit in each of many
 // frames, or whether anything is in the way.
 #pragma once
 
@@ -17,7 +17,7 @@ class NearestHit {
   static constexpr bool kOneFrame = true;
   static constexpr bool kNearestFirst = true;
 
-  /// Takes hits up to and including the distance `limit`.
+  /// Accepts hits up to and including the distance `limit`.
   NearestHit(FrameSet frames, float limit) : frames_(frames) { best_.t = limit; }
 
   FrameSet frames() const { return frames_; }
@@ -54,7 +54,7 @@ class AnyHit {
   float limit_;
 };
 
-/// The nearest hit so far of each frame. A hit that several frames have in common is kept once.
+/// The nearest hit so far in each frame. A hit shared by several frames is stored once.
 class NearestHits {
  public:
   static constexpr bool kOneFrame = false;
@@ -69,7 +69,7 @@ class NearestHits {
   }
   /// The largest distance that still counts in one of `frames`.
   float limit(FrameSet frames) const;
-  /// `frames`: those in which what was hit is there, all of them asked for.
+  /// `frames`: those in which the object exists, a subset of the query's.
   void offer(const RayHit& hit, FrameSet frames);
   HitPartition partition() const;
 
@@ -80,13 +80,13 @@ class NearestHits {
   void leave_slot(Frame frame);
 
   FrameSet frames_;
-  FrameSet open_;                          // those in which nothing has been met
-  int groups_;                             // of four frames each: up to the highest frame asked for
+  FrameSet open_;                          // those without a hit
+  int groups_;                             // of four frames each: up to the query's highest frame
   float limit_;                            // the largest of the distances
-  FrameSet used_;                          // slots in use; there are never more than frames
-  alignas(16) float nearest_[kMaxFrames];  // by frame; minus infinity where not asked for
+  FrameSet used_;                          // slots in use; never more than frames
+  alignas(16) float nearest_[kMaxFrames];  // by frame; minus infinity for frames not in the query
   std::uint8_t slot_[kMaxFrames];          // by frame
-  union {                                  // by slot; uninitialised until used, as this is made for every ray
+  union {                                  // by slot; uninitialised until used, since one is constructed per ray
     FrameSet slot_frames_[kMaxFrames];
   };
   union {

@@ -1,7 +1,7 @@
-// Where a ray meets one primitive, as every tree and the brute force loop compute it: the shape's own test, with one
-// correction. A triangle that is seen edge-on has a well defined side but a badly rounded distance, which may come out
-// before the ray has even reached the triangle's box; then a tree that culls boxes by distance and a loop over all
-// primitives would disagree. Such a hit is moved to where the ray enters the box.
+// A ray's hit on one primitive, as every tree and the brute force loop compute it: the shape's own test, with one
+// correction. The hit decision for a triangle seen edge-on is sound, but its rounded distance is poor and may even lie
+// before the ray reaches the triangle's box; then a tree that culls boxes by distance and a loop over all primitives
+// would disagree. Such a hit is moved to where the ray enters the box.
 #pragma once
 
 #include "dspm/accel/box_ray.h"
@@ -33,7 +33,7 @@ struct MeshRay {
   explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
 };
 
-/// Equals meet() with the mesh that the triangle belongs to.
+/// Equals meet() with the triangle's mesh.
 inline std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const std::optional<PrimitiveHit> hit = intersect(ray.triangle, p0, p1, p2, ray.t_max);
   if (!hit) return hit;

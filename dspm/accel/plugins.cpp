@@ -9,9 +9,9 @@ PluginTable<AccelPlugin>& accel_plugins() {
   static PluginTable<AccelPlugin> table(
       "accelerator",
       {
-          {{"two-level", "a tree over what stands still, and one over what differs between frames", make_two_level},
+          {{"two-level", "one tree over static objects, one over objects that differ between frames", make_two_level},
            two_level_bytes},
-          {{"bruteforce", "every primitive against every ray; for tests", make_brute_force}, brute_force_bytes},
+          {{"bruteforce", "tests every ray against every primitive; for tests", make_brute_force}, brute_force_bytes},
       });
   return table;
 }

@@ -1,8 +1,8 @@
-// The traversal of a Bvh, front to back. Who asks what is a Query: anything with
-//   FrameSet frames() const                           the frames that are still asked for
+// The traversal of a Bvh, front to back, for a Query: any class with
+//   FrameSet frames() const                           the frames still of interest
 //   bool reaches(float entry, FrameSet frames) const  something at distance `entry` or later may matter to one of them
 //   float limit() const                               nothing beyond this distance matters (at it, it may)
-//   static constexpr bool kOneFrame                   frames() never holds more than one frame, limit() says it all
+//   static constexpr bool kOneFrame                   frames() never holds more than one frame, limit() suffices
 //   static constexpr bool kNearestFirst               the order matters
 #pragma once
 
@@ -29,14 +29,14 @@ class NodeTest {
     }
   }
 
-  /// Bits of the children whose boxes the ray enters within `limit`, and where it enters them.
+  /// Bits of the children whose boxes the ray enters within `limit`, and the distances at which it enters them.
   unsigned operator()(const Bvh::Node& node, float limit, float* entry) const {
     return half(node, 0, limit, entry) | half(node, 4, limit, entry) << 4;
   }
 
  private:
   unsigned half(const Bvh::Node& node, int first, float limit, float* entry) const {
-    // The order of the operands matters: of a NaN (zero times infinity) min and max yield the second operand.
+    // The order of the operands matters: if one is NaN (zero times infinity), min and max return the second.
     __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit);
     for (int axis = 0; axis < 3; ++axis) {
       const __m128 near = _mm_load_ps(node.planes[near_plane_[axis]] + first);
@@ -61,8 +61,8 @@ inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
 void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& visit) {
-  // What is still to be visited: where the ray enters it, its number, its frames. Three arrays without default values,
-  // as they are to cost nothing, and as an entry that is written in parts and read as a whole would stall.
+  // The stack: entry distance, number and frames. Three uninitialised arrays, since initialising costs time and reading
+  // a struct as a whole after writing it by member would stall.
   constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
   float at[kMost];
   std::uint32_t child[kMost];

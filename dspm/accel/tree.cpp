@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::uint32_t kPlaced = 1u << 30;
 
-// Norm of a linear map where vectors are measured by their largest component.
+// Norm of a linear map, with vectors measured by their largest component.
 template <class Map>
 float norm(const Map& map) {
   return max_component(abs(map(Vec3{1, 0, 0})) + abs(map(Vec3{0, 1, 0})) + abs(map(Vec3{0, 0, 1})));
 }
 
-// By how much a rounding in the object's space, or on the way there, can be larger in the world than one that is made
-// there: the condition of the transform. Twice that, as the margins of the object's space come on top of it.
+// How much larger a rounding error in object space, or on the way there, can be in world space than one made there: the
+// condition number of the transform. Doubled, since the margins of object space come on top of it.
 float stretch_of(const Transform& t) {
   return 2 * norm([&](const Vec3& v) { return t.vector(v); }) *
          norm([&](const Vec3& v) { return t.inverse_vector(v); });
@@ -48,8 +48,8 @@ class Tree::Builder {
     tree_.bvh_ = build_bvh(pieces_, TrianglePacket::kSize, all);
     if (std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); }))
       tree_.bvh_.node_frames = {};
-    pieces_ = {};                                                       // the packets take their room
-    tree_.packets_.reserve(tree_.bvh_.leaves.size() - placed_.size());  // what is placed fills a leaf each
+    pieces_ = {};                                                       // frees memory for the packets
+    tree_.packets_.reserve(tree_.bvh_.leaves.size() - placed_.size());  // each placed object fills a leaf
     for (Bvh::Node& node : tree_.bvh_.nodes)
       for (std::uint32_t& child : node.child)
         if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);
@@ -69,7 +69,7 @@ class Tree::Builder {
       add(placed, {s, &placed, nullptr, p}, {with_margin(placed.shape->bounds(p))});
   }
 
-  /// `outline`: in the shape's space. A piece that fills a leaf.
+  /// Adds a piece that fills a leaf. `outline`: in the shape's space.
   void add(const PlacedShape& shape, const Placed& placed, const std::vector<Bounds3>& outline) {
     Bounds3 world;
     for (const Bounds3& part : outline) world.add(shape.to_world.bounds(part));

@@ -1,7 +1,7 @@
-// The project's tree over placed shapes. Its nodes know in which frames their contents are there. A leaf holds up to
-// eight triangles of meshes that stand in world space, or something that a transform places: one primitive, or a whole
-// mesh, which then has a tree of its own in its own space, however often it is placed. As the meshes of a deforming
-// object lie close together, leaves and nodes hold triangles of several frames.
+// The tree over placed shapes. Its nodes store the frames in which their contents exist. A leaf holds up to eight
+// triangles of meshes in world space, or one object placed by a transform: a single primitive, or a whole mesh, which
+// then has one tree in its own space, however often it is placed. As the meshes of a deforming object lie close
+// together, leaves and nodes hold triangles of several frames.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ namespace dspm {
 
 class MeshTrees;
 
-/// A ray prepared for trees whose margins (Tree::margins) are no more than `margins`.
+/// A ray prepared for trees whose Tree::margins() is at most `margins`.
 struct TreeRay {
   Ray ray;
   FourRays four;
@@ -38,20 +38,20 @@ std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& w
 
 class Tree {
  public:
-  /// Over shapes[i] for all i in `which`. `all`: the frames that rays may ask for.
+  /// Built over shapes[i] for all i in `which`. `all`: the frames that rays may query.
   Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes);
 
   bool empty() const { return bvh_.nodes.empty(); }
-  /// Offers to `query`, one of those in hits.h, what the ray meets.
+  /// Offers the ray's hits to `query`, one of those in hits.h.
   template <class Query>
   void find(const TreeRay& ray, Query& query) const;
-  /// How many margins of a ray's origin its boxes need: more than one where a transform stretches errors.
+  /// The number of margins of a ray's origin that its boxes need: more than one if a transform stretches errors.
   float margins() const { return margins_; }
 
-  /// Whether the ray enters one of the root's boxes within `limit`: if not, it meets nothing there.
+  /// Whether the ray enters one of the root's boxes within `limit`; if not, it hits nothing there.
   bool enters(const TreeRay& ray, float limit) const { return enters_root(bvh_, ray.test, limit); }
 
-  /// Boxes of up to 8 parts, with margin, that are all there is.
+  /// Up to 8 boxes, with margin, that together contain everything.
   std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.nodes.front().boxes(); }
   /// Without the trees of placed meshes.
   std::size_t memory() const;
@@ -61,7 +61,7 @@ class Tree {
   struct Placed {
     int number;  // among all placed shapes
     const PlacedShape* shape;
-    const Tree* mesh;  // null: it is a primitive
+    const Tree* mesh;  // null for a primitive
     int primitive;
   };
   class Builder;
@@ -76,14 +76,14 @@ class Tree {
   float margins_ = 1;             // see stretch_of()
 };
 
-/// A tree for each mesh that is placed by a transform, in the mesh's own space.
+/// A tree, in the mesh's own space, for each mesh placed by a transform.
 class MeshTrees {
  public:
   const Tree& of(const Shape& mesh);
   std::size_t memory() const;
 
  private:
-  std::map<const Shape*, std::unique_ptr<const Tree>> trees_;  // looked up only, so addresses decide nothing
+  std::map<const Shape*, std::unique_ptr<const Tree>> trees_;  // lookups only, so addresses affect no result
 };
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// Up to eight triangles side by side: what a leaf of triangles is. A ray is tested against four at a time by
-// four_triangles.h.
+// The contents of a triangle leaf: up to eight triangles side by side. four_triangles.h tests a ray against four at a
+// time.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ struct alignas(64) TrianglePacket {
   float vertex[3][3][kSize];  // by corner, axis, lane
   int shape[kSize];
   int primitive[kSize];
-  unsigned lanes = 0;  // bits of those in use
+  unsigned lanes = 0;  // bits of the lanes in use
 
   void add(int to_shape, int number, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
     const auto lane = static_cast<std::size_t>(std::popcount(lanes));
@@ -30,7 +30,7 @@ struct alignas(64) TrianglePacket {
     lanes |= 1u << lane;
   }
 
-  /// Offers to `query` what the ray meets; `frames_of(shape)` are the frames in which a triangle is there.
+  /// Offers the ray's hits to `query`; `frames_of(shape)` are the frames in which a triangle exists.
   template <class Query, class FramesOf>
   void find(const FourRays& ray, Query& query, const FramesOf& frames_of) const {
     for (std::size_t first = 0; first < kSize && lanes >> first != 0; first += 4) {

@@ -8,15 +8,15 @@
 namespace dspm {
 namespace {
 
-// A triangle that moves little keeps its place in a packet for up to 8 frames: as long as the box of the frames' union
-// has at most so many times the area of one frame's box.
+// A triangle that moves little keeps its place in a packet for up to 8 frames: as long as the area of the frames'
+// united box is at most this many times that of one frame's box.
 constexpr float kMostGrowth = 4;
 
 class Cutter {
  public:
   Cutter(std::span<const PlacedShape> shapes, TrianglePieces& out) : shapes_(shapes), out_(out) {}
 
-  /// The same primitive of meshes of the same topology, in the order of frames.
+  /// Cuts the same primitive of meshes of the same topology, in frame order.
   void cut(std::span<const int> sequence, int primitive) {
     if (sequence.size() > TrianglePacket::kSize) return cut_in_two(sequence, primitive);
     Piece piece{{}, {}, static_cast<int>(sequence.size())};
@@ -44,7 +44,7 @@ class Cutter {
   TrianglePieces& out_;
 };
 
-/// How many of the shapes, from the first on, are meshes with the same faces.
+/// The number of leading shapes that are meshes with the same faces.
 std::size_t sequence_length(std::span<const PlacedShape> shapes, std::span<const int> which) {
   const auto faces = [&](std::size_t i) -> const std::vector<Face>& {
     return shapes[static_cast<std::size_t>(which[i])].shape->triangles()->faces();
@@ -57,11 +57,11 @@ std::size_t sequence_length(std::span<const PlacedShape> shapes, std::span<const
 }  // namespace
 
 TrianglePieces::TrianglePieces(std::span<const PlacedShape> shapes, std::span<const int> which) {
-  // Memory that is never written to is not taken; vectors that grow take more than they need.
+  // Memory that is never written to is not resident; growing vectors take more than they need.
   std::size_t most = 0;
   for (const int s : which)
     most += static_cast<std::size_t>(shapes[static_cast<std::size_t>(s)].shape->primitive_count());
-  pieces.reserve(most + shapes.size());  // also for a piece of each shape that is no mesh
+  pieces.reserve(most + shapes.size());  // including a piece for each shape that is not a mesh
   first_triangle.reserve(most + 1), triangles.reserve(most);
   first_triangle.push_back(0);
 

@@ -1,4 +1,4 @@
-// Meshes cut into what a tree is built over: single triangles, or one triangle in several frames.
+// Meshes cut into pieces for building a tree: single triangles, or one triangle in several frames.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct TrianglePieces {
     int shape, primitive;
   };
 
-  /// Of shapes[i] for all i in `which`: meshes, whose to_world is not looked at.
+  /// Pieces of the meshes shapes[i] for all i in `which`; ignores their to_world.
   TrianglePieces(std::span<const PlacedShape> shapes, std::span<const int> which);
 
   std::size_t count() const { return first_triangle.size() - 1; }

@@ -10,14 +10,14 @@
 namespace dspm {
 namespace {
 
-// For more frames than this the tree over all of them is faster. Measured on a galloping horse of 17K triangles.
+// For more frames than this, the tree over all of them is faster. Measured on a galloping horse of 17K triangles.
 constexpr int kFewFrames = 3;
-// How often a triangle may be kept, on average, in the trees of single frames.
+// The maximum average number of copies of a triangle in the trees of single frames.
 constexpr std::size_t kMostCopies = 2;
 
 bool in_some(const PlacedShape& s, FrameSet all) { return !s.frames.contains(all) && !(s.frames & all).empty(); }
 
-/// Whether triangles that stand in world space would be kept too often in the trees of single frames.
+/// Whether the trees of single frames would hold too many copies of triangles in world space.
 bool live_too_long(std::span<const PlacedShape> shapes, FrameSet all) {
   std::size_t triangles = 0, copies = 0;
   for (const PlacedShape& shape : shapes) {
@@ -64,7 +64,7 @@ HitPartition TwoLevel::partition(const Ray& ray, FrameSet frames) const {
     return one_part(frames, nearest.hit());
   }
   static_.find(prepared, nearest);
-  // Most rays end here, without what many frames need.
+  // Most rays end here, without the data structures for many frames.
   if (!dynamic_.enters(prepared, nearest.limit())) return one_part(frames, nearest.hit());
   NearestHits hits(frames, nearest.limit());
   if (!nearest.hit().missed()) hits.offer(nearest.hit(), frames);
@@ -93,7 +93,7 @@ std::size_t TwoLevel::memory() const {
 }
 
 std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
-  // Bytes a triangle: those of cathedrals, horses and landscapes are 60 to 80, and about 40 more for a while.
+  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 80, and about 40 more for a while.
   constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;

@@ -1,7 +1,7 @@
 // Accelerator "two-level"
 //
-// The static tree answers for all frames at once, the dynamic tree for each frame; a ray asks either at most once. It
-// has no parameters. [WG12, section 3; there rays start anew behind every dynamic hit]
+// The static tree answers for all frames at once, the dynamic tree for each frame; a ray traverses either at most once.
+// It has no parameters. [WG12, section 3; there rays restart after every dynamic hit]
 #pragma once
 
 #include "dspm/accel/tree.h"
@@ -29,8 +29,8 @@ class TwoLevel final : public Accel {
   MeshTrees meshes_;
   Tree static_, dynamic_;
   float margins_;  // for all of them
-  // A path that has split is in few frames, often in one: such a ray finds its way sooner in a tree over what is there
-  // in its frame alone. Empty where that would hold triangles too often.
+  // A path that has split is in few frames, often in one; its rays are faster in a tree over the dynamic objects of
+  // that frame alone. Empty if such trees would hold too many copies of triangles.
   std::vector<Tree> of_frame_;
 };
 

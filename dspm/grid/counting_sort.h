@@ -1,4 +1,4 @@
-// The heart of a counting sort that several threads share.
+// The core of a counting sort shared by several threads.
 #pragma once
 
 #include <utility>
@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// counts[t][c]: how many elements of class c thread t has. Turns them into where the first of these goes, class by
-/// class and thread by thread; begins[c] is where class c begins, the last of `begins` is the number of all.
+/// counts[t][c]: the number of elements of class c in thread t. Replaces it by the place of the first of them, ordered
+/// by class, then thread; begins[c] is the place where class c begins, and the last of `begins` is the total.
 template <class Counts, class Begins>
 void turn_into_places(std::vector<Counts>& counts, Begins& begins) {
   typename Begins::value_type sum = 0;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kGrain = 1 << 14;
 constexpr double kCellsPerPoint = 8, kLeastCells = 4096;
 
-/// At least 0; NaN, as of huge coordinates, counts as that.
+/// At least 0; NaN, which huge coordinates can cause, becomes 0.
 int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
 
 int cells_along(float extent, float cell) { return truncated(extent / cell, 1e6f) + 1; }
@@ -83,7 +83,7 @@ PointGrid::BucketBegins PointGrid::sort_into_buckets(std::span<const Vec3> point
       fn(static_cast<std::size_t>(i / kGrain), cell >> bucket_shift_, Sorted{cell, static_cast<std::uint32_t>(i)});
     });
   };
-  // By chunk of points and bucket: how many there are, then where the next one goes.
+  // By chunk of points and bucket: the number of points, then the place of the next one.
   std::vector<std::array<std::uint32_t, kBuckets>> places(static_cast<std::size_t>(chunk_count(count, kGrain)));
   for_each_point([&](std::size_t chunk, std::uint32_t bucket, Sorted) { ++places[chunk][bucket]; });
   BucketBegins begins;
@@ -97,7 +97,7 @@ void PointGrid::sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32
   const std::size_t cells = begin_.size() - 1, first = std::min(bucket << bucket_shift_, cells),
                     last = std::min((bucket + 1) << bucket_shift_, cells);
   const auto points = std::span<const Sorted>(by_bucket_).subspan(begin, end - begin);
-  // Counting sort: begin_[c] first counts the points of cell c, then walks from the cell's begin to its end.
+  // Counting sort: begin_[c] first counts the points of cell c, then advances from the cell's begin to its end.
   std::fill_n(begin_.data() + first, last - first, 0u);
   for (const Sorted& point : points) ++begin_[point.cell];
   std::uint32_t sum = begin;

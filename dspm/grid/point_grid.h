@@ -1,4 +1,4 @@
-// Points in a uniform grid, sorted by cell, for finding all points within a radius. Knows no rendering.
+// Points in a uniform grid, sorted by cell, for finding all points within a radius. Independent of rendering.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace dspm {
 
-/// Cells of one row (neighbours along x) lie behind one another in memory, so a query walks a few contiguous runs.
+/// Cells of one row (neighbours along x) are contiguous in memory, so a query reads a few contiguous runs.
 class PointGrid {
  public:
-  /// Sorts `points` by cell; points of a cell stay in their order. Cells are `cell_size` wide, or wider where that
-  /// would make more than a few cells a point. `points` is not kept.
+  /// Sorts `points` by cell; points of a cell keep their order. Cells are `cell_size` wide, or wider if that would
+  /// make more than a few cells per point. `points` is not kept.
   void build(std::span<const Vec3> points, float cell_size);
 
   /// Place i of the sorted order holds point order()[i].
@@ -25,7 +25,7 @@ class PointGrid {
 
   /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed
   /// here, is at most `radius2`: which points those are depends neither on the cells nor on the other points. In
-  /// ascending order of i within a row of cells and of rows. Returns how many points were tested.
+  /// ascending order of rows, and of i within a row of cells. Returns the number of points tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const;
 
@@ -40,7 +40,7 @@ class PointGrid {
            static_cast<std::size_t>(x);
   }
 
-  // Cells are sorted in two steps, of which threads can share both: consecutive cells make a bucket.
+  // Cells are sorted in two steps, both parallel: consecutive cells form a bucket.
   static constexpr int kBucketBits = 8;
   static constexpr std::size_t kBuckets = 1 << kBucketBits;
   using BucketBegins = std::array<std::uint32_t, kBuckets + 1>;
@@ -58,13 +58,13 @@ class PointGrid {
   int bucket_shift_ = 0;
   std::vector<Sorted> by_bucket_;
   std::vector<std::uint32_t> order_;
-  std::vector<float> x_, y_, z_;  // of the sorted points, and PointsWithin::kPadding more
+  std::vector<float> x_, y_, z_;  // of the sorted points, plus PointsWithin::kPadding more
 };
 
 template <class Fn>
 std::uint64_t PointGrid::for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
   if (order_.empty()) return 0;
-  // Rounded outward, so that no cell is left out whose points the distance test would let pass.
+  // Rounded outward, so that no cell is skipped whose points would pass the distance test.
   const float radius = std::sqrt(radius2) * (1 + 0x1p-20f);
   const Vec3 reach = Vec3{radius, radius, radius} + abs(p) * 0x1p-21f, from = p - reach, to = p + reach;
   if (!(to.x >= bounds_.low.x && from.x <= bounds_.high.x && to.y >= bounds_.low.y && from.y <= bounds_.high.y &&

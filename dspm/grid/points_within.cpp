@@ -7,7 +7,7 @@
 namespace dspm {
 namespace {
 
-/// For each set of four lanes the byte shuffle that moves them to the front.
+/// For each subset of four lanes, the byte shuffle that moves it to the front.
 struct LaneShuffles {
   alignas(16) std::uint8_t bytes[16][16] = {};
 

@@ -1,4 +1,4 @@
-// The distance test of every gather: which points of a run lie within a radius. As wide as the processor allows.
+// The distance test of every gather: which points of a run lie within a radius. Uses the widest SIMD available.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace dspm {
 
-/// Which instructions do it. They give the same bits.
+/// The instructions to use. All give the same bits.
 enum class DistanceTest { four_lanes, sixteen_lanes };  // SSE4.2, AVX-512
 
 bool is_supported(DistanceTest test);
 extern const DistanceTest kWidestDistanceTest;
 
-/// Points within a radius, found without a branch: about one in three is, in no order that a processor could guess.
+/// Points within a radius, found without branches: about one in three qualifies, too irregularly for branch prediction.
 class PointsWithin {
  public:
   static constexpr std::uint32_t kPadding = 15;
@@ -21,13 +21,13 @@ class PointsWithin {
   PointsWithin(const Vec3& p, float radius2, DistanceTest test = kWidestDistanceTest)
       : p_(p), radius2_(radius2), test_(test) {}
 
-  /// Looks at the points begin .. end - 1, whose coordinates can be read up to end + kPadding. Stops where its room
-  /// ends; returns how far it came.
+  /// Tests the points begin .. end - 1, whose coordinates must be readable up to end + kPadding. Stops when its buffer
+  /// is full; returns the end of the tested range.
   std::uint32_t add(const float* x, const float* y, const float* z, std::uint32_t begin, std::uint32_t end) {
     return test_ == DistanceTest::sixteen_lanes ? add_sixteen(x, y, z, begin, end) : add_four(x, y, z, begin, end);
   }
   bool full() const { return count_ > kRoom - kMostLanes; }
-  /// Calls fn(number of the point, distance squared) for all in the order in which they were added.
+  /// Calls fn(point number, distance squared) for all found points, in the order in which they were added.
   template <class Fn>
   void empty_into(Fn&& fn) {
     for (std::uint32_t k = 0; k < count_; ++k) fn(numbers_[k], distance2_[k]);

@@ -1,4 +1,4 @@
-// Buffers that are filled anew in every iteration, each time by about as much.
+// Buffers that are refilled in every iteration, each time with about as much.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// Makes room for `count` elements, whatever they were. What grows lets go of its old memory first and takes a little
-/// more than it needs: std::vector would hold both for a while, and then twice as much for good.
+/// Makes room for `count` elements and discards the contents. A growing buffer releases its old memory first and
+/// allocates slightly more than needed: std::vector would hold both for a while, and then twice as much permanently.
 template <class T>
 void refit(std::vector<T>& buffer, std::size_t count) {
   if (count > buffer.capacity()) {

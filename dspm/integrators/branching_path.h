@@ -1,4 +1,5 @@
-// A path that branches where frames part, followed to its ends: the one loop of camera paths, photons and gather rays.
+// A path that branches where frames part, traced to all its ends: the loop shared by camera paths, photons and gather
+// rays.
 #pragma once
 
 #include "dspm/integrators/path_step.h"
@@ -8,21 +9,21 @@
 
 namespace dspm {
 
-/// Branches of one path, to be followed by a tracer:
-///   bool postpones(const Path&, const HitPartition&)      true: the tracer follows these parts later, by arrive()
+/// The branches of one path. follow() hands them to a tracer:
+///   bool postpones(const Path&, const HitPartition&)      true: the tracer calls arrive() for these parts later
 ///   void arrived(const Path&, const Vertex&)              may push branches
 ///   void escaped(const Path&, FrameSet)
-///   void lost(const Path&, FrameSet, const ScenePart&)    the surface is not finite, and whose fault that is
+///   void lost(const Path&, FrameSet, const ScenePart&)    the surface is not finite; the shape to blame
 template <class Path>
 class BranchingPath {
  public:
   BranchingPath(const Scene& scene, PathCounts& counts) : scene_(scene), frames_(scene.frames()), counts_(counts) {}
 
-  /// The branch's copy, to be changed in place until the next push; drop() takes it back.
+  /// The new copy may be changed in place until the next push; drop() removes it.
   Path& push(const Path& branch) { return branches_[static_cast<std::size_t>(count_++)] = branch; }
   void drop() { --count_; }
 
-  /// Until no branch is left.
+  /// Runs until no branch is left.
   template <class Tracer>
   void follow(Tracer& tracer) {
     while (count_ > 0) {
@@ -35,7 +36,7 @@ class BranchingPath {
     }
   }
 
-  /// Hands one part of what the branch meets to the tracer.
+  /// Hands one part of the hit partition to the tracer.
   template <class Tracer>
   void arrive(const Path& path, const FrameHit& part, Tracer& tracer) {
     if (part.hit.missed()) return tracer.escaped(path, part.frames);
@@ -45,7 +46,7 @@ class BranchingPath {
     tracer.lost(path, part.frames, vertex.shape_part());
   }
 
-  /// Once a path has come to all its ends: counts it.
+  /// Called once all branches of a path have ended.
   void count_path() {
     ++counts_.paths;
     counts_.dynamic_paths += parted_;
@@ -56,9 +57,9 @@ class BranchingPath {
   const Scene& scene_;
   FrameSet frames_;
   PathCounts& counts_;
-  std::array<Path, kMaxFrames> branches_;  // their sets are disjoint, so there are never more than frames
+  std::array<Path, kMaxFrames> branches_;  // disjoint frame sets, so never more branches than frames
   int count_ = 0;
-  bool parted_ = false;  // the path has met something that is not the same in all frames
+  bool parted_ = false;  // the path has met something that differs between frames
 };
 
 }  // namespace dspm

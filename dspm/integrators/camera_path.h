@@ -1,4 +1,4 @@
-// Camera paths, from the film on.
+// Camera paths, starting at the film.
 #pragma once
 
 #include "dspm/colour/rgb.h"
@@ -15,8 +15,8 @@ struct CameraPath : PathState {
   int pixel = 0;  // within the crop
 };
 
-/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image; lost(const CameraPath&)
-/// if the camera gives a ray that is not finite.
+/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or
+/// lost(const CameraPath&) if the camera's ray is not finite.
 template <class Start, class Lost>
 void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
                         Start&& start, Lost&& lost) {

@@ -1,10 +1,10 @@
-// Which of a path's random numbers is for what.
+// The uses of a path's random numbers.
 #pragma once
 
 namespace dspm {
 
-/// The random numbers' dimensions at one bounce. A path's start takes the last three of bounce 0, so direct light at
-/// the vertex of bounce b takes those of b + 1.
+/// The dimensions of the random numbers at one bounce. A path's start uses the last three of bounce 0, so direct light
+/// at the vertex of bounce b uses those of b + 1.
 enum Dimension : int { kScatter, kLobe, kRoulette, kSplit, kLightChoice, kLightPoint, kLightDirection };
 
 }  // namespace dspm

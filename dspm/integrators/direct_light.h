@@ -1,8 +1,9 @@
-// Direct light at a surface by one shadow ray, for all frames of a path at once.
+// Direct light at a surface from one shadow ray, for all frames of a path at once.
 #pragma once
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/path_step.h"
+#include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
@@ -10,30 +11,30 @@
 
 namespace dspm {
 
-/// A shadow ray ends short of the light's own surface.
+/// A shadow ray that stops short of the light's surface.
 inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   constexpr float kShort = 1 - 1e-4f;
   Ray ray = point.spawn(light.wi);
   if (!std::isfinite(light.distance)) return ray;
-  // Aimed anew from the offset origin: a grazing ray would miss the light's point otherwise.
+  // Re-aimed from the offset origin: a grazing ray would otherwise miss the light's point.
   const Vec3 to_light = point.p + light.wi * light.distance - ray.origin;
   const float distance = length(to_light);
   if (distance > 0) ray.direction = to_light / distance, ray.t_max = distance * kShort;
   return ray;
 }
 
-/// The frames in which nothing lies on the segment, with what is left there of its light: fn(FrameSet, const Rgb&
-/// transmittance).
+/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment.
 template <class Fn>
 void for_each_open(const Scene& scene, const Ray& segment, FrameSet frames, Fn&& fn) {
   const FrameSet open = frames - scene.accel->occluded(segment, frames);
   if (!open.empty()) fn(open, Rgb(1));
 }
 
-/// Chooses a light and a direction by the path's numbers for its next bounce and calls fn(FrameSet, const Rgb&, giver)
-/// with the radiance that the vertex sends back along the path by it, for those of `frames` in which nothing lies
-/// between. `weight(wi, pdf_w)` multiplies in, where pdf_w (by solid angle) holds the chance of the light's choice and
-/// is 0 for delta lights. Radiance that is not finite is handed on; giver() is then who gave it.
+/// Samples a light and a direction with the path's random numbers for its next bounce and calls
+/// fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
+/// `frames` in which nothing is in between. It is weighted by `weight(wi, pdf_w)`; pdf_w (by solid angle) includes the
+/// probability of choosing the light and is 0 for delta lights. Radiance that is not finite is passed on; giver() then
+/// returns its source.
 template <class Weight, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
                          const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {

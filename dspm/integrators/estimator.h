@@ -1,6 +1,6 @@
-// How gathered photons and what camera paths saw themselves become a pixel's radiance, in each of the frames rendered
-// together. Two ways: hj09 (each pixel and frame shrinks its own radius) and kz11 (the radius depends on the iteration
-// alone).
+// Turns gathered photons and the light that camera paths saw directly into a pixel's radiance, in each of the frames
+// rendered together. There are two estimators: hj09 (each pixel and frame shrinks its own radius) and kz11 (the radius
+// depends only on the iteration).
 #pragma once
 
 #include <cmath>
@@ -18,33 +18,33 @@ namespace dspm {
 class PixelEstimator {
  public:
   virtual ~PixelEstimator() = default;
-  /// The square of the radius within which gather_at would look: the largest of the frames'.
+  /// The square of the radius that gather_at would search: the largest of all frames.
   virtual float search_radius2(const HitPoint& hit) const = 0;
-  /// Gathers for a hit point and takes what it finds into the pixel's sums, for each batch of an iteration's photons.
-  /// Calls for different pixels may run at the same time; a pixel's hit points of one iteration hold disjoint frames.
+  /// Gathers photons for a hit point and adds them to the pixel's sums, for each batch of an iteration's photons. Calls
+  /// for different pixels may run concurrently; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
-  /// Light that needs no photons. Likewise for different pixels at the same time.
+  /// Adds light that needs no photons. Also concurrent for different pixels.
   virtual void see(const SeenLight& light) = 0;
-  /// Once an iteration, after all gathers.
+  /// Called once per iteration, after all gathers.
   virtual void end_iteration() = 0;
-  /// All that lasts beyond an iteration; see Integrator::persist.
+  /// All state that outlives an iteration; see Integrator::persist.
   virtual void persist(StateStream& state) = 0;
-  /// Radiance after the iterations so far.
+  /// Radiance after the completed iterations.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
-  /// Nothing where only sums are kept.
+  /// Empty if only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
-  /// Between iterations, or after one that threw: drops what was kept for its end alone.
+  /// Called between iterations, or after one that threw: drops the state that only end_iteration() needs.
   virtual void forget_iteration() {}
 };
 
-/// kz11's radius, the same for all pixels and frames but for where it starts.
+/// kz11's radius, the same for all pixels and frames except for its initial value.
 class IterationRadius {
  public:
   float squared(const HitPoint& hit) const {
     const float radius = hit.radius * static_cast<float>(scale_);
     return radius * radius;
   }
-  /// Behind the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+  /// After the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
   void end_iteration(float alpha) {
     const auto i = static_cast<double>(++iterations_);
     scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
@@ -62,7 +62,7 @@ class IterationRadius {
 
 struct EstimatorSettings {
   int pixels = 0, frames = 1;
-  std::int64_t photons = 1;  // paths emitted an iteration in each frame
+  std::int64_t photons = 1;  // paths emitted per iteration in each frame
   float alpha = 0.7f;
   bool batched = false;  // an iteration's photons come in several batches
 
@@ -71,7 +71,7 @@ struct EstimatorSettings {
 
 struct EstimatorKind {
   std::unique_ptr<PixelEstimator> (*make)(const EstimatorSettings&);
-  std::size_t (*bytes)(const EstimatorSettings&);  // that it will hold; those that last, where it is not batched
+  std::size_t (*bytes)(const EstimatorSettings&);  // it will hold; unless batched, only those kept across iterations
 };
 template <class Estimator>
 EstimatorKind estimator_kind() {

@@ -1,4 +1,4 @@
-// Final gather: rays from a hit point into the scene, each of which ends in an estimate from the photon map. [Jensen 1996]
+// Final gather: rays from a hit point into the scene, each ending in a photon map estimate. [Jensen 1996]
 #pragma once
 
 #include "dspm/colour/rgb.h"
@@ -11,11 +11,11 @@
 namespace dspm {
 
 struct FinalGatherSettings {
-  int rays = 0;  // from each hit point
+  int rays = 0;  // per hit point
   float least_alpha = 0.25f;
 };
 
-/// The gather rays of a tile. add(const HitPoint& from, FrameSet, const Rgb&) takes what they find.
+/// The gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&).
 template <class Add>
 class FinalGather {
  public:
@@ -56,7 +56,7 @@ class FinalGather {
   };
   friend BranchingPath<GatherPath>;
 
-  static constexpr int kMostBounces = 4;  // smooth lobes that a ray follows
+  static constexpr int kMostBounces = 4;  // off smooth lobes
 
   bool postpones(const GatherPath&, const HitPartition&) { return false; }
   void escaped(const GatherPath&, FrameSet) {}

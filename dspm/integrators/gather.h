@@ -1,5 +1,5 @@
-// What one photon gives one hit point: the inner loop of every photon gather. The order of tests: distance (the
-// grid's), frames, side of the surface, then the scattering function.
+// The contribution of one photon to one hit point: the inner loop of every photon gather. It tests distance (in the
+// grid), frames, the side of the surface, and then the scattering function.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace dspm {
 
-/// Work of a gather.
+/// Work done by a gather.
 struct GatherCounts {
   SharedCount gathers, found;
   std::uint64_t tests = 0;
@@ -21,14 +21,14 @@ struct GatherCounts {
 };
 
 /// Calls fn(strands, frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that
-/// counts for the hit point in some frame: photons which arrive at the back of the surface do not, unless its lobes let
-/// light pass. Throughput is left to the caller, and so are the photon's strands, mostly null.
+/// counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
+/// transmit. The caller applies the throughput and the photon's strands, which are mostly null.
 template <class Fn>
 void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
             GatherCounts& counts, Fn&& fn) {
   counts.gathers.add(hit.frames.count());
   SharedCount within;
-  if (!scattering) {  // apart from the rest: the loop that most of a gather's time goes to
+  if (!scattering) {  // separate, since most gather time is spent in this loop
     const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
     counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
@@ -50,7 +50,7 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
   counts.found += within;
 }
 
-/// Takes the counts of all tiles into `statistics`.
+/// Adds the counts of all tiles to `statistics`.
 inline void account(const std::vector<GatherCounts>& tiles, Statistics& statistics) {
   for (const GatherCounts& c : tiles) {
     statistics.gathers += c.gathers, statistics.photon_tests += c.tests, statistics.photons_found += c.found;

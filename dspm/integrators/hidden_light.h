@@ -1,5 +1,5 @@
-// Light that photons alone bring to a glossy lobe: see docs/design.md, Photons and hit points. Camera paths follow such
-// lobes; no ray hits a light without extent, and no shadow ray gets to it through glass.
+// Light that only photons bring to a glossy lobe: see docs/design.md, Photons and hit points. Such lobes extend camera
+// paths, but no ray hits a light without extent, and no shadow ray reaches it through glass.
 #pragma once
 
 #include "dspm/colour/rgb.h"
@@ -8,8 +8,8 @@
 
 namespace dspm {
 
-/// Calls fn(FrameSet, radiance) with what the hidden photons within sqrt(radius2) of a glossy hit point send along its
-/// camera path, for one emitted photon path; the sets are disjoint and leave out frames without photons.
+/// Calls fn(FrameSet, radiance) with the radiance that the hidden photons within sqrt(radius2) of a glossy hit point
+/// send along its camera path, per emitted photon path; the sets are disjoint and leave out frames without photons.
 template <class Fn>
 void gather_hidden(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& hidden, float radius2,
                    GatherCounts& counts, Fn&& fn) {

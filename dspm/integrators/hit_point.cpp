@@ -18,14 +18,14 @@ namespace dspm {
 namespace {
 
 constexpr int kTileSide = 32;
-// A few pixel spacings; never more than a share of the scene, for what is seen at the horizon.
+// A few pixel spacings, bounded by a fraction of the scene for points near the horizon.
 constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
 
-/// How frames end in a hit point.
+/// How a path ends in a hit point in some of its frames.
 struct End {
   FrameSet frames;
   LobeChoice choice;
-  bool constant;  // f is, and then stands here; else it is the bsdf's
+  bool constant;  // whether f is, and so stored here; else the bsdf gives it
   Rgb f;
   BsdfSlot bsdf;
 
@@ -33,7 +33,7 @@ struct End {
     if (constant != first.constant || choice.lobes != first.choice.lobes) return std::nullopt;
     if (constant) return f / choice.chance;
     const auto ratio = this == &first ? Rgb(1) : bsdf->ratio_to(*first.bsdf, choice.lobes);
-    // Where a black f has photons all the same, hj09 counts them.
+    // Even if f is black, hj09 counts the photons.
     if (!ratio || !(std::min({ratio->r, ratio->g, ratio->b}) > 0)) return std::nullopt;
     return *ratio / choice.chance;
   }
@@ -113,7 +113,7 @@ class HitPointTracer {
     });
   }
 
-  /// Where the material differs between the frames.
+  /// For a material that differs between the frames.
   [[gnu::noinline]] void scatter_together(const CameraPath& path, const Vertex& vertex) {
     FrameArray<End> ends;
     FrameArray<Scattered> scattered;
@@ -130,7 +130,7 @@ class HitPointTracer {
           scattered.add({frames, sample.weight / choice.chance, sample, false});
         });
     });
-    // Frames whose scattering functions are multiples of one another have a hit point in common.
+    // Frames whose scattering functions are multiples of one another share a hit point.
     for_each_joint(ends, settings_.share_paths, [&](const End& first, std::span<const FrameFactor> factors) {
       add_hit_point(out_.hit_points, path, vertex, factors, first.constant ? nullptr : &*first.bsdf,
                     first.choice.lobes);
@@ -174,8 +174,8 @@ class HitPointTracer {
   /// Calls fn(const BsdfSample&) unless the frames end.
   template <class Fn>
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    // No ray that follows a lobe finds a point, spot or distant light: a shadow ray does, or, if its light came
-    // through specular lobes, the photons that are kept for this.
+    // No scattered ray finds a point, spot or distant light: a shadow ray does or, if its light came through specular
+    // lobes, the photons stored for this purpose.
     if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
       add_direct_light(path, vertex, bsdf, choice, glossy, [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
       const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
@@ -212,7 +212,7 @@ class HitPointTracer {
         });
   }
 
-  /// `giver`: who is at fault if it is not finite.
+  /// `giver`: its source, blamed if it is not finite.
   template <class WhoGave>
   void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     for_each_strand(out_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
@@ -239,7 +239,7 @@ class HitPointTracer {
   const Scene& scene_;
   const RenderSettings& render_;
   const HitPointSettings& settings_;
-  bool has_hidden_;  // there may be hidden photons to be found
+  bool has_hidden_;  // hidden photons may exist
   HitPointTile& out_;
   BranchingPath<CameraPath> branches_;
   PartedPaths parted_;

@@ -17,54 +17,54 @@ namespace dspm {
 struct HitPoint {
   Vec3 p;
   Vec3 ng;         // on the camera path's side
-  Rgb throughput;  // of the path, over the chance that it ended here; times f where there is no `scattering`
+  Rgb throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
   FrameSet frames;
-  float radius;            // to start with: the scene's, or from the pixel's footprint
+  float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row
   int scattering = -1;     // index in the tile; negative where f is constant
-  StrandList strands = 0;  // in the tile's table: what frames have times the throughput, where they differ
+  StrandList strands = 0;  // in the tile's table: factors to the throughput by frame, if they differ
 };
 
-/// What a hit point needs besides where f is not constant: most hit points do without, so it is kept apart.
+/// Extra data of a hit point whose f is not constant. Kept separately, since most hit points do not need it.
 struct Scattering {
   BsdfSlot bsdf;
   Vec3 wo;  // back along the camera path
   Vec3 p_error;
-  LobeSet lobes;   // that gather here
+  LobeSet lobes;   // those that gather here
   bool transmits;  // photons on the other side of the surface count as well
   int material;    // index into the scene's
 };
 
 struct HitPointSettings {
   int max_depth = 8;
-  float least_alpha = 0.25f;   // lobes at least this rough gather, smoother ones are followed
+  float least_alpha = 0.25f;   // lobes at least this rough gather, smoother ones extend the path
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
   bool keep_bsdf = false;      // every hit point has its `scattering`
-  bool share_paths = false;    // frames that differ in looks or light only share paths; else they part
+  bool share_paths = false;    // frames that differ only in appearance or light share paths; else they part
 };
 
 /// The hit points of one tile of pixels.
 struct HitPointTile {
-  std::vector<HitPoint> hit_points;  // at most one for a pixel and frame
-  std::vector<HitPoint> glossy;      // where paths followed a glossy lobe: they gather hidden photons alone
+  std::vector<HitPoint> hit_points;  // at most one per pixel and frame
+  std::vector<HitPoint> glossy;      // where a glossy lobe extended the path: they gather only hidden photons
   std::vector<Scattering> scatterings;
   StrandTable strands;
   std::vector<SeenLight> seen;
   PathCounts paths;
   Rejections rejections;
 
-  /// Null where f is constant.
+  /// Null if f is constant.
   const Scattering* scattering_of(const HitPoint& hit) const {
     return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
   }
 };
 
-/// Takes the tiles' counts into `statistics`.
+/// Adds the tiles' counts to `statistics`.
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics);
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles);
 
-/// Traces one camera path for each pixel of the crop, in parallel over tiles; buffers in `reuse` are taken over.
+/// Traces one camera path per pixel of the crop, in parallel over tiles. Recycles the buffers in `reuse`.
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse);

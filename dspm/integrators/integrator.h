@@ -1,5 +1,5 @@
-// A light transport algorithm that gets better with every iteration, for all frames of an interval at once. The driver
-// owns the stop rule, progress and the writing of images; an integrator only iterates and answers.
+// A light transport algorithm that improves with every iteration, for all frames of an interval at once. The session
+// (session/session.h) owns the stop rule and asks for iterations; its observer shows progress and writes images.
 #pragma once
 
 #include <memory>
@@ -20,42 +20,42 @@
 
 namespace dspm {
 
-/// What the driver decided, equal for every integrator.
+/// Settings of the job that do not depend on the integrator.
 struct RenderSettings {
   int width = 0, height = 0;  // of the full image
-  PixelRect crop;             // what is rendered of it
+  PixelRect crop;             // the rendered area
   std::shared_ptr<const PixelFilter> filter;
   bool jitter = true;  // false: every camera path through the pixel's centre
   std::uint64_t seed = 0;
-  int default_iterations = 256;  // where the integrator's parameters give none
-  std::size_t memory = 0;        // bytes that the integrator may hold, else it throws NotEnoughMemory; 0: no bound
+  int default_iterations = 256;  // if the integrator's parameters set none
+  std::size_t memory = 0;        // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound
 };
 
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Iterations that were asked for; 0: until stopped.
+  /// Requested iterations; 0: until stopped.
   virtual int iterations() const = 0;
-  /// The settings that matter to its user, in words, for the log: "300000 photons, ...".
+  /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// All frames take one step; iterations count from 0 and come in order. May throw; persist() then loads what was saved
-  /// before, and a session does that for iterations that are given up.
+  /// Advances all frames by one iteration; iterations count from 0 and come in order. May throw; persist() can then
+  /// load the state saved before, which is also how a session undoes an abandoned iteration.
   virtual void iterate(int iteration) = 0;
-  /// Radiance of a frame of the interval after the iterations so far, over the crop.
+  /// Radiance over the crop, in one frame of the interval, after the completed iterations.
   virtual Image estimate(Frame frame) const = 0;
-  /// What a progressive integrator remembers of a pixel of the crop; nothing for others. For looking inside.
+  /// A progressive integrator's state of a pixel of the crop, for inspection; empty for other integrators.
   virtual std::optional<PixelStatistics> pixel_statistics(int /*pixel*/, Frame) const { return std::nullopt; }
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
-  /// Between iterations: counts, saves or loads what they have left behind, so that another integrator of the same
-  /// scene and settings goes on from there to the same bits. False: there are no checkpoints of it.
+  /// Called between iterations: counts, saves or loads the state, so that another integrator of the same scene and
+  /// settings continues from there, bit for bit. False: it does not support checkpoints.
   virtual bool persist(StateStream&) { return false; }
 };
 
 /// `scene` outlives the integrator.
 using MakeIntegrator = std::unique_ptr<Integrator>(ParamReader&, const Scene&, const RenderSettings&);
 struct IntegratorPlugin : Plugin<MakeIntegrator> {
-  int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that knows nothing of sharing
+  int frames_together = kMaxFrames;  // in one scene; 1 for an integrator that does not share work
 };
 PluginTable<IntegratorPlugin>& integrator_plugins();
 

@@ -1,4 +1,4 @@
-// Frames that are scattered alike by surfaces that differ stay one path, with strands.
+// Frames whose surfaces differ but scatter alike stay one path, with strands.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// How some frames of a path are scattered.
+/// How a path is scattered in some of its frames.
 struct Scattered {
   FrameSet frames;
   Rgb factor;
@@ -26,9 +26,9 @@ struct Scattered {
   }
 };
 
-/// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be one, with the first of them
-/// and the factors of all; for each item alone unless they are to `join`. An item has `frames`, and along(first) gives
-/// its factor if it can go along with `first`, itself included.
+/// Calls fn(const Item&, std::span<const FrameFactor>) for each set of items that can be merged, with the first of them
+/// and the factors of all; without `join`, for each item separately. An item has `frames`, and along(first) returns its
+/// factor if it can be merged with `first`, which may be itself.
 template <class Item, class Fn>
 void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   std::uint64_t joined = 0;
@@ -47,7 +47,7 @@ void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   }
 }
 
-/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it, frame by frame.
+/// multiply() for the general case, strand by strand.
 template <class Left>
 [[gnu::noinline]] bool multiply_strands(PathState& path, std::span<const FrameFactor> factors, StrandTable& table,
                                         Left&& left) {
@@ -67,13 +67,13 @@ template <class Left>
   return true;
 }
 
-/// Whether what is left of a throughput depends on how it changes, not on how large it is.
+/// Whether `left` depends only on the ratio of the throughputs before and after, not on their magnitude.
 enum class ByRatio { no, yes };
 
-/// Multiplies what the path's frames carry by their factors and keeps what `left` makes of it: black takes frames out
-/// of the path, as frames without a factor are. left(weights, FrameSet, before, after) is asked once for frames that
-/// carry the same; ByRatio::yes, once for all frames whose throughputs differ by the grey list `weights` only (0: they
-/// do not). Returns whether there is anything left.
+/// Multiplies the throughputs of the path's frames by their factors and replaces them with the results of `left`.
+/// Frames that become black or have no factor leave the path. left(weights, FrameSet, before, after) is called once for
+/// frames with the same throughput; with ByRatio::yes, once for all frames whose throughputs differ only by the grey
+/// list `weights` (0: they do not differ). Returns whether any frames remain.
 template <class Left>
 bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable& table, ByRatio by_ratio,
               Left&& left) {

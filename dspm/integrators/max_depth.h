@@ -1,4 +1,4 @@
-// How long paths may be, for the factories of integrators.
+// The maximum path length, for the factories of integrators.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace dspm {
 
-/// An error of the parameter where it is less than `least`, or so much that, where nothing absorbs, a path would be
-/// under way for longer than a Ctrl-C waits.
+/// Reports an error if the parameter is less than `least`, or so large that, in a scene that absorbs nothing, tracing
+/// one path would take longer than a Ctrl-C waits.
 inline void check_max_depth(ParamReader& params, int max_depth, int least) {
   constexpr int kMost = 10'000;
   if (max_depth < least || max_depth > kMost)

@@ -11,13 +11,13 @@
 namespace dspm {
 namespace {
 
-constexpr int kBlocks = 32, kBlockSide = 4;  // blocks of pixels that are looked at, along each side of the image
+constexpr int kBlocks = 32, kBlockSide = 4;  // blocks of sampled pixels, along each side of the image
 constexpr std::int64_t kPaths = 4096;
-constexpr double kSlack = 1.15;  // iterations differ, and so do batches
-// A grid has up to 8 cells of 4 bytes a photon, which takes 68 bytes besides: about half of that again.
+constexpr double kSlack = 1.15;  // iterations and batches differ
+// A grid has up to 8 cells of 4 bytes per photon, which itself takes 68 bytes: about half of that again.
 constexpr double kWithCells = 1.5;
 
-/// Without the room that vectors keep for growing: memory that was never written to is not taken.
+/// Excludes the spare capacity of vectors: memory that was never written to is not resident.
 std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
@@ -27,8 +27,8 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   return sum;
 }
 
-/// A block of the i-th of kBlocks parts of [low, high): anywhere there, as what is regular in an image might hide from
-/// regular places. `random` in [0, 1).
+/// A block at a random position in the i-th of kBlocks pieces of [low, high), since regular positions might miss
+/// regular features of an image. `random` in [0, 1).
 std::pair<int, int> block(int i, int low, int high, float random) {
   const int side = std::min(kBlockSide, high - low);
   const double part = static_cast<double>(high - low - side + 1) / kBlocks;
@@ -36,7 +36,7 @@ std::pair<int, int> block(int i, int low, int high, float random) {
   return {begin, begin + side};
 }
 
-/// The mean of what was seen, and three times its standard error.
+/// The sample mean plus three times its standard error.
 class SafeMean {
  public:
   void add(double value) { ++count_, sum_ += value, squares_ += value * value; }
@@ -70,7 +70,7 @@ std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, co
 
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
-  PhotonMap map, hidden;  // of a single cell: for few photons there would be too many
+  PhotonMap map, hidden;  // of a single cell: a few photons would have too many cells
   map.build(traces, scene.frame_count(), 2 * scene.radius);
   hidden.build(traces, scene.frame_count(), 2 * scene.radius, &PhotonTrace::hidden);
   double photons = static_cast<double>((map.size() + hidden.size()) * sizeof(Photon));

@@ -1,4 +1,4 @@
-// What an integrator is about to hold, estimated before it does: for runs whose memory is bounded.
+// An estimate of an integrator's memory before it allocates any, for runs with a memory bound.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@ namespace dspm {
 /// In bytes.
 struct MemoryNeeds {
   std::size_t pixels = 0;      // sums and statistics, by pixel and frame
-  std::size_t hit_points = 0;  // of an iteration
-  std::size_t photons = 0;     // those held at a time, with their map
+  std::size_t hit_points = 0;  // per iteration
+  std::size_t photons = 0;     // those held at a time, including their map
 
   std::size_t total() const { return pixels + hit_points + photons; }
 };
 
 /// RenderSettings::memory does not suffice.
 struct NotEnoughMemory : std::exception {
-  MemoryNeeds least;  // what would do
+  MemoryNeeds least;  // that would suffice
 
   explicit NotEnoughMemory(const MemoryNeeds& needs) : least(needs) {}
   const char* what() const noexcept override { return "not enough memory"; }
 };
 
-/// Throws NotEnoughMemory unless `needs` keep within `memory`; 0: no bound.
+/// Throws NotEnoughMemory if `needs` exceed `memory`; 0: no bound.
 void expect_enough(std::size_t memory, const MemoryNeeds& needs);
 
-/// Estimates from small parts of iteration 0, the same on every run.
+/// Estimates from small samples of iteration 0, the same in every run.
 std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings);
-/// For each photon path traced, with the photon map.
+/// Bytes per traced photon path, including the photon map.
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings);
 
 }  // namespace dspm

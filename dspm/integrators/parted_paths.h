@@ -1,5 +1,5 @@
-// Camera paths at whose ends frames part, put off until a tile is traced: what is dynamic has its own vertices and tree
-// in each frame, and paths that are followed frame by frame find them in the cache.
+// Camera paths whose frames part at their end, postponed until a tile is traced: dynamic objects have their own
+// vertices and tree in each frame, and tracing frame by frame keeps them in the cache.
 #pragma once
 
 #include <algorithm>

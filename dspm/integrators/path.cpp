@@ -1,10 +1,10 @@
 // Integrator "path" "integer maxdepth" 65
 //
 // Path tracing with next event estimation, both ways of finding a light combined by the balance heuristic [Veach 1997].
-// The reference for all others. It cannot find what a point, spot or distant light sends by way of specular surfaces;
-// everything else is without bias. An iteration is one path a pixel; frames share paths until they part.
+// The reference for all others. It cannot find light of point, spot or distant lights that arrives via specular
+// surfaces; everything else is unbiased. An iteration is one path per pixel; frames share paths until they part.
 //
-//   iterations  paths a pixel                     the sampler's pixelsamples, else 256
+//   iterations  paths per pixel                   the sampler's pixelsamples, else 256
 //   maxdepth    bounces                           5
 #include "dspm/integrators/path.h"
 
@@ -32,11 +32,11 @@ constexpr int kTileSide = 16;
 
 struct TracedPath : CameraPath {
   Vec3 from;  // where the segment starts: the last surface's point
-  // Of its direction by solid angle; 0 from the camera and off specular lobes: no light sample competes.
+  // Of its direction, by solid angle; 0 from the camera and off specular lobes: no light sample competes.
   float pdf_w = 0;
 };
 
-/// The balance heuristic's share of a technique with density `own` against one with `other`.
+/// The balance heuristic's weight of a technique with density `own` against one with `other`.
 float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
 
 class PixelTracer {
@@ -118,7 +118,7 @@ class PixelTracer {
       branches_.push(path);
   }
 
-  /// `giver`: who is at fault if it is not finite.
+  /// `giver`: its source, blamed if it is not finite.
   template <class WhoGave>
   void add(const TracedPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance});
@@ -148,7 +148,7 @@ class Path final : public Integrator {
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
-    return fmt::format("one path a pixel and iteration, maxdepth {}", max_depth_);
+    return fmt::format("one path per pixel and iteration, maxdepth {}", max_depth_);
   }
 
   void iterate(int iteration) override {
@@ -197,11 +197,11 @@ class Path final : public Integrator {
 std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   const int iterations =
       params.integer("iterations", render.default_iterations, "",
-                     "paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
-  const int max_depth = params.integer("maxdepth", 5, "", "bounces of a path");
-  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+                     "paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  const int max_depth = params.integer("maxdepth", 5, "", "maximum number of bounces");
+  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
-                "accepted for pbrt's sake: lights are chosen by power");
+                "accepted for pbrt compatibility; lights are always chosen by power");
   params.unsupported("regularize", "path regularisation");
   check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");

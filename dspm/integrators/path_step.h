@@ -1,4 +1,4 @@
-// One step of a path, for camera and photon paths of every integrator: its state, the vertex that it comes to, how it is
+// One step of a path, for camera and photon paths of every integrator: its state, the vertex it reaches, how it is
 // extended, and how it ends.
 #pragma once
 
@@ -19,16 +19,16 @@
 
 namespace dspm {
 
-/// A path is a value. When frames part, so do copies of it, with disjoint sets.
+/// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
   Ray ray;                 // the next segment
-  Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); holds 1/pdf of all that was sampled
-  FrameSet frames;         // the frames in which this very path exists; shrinks, never grows
+  Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
+  FrameSet frames;         // the frames in which exactly this path exists; never grows
   int bounces = 0;         // scatterings so far
-  float length = 0;        // of the segments so far, in world units
-  float eta_scale = 1;     // of the refractions so far: what throughput will get back on the way out
-  StrandList strands = 0;  // what frames carry times the throughput, where they differ
-  PathRandom random = {};  // the path's, the same for all its branches
+  float length = 0;        // of all segments so far, in world units
+  float eta_scale = 1;     // of the refractions so far: the factor that throughput regains on leaving glass
+  StrandList strands = 0;  // factors to the throughput by frame, if they differ
+  PathRandom random = {};  // shared by all branches of the path
 };
 
 inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
@@ -36,7 +36,7 @@ inline bool is_finite(const SurfacePoint& point) {
   return is_finite(point.p) && is_finite(point.ng) && is_finite(point.ns);
 }
 
-/// Where a path meets a surface, in frames that meet the same.
+/// A path's intersection with a surface, in the frames that meet the same one.
 struct Vertex {
   Vertex(const Scene& scene, const Ray& ray, const FrameHit& part)
       : hit(part.hit),
@@ -53,17 +53,17 @@ struct Vertex {
   const PlacedShape& shape;
   const FrameStates<Material>& material;
 
-  /// The material is not the same in all of the frames.
+  /// Whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
 
-  // Whose plugin something is, for what it gives that is not finite.
+  // The plugin to blame for values that are not finite.
   ScenePart shape_part() const { return {ScenePart::Kind::shape, hit.shape}; }
   ScenePart material_part() const { return {ScenePart::Kind::material, shape.material}; }
   ScenePart emitter_part() const { return {ScenePart::Kind::light, shape.light}; }
 };
 
-/// Calls fn(FrameSet, const Bsdf&) for each scattering that the vertex's frames find there: one, unless the material
-/// differs between them.
+/// Calls fn(FrameSet, const Bsdf&) for each distinct scattering function among the vertex's frames: one, unless the
+/// material differs between them.
 template <class Fn>
 void for_each_surface(const Vertex& vertex, Fn&& fn) {
   vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& material) {
@@ -76,7 +76,7 @@ inline ScenePart light_part(const Scene& scene, const SceneLight& light) {
   return {ScenePart::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
-/// The surface's own emission back along the path, frame by frame where it differs: fn(FrameSet, const Rgb&, const
+/// The surface's emission back along the path, once per group of frames that agree: fn(FrameSet, const Rgb&, const
 /// Light&).
 template <class Fn>
 void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames, Fn&& fn) {
@@ -88,7 +88,7 @@ void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames
   });
 }
 
-/// Light from infinitely far for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
+/// Light from infinity for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
 template <class Fn>
 void for_each_escape(const Scene& scene, FrameSet frames, const Vec3& direction, Fn&& fn) {
   for (const int index : scene.infinite_lights) {
@@ -100,25 +100,25 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Vec3& direction,
   }
 }
 
-/// Keeps the flux right where the shading normal is not the geometric one: what a photon from wo carries on to wi,
-/// beyond f |cos(wi, ns)|. [Veach 1997, 5.3]
+/// Corrects the flux if shading and geometric normals differ: a photon's factor from wo to wi, in addition to
+/// f |cos(wi, ns)|. [Veach 1997, 5.3]
 inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
   if (point.ns == point.ng) return 1;
   const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));
   return below == 0 ? 0 : std::abs(dot(wo, point.ns) * dot(wi, point.ng)) / below;
 }
 
-/// Smooth lobes are followed, rough ones gather or are gathered from; where a surface has both, a path chooses.
+/// Smooth lobes extend the path; rough ones gather or store photons. If a surface has both, the path chooses.
 struct LobeChoice {
   LobeSet lobes;
-  float chance;  // of this choice
+  float chance;  // probability of this choice
   bool rough;
 };
 
-// Rougher lobes are not specular: Ggx::kSmoothest is more.
+// Rougher lobes are not specular: Ggx::kSmoothest exceeds this.
 inline constexpr float kLeastRoughness = 1e-4f;
 
-/// Lobes that are followed though they are not specular.
+/// Lobes that extend the path although they are not specular.
 inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
   return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~bsdf.lobes(least_alpha));
 }
@@ -137,7 +137,7 @@ inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& 
   return bsdf.sample(wo, {u.x, u.y, path.random.number(path.bounces, kLobe)}, transport, lobes);
 }
 
-/// The path's next segment, along the sampled direction; its throughput is left to the caller.
+/// Starts the path's next segment along the sampled direction; the caller updates the throughput.
 inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
   path.ray = point.spawn(sample.wi);
@@ -150,12 +150,12 @@ inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample&
 
 inline constexpr int kFirstRouletteBounce = 4;  // of camera paths
 
-/// A camera path's chance to go on after `bounce`: its throughput, as it would be outside of glass.
+/// A camera path's survival probability after `bounce`: its throughput, as it would be outside glass.
 inline float roulette_chance(const Rgb& throughput, float eta_scale, int bounce) {
   return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(throughput) / eta_scale);
 }
 
-/// Russian roulette: survives where u < p, and is divided by p. Frames share u, so they decide alike where p is equal.
+/// Russian roulette: survives if u < p, divided by p. Frames share u, so they decide alike if p is equal.
 inline bool survives(PathState& path, float p, float u) {
   if (p >= 1) return true;
   if (!(u < p)) return false;

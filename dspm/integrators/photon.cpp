@@ -66,7 +66,7 @@ class PhotonTracer {
     }
   }
 
-  /// Gives each state of a light its share of a photon that starts as the first's; whether any has one.
+  /// Weights a photon that starts from the first state for each state of a light; returns whether any weight remains.
   bool weigh(PhotonPath& path, const SceneLight::Alike& alike, int index) {
     FrameArray<FrameFactor> weights;
     for (const auto& [frames, light] : alike.states) {
@@ -123,7 +123,7 @@ class PhotonTracer {
   void store_hidden(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
     store(out_.hidden, path, vertex, frames);
   }
-  /// Light that comes straight from the light is found by shadow rays.
+  /// Excludes light straight from the light source, which shadow rays find.
   bool is_hidden_on(const PhotonPath& path, const Bsdf& bsdf) const {
     return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, settings_.least_alpha) != 0;
   }
@@ -133,7 +133,7 @@ class PhotonTracer {
     const Vec3& wi = vertex.wo;
     Rgb flux = path.throughput;
     if (!(point.ns == point.ng)) {
-      // Where the normals disagree about the side, no scattering function gives anything.
+      // If the normals disagree about the side, every scattering function is zero.
       const float geometric = dot(wi, point.ng), shading = dot(wi, point.ns);
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
@@ -148,7 +148,7 @@ class PhotonTracer {
   template <class Fn>
   void scatter(const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf, Fn&& fn) {
     if (path.bounces + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
-    // Smooth and rough lobes are told apart first, so that a photon knows which of them scattered it.
+    // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
     if (kind_after(path, choice.rough) == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
       return balance(path, frames, &EnergyBalance::terminated);
@@ -169,7 +169,7 @@ class PhotonTracer {
     if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }
 
-  /// Multiplies the factors in. Whether the path survives, in some of its frames.
+  /// Multiplies by the factors. Returns whether the path survives in some of its frames.
   bool roulette(PhotonPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, float u) {
     const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_finite(after);
@@ -189,13 +189,13 @@ class PhotonTracer {
 
   void reject(FrameSet frames, const ScenePart& giver) { out_.rejections.add(giver, frames); }
 
-  /// Adds what these frames of the path carry.
+  /// Adds the path's flux in these frames.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
     balance(path.strands, frames,
             [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(path.throughput * weight); });
   }
-  /// Calls fn(balance, weight) for these frames. What all frames have by a grey list of a light has a balance of its
-  /// own, which comes to that of the frames in the end.
+  /// Calls fn(balance, weight) for these frames. If all frames share a grey list of a light, the list has its own
+  /// balance, which is distributed to the frames in the end.
   template <class Fn>
   void balance(StrandList weights, FrameSet frames, Fn&& fn) {
     const Strand* list = out_.strands.of(weights);

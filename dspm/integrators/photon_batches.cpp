@@ -6,10 +6,10 @@
 namespace dspm {
 namespace {
 
-// More and smaller batches cost time and save little: most of the memory is the pixels' by then.
+// More and smaller batches cost time and save little: pixels then take most of the memory.
 constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
-/// With several batches iterations are long: room for a copy of the state (session/revertible.h) is part of the plan.
+/// With several batches, iterations are long: the plan includes a copy of the state (session/revertible.h).
 std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator) {
   const std::size_t working = estimator.bytes(of);
   if (!of.batched) return working;

@@ -1,4 +1,4 @@
-// How many photon paths of an iteration are traced at a time: as many as the bound on memory lets.
+// The number of photon paths traced at a time in an iteration: as many as the memory bound allows.
 #pragma once
 
 #include "dspm/integrators/estimator.h"
@@ -8,8 +8,8 @@
 namespace dspm {
 
 struct PhotonBatches {
-  std::int64_t photons = 0;  // of an iteration
-  std::int64_t size = 0;     // of a batch, but for the last one
+  std::int64_t photons = 0;  // per iteration
+  std::int64_t size = 0;     // of every batch but the last
 
   bool are_many() const { return size < photons; }
   int count() const { return static_cast<int>((photons + size - 1) / size); }
@@ -18,7 +18,7 @@ struct PhotonBatches {
 EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const Scene& scene,
                                      const RenderSettings& render, const PhotonBatches& batches);
 
-/// All photons at once, unless there is a bound. Throws NotEnoughMemory.
+/// All photons at once if there is no bound. Throws NotEnoughMemory.
 PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
                                     const RenderSettings& render, const EstimatorKind& estimator);
 

@@ -1,4 +1,4 @@
-// Photons sorted by place, ready to be gathered.
+// Photons sorted by position, ready for gathering.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@
 
 namespace dspm {
 
-/// What a gather needs of a photon besides its place: half a cache line. Four lanes are read where three are meant;
-/// nobody looks at the fourth, bytes of the next member.
+/// The data of a photon that a gather needs besides its position: half a cache line. A read of three lanes loads four;
+/// the fourth, bytes of the next member, is ignored.
 struct alignas(32) GatheredPhoton {
   Vec3 wi;
   Rgb flux;
@@ -25,7 +25,7 @@ struct alignas(32) GatheredPhoton {
   RgbLanes flux_lanes() const { return RgbLanes(_mm_loadu_ps(&flux.r)); }
 };
 
-/// One whose flux differs between its frames.
+/// A photon whose flux differs between its frames.
 struct GatheredStrands : GatheredPhoton {
   const Strand* strands;
 };
@@ -33,19 +33,19 @@ struct GatheredStrands : GatheredPhoton {
 inline const Strand* strands_of(const GatheredPhoton&) { return nullptr; }
 inline const Strand* strands_of(const GatheredStrands& photon) { return photon.strands; }
 
-/// Photons of a cell keep the order in which they are given.
+/// Photons of a cell keep their input order.
 template <class Gathered>
 class PhotonGrid {
  public:
-  /// Of `count` photons: photon(i) is the i-th, gathered(i) what is kept of it. `cell_size` suits a typical search
-  /// radius.
+  /// Builds the grid from `count` photons: photon(i) is the i-th, gathered(i) the data kept of it. `cell_size` should
+  /// suit a typical search radius.
   template <class PhotonOf, class GatheredOf>
   void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered);
 
   std::size_t bytes() const {
     return grid_.bytes() + photons_.capacity() * sizeof(Gathered) + points_.capacity() * sizeof(Vec3);
   }
-  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many were
+  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many it
   /// tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {

@@ -10,10 +10,10 @@
 namespace dspm {
 namespace {
 
-/// For each class of photons how many a trace has, and later where they go.
+/// For each class of photons, how many a trace has, and later their places.
 using Places = std::vector<std::size_t>;
 
-/// 0 for what frames have in common, 1 + f for what frame f has alone, then those with strands.
+/// 0 for photons shared by frames, 1 + f for those of frame f alone, then those with strands.
 std::size_t class_of(const Photon& photon, std::size_t frames) {
   if (photon.strands != 0) return frames + 1;
   return photon.frames.count() > 1 ? 0 : static_cast<std::size_t>(photon.frames.lowest()) + 1;
@@ -38,7 +38,7 @@ std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t fr
   return counts;
 }
 
-/// So that it is not worth the while to keep frames apart.
+/// Then separate grids by frame do not pay off.
 bool mostly_common(const std::vector<Places>& counts) {
   std::size_t common = 0, all = 0;
   for (const Places& trace : counts) common += trace[0], all = std::accumulate(trace.begin(), trace.end() - 1, all);
@@ -84,7 +84,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
     });
   };
   of_frame_.resize(by_frame ? frames : 0);
-  // A grid of few photons has no work for all threads: the grids are built side by side.
+  // A grid of few photons cannot occupy all threads: build the grids in parallel.
   parallel_for(static_cast<std::int64_t>(of_frame_.size()) + 3, 1, [&](std::int64_t grid) {
     const auto i = static_cast<std::size_t>(grid);
     if (i == 0) build(common_, 0, 1);

@@ -1,4 +1,4 @@
-// The photons of one iteration by frame and place: a hit point meets those of its own frames, not those of all others.
+// The photons of one iteration, by frame and position: a hit point need not visit those of all other frames.
 #pragma once
 
 #include <array>
@@ -11,25 +11,24 @@
 
 namespace dspm {
 
-/// Photons that frames have in common lie in one grid. Those of a single frame lie in a grid of that frame, and once
-/// more in a grid of all such photons, for hit points that many frames share. Where most photons are common ones, all
-/// lie in the first grid. Photons with strands have a grid of their own. The order of photons does not depend on
-/// threads.
+/// Photons shared by several frames are in one grid. Those of a single frame are in a grid of that frame, and again in
+/// a grid of all such photons, for hit points shared by many frames. If most photons are shared, all are in the first
+/// grid. Photons with strands have a separate grid. The order of photons does not depend on threads.
 class PhotonMap {
  public:
-  /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` suits a typical search radius.
-  /// The traces' strands must stay. `which`: the photons, or those that are hidden.
+  /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` should suit a typical search
+  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
              std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
 
-  /// A list of a light's strands: many photons have it.
+  /// Whether it is a list of a light's strands, which many photons share.
   bool is_of_light(const Strand* strands) const {
     return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
   }
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
   /// Calls fn(const GatheredPhoton&, distance squared) or fn(const GatheredStrands&, distance squared) for all photons
-  /// within sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many were tested.
+  /// within sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
     std::array<const PhotonGrid<GatheredPhoton>*, kFewFrames + 1> grids{&common_};
@@ -46,13 +45,13 @@ class PhotonMap {
  private:
   void build_with_strands(std::size_t first, float cell_size);
 
-  static constexpr int kFewFrames = 3;  // so many are asked in grids of their own, one by one
+  static constexpr int kFewFrames = 3;  // up to this many are searched in their own grids, one by one
 
-  std::vector<const Photon*> photons_;  // common ones, those of each frame, those with strands
+  std::vector<const Photon*> photons_;  // shared ones, those of each frame, those with strands
   std::vector<const Strand*> strands_;  // of the latter
   std::span<const Strand> of_lights_;
   PhotonGrid<GatheredPhoton> common_, single_;
-  std::vector<PhotonGrid<GatheredPhoton>> of_frame_;  // what is in single_, frame by frame; empty where common_ has all
+  std::vector<PhotonGrid<GatheredPhoton>> of_frame_;  // single_, frame by frame; empty if common_ has all
   PhotonGrid<GatheredStrands> with_strands_;
 };
 

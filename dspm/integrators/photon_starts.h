@@ -1,4 +1,4 @@
-// How photon paths leave the lights: in all frames at once that get the same but for colour.
+// How photon paths leave the lights: together in all frames whose photons differ at most in colour.
 #pragma once
 
 #include <span>
@@ -11,21 +11,21 @@
 
 namespace dspm {
 
-/// A path that starts for every choice of the light.
+/// A path that starts whenever the light is chosen.
 struct PhotonStart {
   const Light* light;
   FrameSet frames;
   Rgb factor;  // of the light's flux
   StrandList strands;
-  const SceneLight::Alike* varied = nullptr;  // whose weights depend on where the photon goes
+  const SceneLight::Alike* varied = nullptr;  // set if its weights depend on the photon's direction
 };
 
 class PhotonStarts {
  public:
-  /// share_paths: frames that differ in strength or colour only start together.
+  /// share_paths: frames whose lights differ only in strength or colour start together.
   PhotonStarts(const Scene& scene, bool share_paths);
   const std::vector<PhotonStart>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
-  /// What paths start with: the first lists of every trace.
+  /// The strands that paths start with: the first lists of every trace.
   const StrandTable& strands() const { return strands_; }
 
  private:

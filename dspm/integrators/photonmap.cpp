@@ -1,10 +1,10 @@
 // Integrator "photonmap" "integer photons" 1000000 "integer causticphotons" 1000000 "integer nearest" 100
 //
 // Two-pass photon mapping [Jensen 1996] for all frames together: a map of caustic photons (light, smooth lobes, rough
-// lobe) and a global one are made once; every iteration then takes one more camera path a pixel, with direct light by
-// shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
-// through final gather rays, which follow at most four smooth lobes. Biased: the maps' blur stays. Parameters: see
-// make_photonmap below.
+// lobe) and a global one are made once; every iteration then traces one more camera path per pixel, with direct light
+// by shadow rays, caustics from their map, and the rest from the global map, by default at the hit point itself, or
+// through final gather rays, which scatter at most four times off smooth lobes. Biased: the maps' blur remains.
+// Parameters: see make_photonmap below.
 #include "dspm/integrators/photonmap.h"
 
 #include <fmt/format.h>
@@ -31,8 +31,8 @@ struct PhotonMapSettings {
   int iterations = 256;
   int photons = 300000, caustic_photons = 300000;  // paths
   int nearest = 100;
-  float radius = 0, caustic_radius = 0;  // 0: a share of the scene
-  int final_gather = 0;                  // rays a hit point; 0: none
+  float radius = 0, caustic_radius = 0;  // 0: a fraction of the scene's
+  int final_gather = 0;                  // rays per hit point; 0: none
   int max_depth = 8;
   float least_alpha = 0.25f;
 };
@@ -44,7 +44,7 @@ HitPointSettings hit_point_settings(const PhotonMapSettings& s) {
       .max_depth = s.max_depth, .least_alpha = s.least_alpha, .sample_direct = true, .keep_bsdf = s.final_gather > 0};
 }
 
-/// A final gather ray sees all light that arrives; without it, direct light and caustics come from elsewhere.
+/// A final gather ray needs all incident light; without it, direct light and caustics are estimated separately.
 PhotonSettings global_settings(const PhotonMapSettings& s, const RenderSettings& render) {
   return {render.seed, Stream::photon, s.max_depth, s.least_alpha, s.final_gather > 0 ? kAllPhotons : kDiffusePhotons};
 }
@@ -113,7 +113,7 @@ class PhotonMapper final : public Integrator {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
     const auto trace = [&](const PhotonSettings& settings, int photons) {
       auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
-      if (statistics.iterations == 0) account(traces, statistics);  // else they are the maps of before, made again
+      if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
       return traces;
     };
     const auto build = [&](PhotonMap& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how,
@@ -185,22 +185,23 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   params.alias("photonsperiteration", "photons");
   s.iterations =
       params.integer("iterations", render.default_iterations, "",
-                     "camera paths a pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
-  s.photons = params.integer("photons", s.photons, "", "photon paths of the global map, traced once");
+                     "camera paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons = params.integer("photons", s.photons, "", "photon paths for the global map, traced once");
   s.caustic_photons =
-      params.integer("causticphotons", s.caustic_photons, "", "photon paths of the caustic map, traced once");
-  s.nearest = params.integer("nearest", s.nearest, "", "photons of an estimate; 0: all within the radius");
-  s.radius =
-      params.number("radius", 0, "world units",
-                    "the largest search radius in the global map, or the fixed one; 0: 5% of the scene's radius");
+      params.integer("causticphotons", s.caustic_photons, "", "photon paths for the caustic map, traced once");
+  s.nearest = params.integer("nearest", s.nearest, "", "photons per estimate; 0: all within the radius");
+  s.radius = params.number(
+      "radius", 0, "world units",
+      "search radius in the global map: the maximum, or fixed if nearest is 0; 0: 5% of the scene's radius");
   s.caustic_radius =
       params.number("causticradius", 0, "world units", "the same for the caustic map; 0: 1.25% of the scene's radius");
-  s.final_gather = params.integer("finalgather", 0, "",
-                                  "final gather rays for each camera path; 0: the global map is seen directly");
-  s.max_depth = params.integer("maxdepth", s.max_depth, "", "bounces, of camera paths and of photon paths each");
+  s.final_gather =
+      params.integer("finalgather", 0, "", "final gather rays per camera path; 0: the global map is used directly");
+  s.max_depth =
+      params.integer("maxdepth", s.max_depth, "", "maximum number of bounces, for camera paths and for photon paths");
   s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
-                                "lobes at least this rough gather photons; smoother ones are followed");
-  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+                                "lobes at least this rough gather photons; smoother ones extend the path");
+  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };
@@ -208,7 +209,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   demand(s.photons > 0, "photons", "there must be at least one photon");
   demand(s.caustic_photons > 0, "causticphotons", "there must be at least one photon");
   demand(s.nearest == 0 || s.nearest >= 2, "nearest",
-         "an estimate takes 0 (all within the radius) or at least 2 photons");
+         "nearest must be 0 (all photons within the radius) or at least 2");
   demand(s.radius >= 0, "radius", "the radius must not be negative");
   demand(s.caustic_radius >= 0, "causticradius", "the radius must not be negative");
   demand(s.final_gather >= 0, "finalgather", "the number of rays must not be negative");

@@ -1,4 +1,4 @@
-// What a pixel remembers of all photons so far, in one frame, and how an iteration changes it.
+// A pixel's statistics of all photons so far, in one frame, and how an iteration updates them.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// What one iteration gathered at one hit point: dies with the iteration.
+/// Gathered at one hit point in one iteration, and discarded after it.
 struct PassSums {
   std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
   Rgb phi;              // their flux times f and the camera path's throughput
@@ -19,22 +19,23 @@ struct PassSums {
   }
 };
 
-/// Survives iterations. [HJ09, WG12 (1)-(5)]
+/// Kept across iterations. [HJ09, WG12 (1)-(5)]
 struct PixelStatistics {
-  double N = 0;  // photons accepted; a share alpha of those found
+  double N = 0;  // photons accepted; a fraction alpha of those found
   float R2 = 0;  // search radius squared; 0: no hit point yet
-  Rgb tau;       // flux within the search radius, weighted as phi; where there is no radius yet, as within one of 1
+  Rgb tau;       // flux within the search radius, weighted like phi; as if within a radius of 1 while there is none
 
-  /// The first hit point's radius.
+  /// Sets the first hit point's radius.
   void begin(float radius2) {
     if (R2 == 0) R2 = radius2, tau = tau * radius2;
   }
 
-  /// Light that needs no photons, as the flux that gives its radiance: shrinking discs keep that. `emitted`: paths in
-  /// this iteration.
+  /// Adds light that needs no photons, as the flux that yields its radiance, which shrinking the disc preserves.
+  /// `emitted`: paths in this iteration.
   void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * disc()); }
 
-  /// Accepts a share alpha of the M new photons and shrinks the disc so that their density stays. [WG12 (1), (2), (4)]
+  /// Accepts a fraction alpha of the M new photons and shrinks the disc so that the density stays the same.
+  /// [WG12 (1), (2), (4)]
   void absorb(const PassSums& sums, float alpha) {
     if (sums.M == 0) return;
     const double M = sums.M, accepted = N + static_cast<double>(alpha) * M;

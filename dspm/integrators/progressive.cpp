@@ -45,7 +45,7 @@ class Progressive final : public Integrator {
     for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
       trace_light_paths(iteration, first);
       build_photon_map(cell_size);
-      if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
+      if (first == 0) see_lights();  // not earlier: memory usually runs out before, and then no pixel has changed
       see_hidden_light();
       gather_photons();
     }
@@ -98,7 +98,7 @@ class Progressive final : public Integrator {
     account(traces_, statistics_);
   }
 
-  /// What the photon map's cells should be like.
+  /// The cell size for the photon map.
   float mean_search_radius() {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     std::vector<double> sums(tiles_.size());
@@ -118,7 +118,8 @@ class Progressive final : public Integrator {
     hidden_map_.build(traces_, scene_.frame_count(), cell_size, &PhotonTrace::hidden);
   }
 
-  /// Its radius shrinks as kz11's whatever the estimator, so that it is linear in the photons and can be added as seen.
+  /// Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and can be added as seen
+  /// light.
   void see_hidden_light() {
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());

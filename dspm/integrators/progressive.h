@@ -1,4 +1,4 @@
-// The loop of dsppm and sppm: hit points, photons, photon map, statistics. They differ in their estimators.
+// The loop of dsppm and sppm: hit points, photons, photon map, statistics. Only their estimators differ.
 #pragma once
 
 #include "dspm/integrators/estimator.h"

@@ -13,30 +13,29 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   params.former_name("mixture", "sharepaths");
   s.iterations =
       params.integer("iterations", render.default_iterations, "",
-                     "iterations to go; 0: until stopped. The default is the sampler's pixelsamples, else 256");
-  s.photons =
-      params.integer("photons", s.photons, "", "photon paths an iteration; photonsperiteration is another name");
+                     "number of iterations; 0: until stopped. The default is the sampler's pixelsamples, else 256");
+  s.photons = params.integer("photons", s.photons, "", "photon paths per iteration; also named photonsperiteration");
   s.hit_point.radius =
       params.number("radius", 0, "world units",
                     "initial search radius; 0: four pixel spacings at the hit point, at most 5% of the scene's radius");
-  s.alpha =
-      params.number("alpha", s.alpha, "", "share of the new photons that is kept as the radius shrinks, in (0, 1)");
-  const int max_depth = params.integer("maxdepth", 8, "", "bounces, of camera paths and of photon paths each");
+  s.alpha = params.number("alpha", s.alpha, "", "fraction of the new photons kept as the radius shrinks, in (0, 1)");
+  const int max_depth =
+      params.integer("maxdepth", 8, "", "maximum number of bounces, for camera paths and for photon paths");
   s.kz11 = params.choice("estimator", "kz11", {"hj09", "kz11"},
-                         "hj09: each pixel shrinks its own radius; kz11: the radius depends on the iteration alone") ==
+                         "hj09: each pixel shrinks its own radius; kz11: the radius depends only on the iteration") ==
            "kz11";
   const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
-                                          "lobes at least this rough gather photons; smoother ones are followed");
+                                          "lobes at least this rough gather photons; smoother ones extend the path");
   const bool share_paths =
       params.flag("sharepaths", true,
-                  "frames that differ in looks or light only share paths, with a weight each; false: they part");
-  params.integer("seed", 0, "", "of the random numbers; the command line's comes first");
+                  "frames that differ only in appearance or light share paths, each with a weight; false: they part");
+  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };
-  demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one photon an iteration");
+  demand(s.photons > 0 || s.photons == -1, "photons", "there must be at least one photon per iteration");
   demand(s.iterations >= 0, "iterations", "the number of iterations must not be negative");
   demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
@@ -56,8 +55,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
 
 std::string in_words(const ProgressiveSettings& s) {
   const float radius = s.hit_point.radius;
-  return fmt::format("{} photons an iteration, initial radius {}, estimator {}, gathering from GGX alpha {} on",
-                     s.photons, radius > 0 ? fmt::format("{}", radius) : "by the pixels' footprint",
+  return fmt::format("{} photons per iteration, initial radius {}, estimator {}, gathering at GGX alpha {} and above",
+                     s.photons, radius > 0 ? fmt::format("{}", radius) : "from the pixel footprint",
                      s.kz11 ? "kz11" : "hj09", s.photon.least_alpha);
 }
 

@@ -1,4 +1,4 @@
-// The parameters that dsppm and sppm have in common, read in one place.
+// The parameters that dsppm and sppm share.
 #pragma once
 
 #include "dspm/integrators/estimator.h"
@@ -9,7 +9,7 @@ namespace dspm {
 
 struct ProgressiveSettings {
   int iterations = 256;  // 0: until stopped
-  int photons = 300000;  // paths an iteration, in each frame
+  int photons = 300000;  // paths per iteration, in each frame
   float alpha = 0.7f;
   bool kz11 = true;  // the estimator; else hj09
   PhotonSettings photon;
@@ -19,7 +19,7 @@ struct ProgressiveSettings {
 /// For the log.
 std::string in_words(const ProgressiveSettings& settings);
 
-/// Reads them and calls finish().
+/// Reads the parameters and calls finish().
 ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderSettings& render);
 
 }  // namespace dspm

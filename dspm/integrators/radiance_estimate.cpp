@@ -20,7 +20,7 @@ bool enough_for_all(const std::vector<NearPhoton>& photons, FrameSet frames, int
 
 }  // namespace
 
-// The radius doubles until it holds enough, so the k nearest are exact whatever it started with.
+// The radius doubles until it holds enough, so the k nearest are exact for any initial radius.
 std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                                      const RadianceEstimate& how, GatherCounts& counts, float& radius) {
   std::vector<NearPhoton> photons;

@@ -1,4 +1,5 @@
-// The radiance that photons around a point make, frame by frame: from the nearest of them, or from all within a radius.
+// The radiance due to the photons around a point, frame by frame: from the nearest of them, or from all within a
+// radius.
 #pragma once
 
 #include <vector>
@@ -11,12 +12,12 @@ namespace dspm {
 
 struct RadianceEstimate {
   int nearest = 100;         // photons; 0: all within the radius
-  float radius = 0;          // the largest to look in, or the fixed one; world units
+  float radius = 0;          // maximum, or fixed, search radius in world units
   std::int64_t emitted = 0;  // photon paths in each frame
 };
 
 /// Calls fn(FrameSet, radiance times the hit point's throughput); the sets are disjoint and leave out frames without
-/// photons. Frames for which the same photons count share one call.
+/// photons. Frames that use the same photons share one call.
 template <class Fn>
 void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
@@ -28,7 +29,7 @@ struct NearPhoton {
   Rgb flux;  // times f
 };
 
-/// The photons around `hit`, nearest first, out to where every frame has `how.nearest` of them or the radius ends.
+/// The photons around `hit`, nearest first, until every frame has `how.nearest` of them or the radius ends.
 std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                                      const RadianceEstimate& how, GatherCounts& counts, float& radius);
 
@@ -43,7 +44,7 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
     float radius2 = radius * radius;
     for (const NearPhoton& photon : photons) {
       if (!photon.frames.contains(frames)) continue;
-      // The k-th photon only tells how large the disc is. [Jensen 1996 counts it; without it the mean is unbiased]
+      // The k-th photon only determines the disc's size. [Jensen 1996 counts it; without it the mean is unbiased]
       if (how.nearest > 0 && ++found == how.nearest) {
         radius2 = photon.distance2;
         break;

@@ -1,5 +1,4 @@
-// What an integrator left out because it was not finite, by the part of the scene that gave it: nothing of it reaches a
-// pixel.
+// Contributions that were not finite, by the scene element that produced them. None of them reaches a pixel.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ class Rejections {
  public:
   struct Entry {
     ScenePart part;
-    std::uint64_t count;  // contributions, in each frame
+    std::uint64_t count;  // of contributions, in each frame
     Frame frame;          // the first one's
     int pixel;            // the first one's, within the crop; kNoPixel: a photon's
   };
@@ -26,10 +25,10 @@ class Rejections {
   }
   Rejections& operator+=(const Rejections& other);
 
-  /// The count: which parts they came from has been told by then.
+  /// Only the count: the elements they came from have been reported by then.
   void persist(StateStream& state);
 
-  /// Of all parts; `entries` tells of the first few only.
+  /// Of all elements; `entries` lists only the first few.
   std::uint64_t count() const { return count_; }
   const std::vector<Entry>& entries() const { return entries_; }
 

@@ -1,4 +1,4 @@
-// Sums of what camera paths saw, by pixel and frame.
+// Sums of the light that camera paths saw, by pixel and frame.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// Light that a camera path saw itself: emission, or sampled direct light; radiance times throughput.
+/// Light that a camera path saw without photons: emission or sampled direct light, as radiance times throughput.
 struct SeenLight {
   int pixel;
   FrameSet frames;
@@ -26,7 +26,7 @@ class SeenLightSums {
   void add(const SeenLight& light) {
     light.frames.for_each([&](Frame f) { sums_[index(light.pixel, f)] += light.radiance; });
   }
-  /// Over all iterations, also those whose path saw nothing.
+  /// Over all iterations, including those whose path saw nothing.
   Rgb mean(int pixel, Frame frame, int iterations) const {
     return iterations == 0 ? Rgb() : sums_[index(pixel, frame)] / static_cast<float>(iterations);
   }

@@ -1,8 +1,8 @@
 // Integrator "sppm" "integer iterations" 64 "integer photons" 300000
 //
 // Stochastic progressive photon mapping of a single frame, as [HJ09] or with [KZ11]'s radii: the honest baseline. It
-// knows nothing of sharing: the driver gives it a scene of one frame at a time, and every pixel has one radius and one
-// hit point. Parameters: see progressive_settings.cpp.
+// shares nothing between frames: the session gives it a scene of one frame at a time, and every pixel has one radius
+// and one hit point. Parameters: see progressive_settings.cpp.
 #include "dspm/integrators/sppm.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ class Hj09 final : public PixelEstimator {
   EstimatorSettings of_;
   int iterations_ = 0;
   std::vector<PixelStatistics> pixels_;
-  std::vector<PassSums> passes_;  // of the iteration so far, where its photons come in batches
+  std::vector<PassSums> passes_;  // of the iteration so far, if its photons come in batches
 };
 
 class Kz11 final : public PixelEstimator {
@@ -101,7 +101,7 @@ class Kz11 final : public PixelEstimator {
         gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / (kPi * radius2);
   }
 
-  // Every iteration emits as many photons, so what was seen is weighted by them and needs no sums of its own.
+  // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
   void see(const SeenLight& light) override {
     sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
   }

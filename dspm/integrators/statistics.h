@@ -1,4 +1,4 @@
-// What an integrator did, in counts and seconds: the figures of the table at the end of a run.
+// An integrator's work, in counts and seconds: the figures of the table at the end of a run.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Work that several frames share: what was done, and what separate renders of the frames would have done.
+/// Work shared by several frames: the work done, and the work that separate renders of the frames would have done.
 struct SharedCount {
   std::uint64_t done = 0, separate = 0;
 
@@ -20,7 +20,7 @@ struct SharedCount {
     done += o.done, separate += o.separate;
     return *this;
   }
-  /// The sharing factor; 1 where nothing was done.
+  /// The sharing factor; 1 if nothing was done.
   double factor() const { return done == 0 ? 1 : static_cast<double>(separate) / static_cast<double>(done); }
 };
 
@@ -28,9 +28,9 @@ struct SharedCount {
 struct PathCounts {
   SharedCount segments;             // rays traced for paths
   std::uint64_t paths = 0;          // started
-  std::uint64_t dynamic_paths = 0;  // met in at least one frame what is not there in all
+  std::uint64_t dynamic_paths = 0;  // met, in at least one frame, an object that is not in all of them
   std::uint64_t shadow_rays = 0;
-  std::uint64_t weighted = 0;  // hit points, or photons stored, in which frames have weights of their own
+  std::uint64_t weighted = 0;  // hit points, or photons stored, whose frames have individual weights
 
   PathCounts& operator+=(const PathCounts& o) {
     segments += o.segments, paths += o.paths, dynamic_paths += o.dynamic_paths, shadow_rays += o.shadow_rays;
@@ -45,8 +45,8 @@ struct PathCounts {
 /// Flux in W summed over the three channels, by frame: emitted = absorbed + escaped + terminated + roulette.
 struct EnergyBalance {
   double emitted = 0, absorbed = 0, escaped = 0;
-  double terminated = 0;  // cut off by the depth, or because no photon of its kind is stored
-  double roulette = 0;    // of the paths that Russian roulette ends, less what it adds to the others: 0 in the mean
+  double terminated = 0;  // cut off by the maximum depth, or because photons of this kind are not stored
+  double roulette = 0;    // lost by paths that Russian roulette ends, less the gain of the survivors: 0 on average
 
   EnergyBalance& operator+=(const EnergyBalance& o) {
     emitted += o.emitted, absorbed += o.absorbed, escaped += o.escaped;
@@ -69,20 +69,20 @@ struct Statistics {
   std::vector<StepTime> steps;
   PathCounts camera, photon;
   SharedCount photons_stored;
-  SharedCount gathers;  // places where photons were gathered
-  // Distance tests of the gathers. What separate renders would test cannot be told: the cells of their grids differ.
+  SharedCount gathers;  // points at which photons were gathered
+  // Distance tests of the gathers. The number for separate renders is unknown: the cells of their grids differ.
   std::uint64_t photon_tests = 0;
-  SharedCount photons_found;          // that passed; separate renders with radii of their own find no more
+  SharedCount photons_found;          // tests passed; separate renders with their own radii find no more
   Rejections rejections;              // contributions that were not finite
-  std::vector<EnergyBalance> energy;  // a frame each; empty where no photons are traced
-  std::size_t bytes = 0;              // of the integrator's own buffers, at their largest
-  int photon_batches = 1;             // an iteration
+  std::vector<EnergyBalance> energy;  // by frame; empty if no photons are traced
+  std::size_t bytes = 0;              // peak size of the integrator's own buffers
+  int photon_batches = 1;             // per iteration
 
-  /// What adds up from iteration to iteration.
+  /// The members that accumulate over iterations.
   void persist(StateStream& state);
 };
 
-/// Adds the time of its own life to a StepTime.
+/// Adds its lifetime to a StepTime.
 class StepTimer {
  public:
   explicit StepTimer(StepTime& step) : step_(step) {}

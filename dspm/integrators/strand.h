@@ -1,4 +1,4 @@
-// Frames that differ in looks or in light only share a path, each with a throughput of its own: the strands of a path.
+// Frames that differ only in appearance or light share a path, each with its own throughput: the strands of a path.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace dspm {
 
-/// Frames of a path that carry the same. The strands of a list lie behind one another and have disjoint sets; they may
-/// hold frames that the path has left.
+/// Frames of a path with the same throughput. The strands of a list are contiguous and have disjoint sets; they may
+/// contain frames that have left the path.
 struct Strand {
   FrameSet frames;
   Rgb weight;              // times the path's throughput
   std::uint16_t rest = 0;  // strands that follow in the list
-  bool grey = false;       // all weights of the list are: what depends on colour alone is the same for all frames
+  bool grey = false;  // all weights of the list are: anything that depends only on colour is the same for all frames
 };
 
-/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list that is one of weight 1.
+/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list, for one of weight 1.
 template <class Fn>
 void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   if (list == nullptr) return fn(frames, Rgb(1));
@@ -31,10 +31,10 @@ void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   }
 }
 
-/// A number of a list in its table; 0: none, all frames carry the path's throughput.
+/// The number of a list in its table; 0: no list, all frames carry the path's throughput.
 using StrandList = std::uint32_t;
 
-/// What the frames of a path carry, before it becomes a list.
+/// The throughputs of a path's frames, before they become a list.
 class Strands {
  public:
   void add(FrameSet frames, const Rgb& weight) {
@@ -43,8 +43,8 @@ class Strands {
   }
   FrameSet frames() const { return frames_; }
   std::span<const Strand> strands() const { return strands_; }
-  /// Divides out what all have in common, and returns it: a colour of which all weights are multiples; 1 if there is
-  /// none. Weights that are one and the same become a single strand.
+  /// Divides out and returns the common factor: a colour of which all weights are multiples; 1 if none exists. Equal
+  /// weights become a single strand.
   Rgb take_common();
 
  private:
@@ -55,15 +55,15 @@ class Strands {
 /// The lists of many paths.
 class StrandTable {
  public:
-  StrandTable() : strands_(1) {}  // list 0 is none
+  StrandTable() : strands_(1) {}  // list 0 means no list
   void clear() { strands_.resize(1); }
   const Strand* of(StrandList list) const { return list == 0 ? nullptr : &strands_[list]; }
   std::span<const Strand> lists_before(StrandList list) const { return std::span(strands_).first(list); }
   /// The number of the next list to be added.
   StrandList end() const { return static_cast<StrandList>(strands_.size()); }
-  /// The list of what the frames carry times `common`, which is taken out of them; 0 where that is all there is.
+  /// Makes a list of the frames' throughputs and moves their common factor into `common`; 0 if nothing else remains.
   StrandList add(Strands& strands, Rgb& common);
-  /// The list that `frames` need: where one strand holds all of them, its weight goes into `carried`, and it is none.
+  /// The list that `frames` need: if one strand holds all of them, multiplies its weight into `carried` and returns 0.
   StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const {
     for (const Strand* strand = of(list); strand != nullptr; ++strand) {
       if (!(strand->frames & frames).empty()) {
@@ -85,7 +85,7 @@ class StrandTable {
 template <class Sum>
 class FewListSums {
  public:
-  /// Null where there are too many lists already.
+  /// Null if there are already too many lists.
   Sum* of(const Strand* list) {
     for (std::size_t i = 0; i < count_; ++i)
       if (lists_[i] == list) return &sums_[i];

@@ -1,4 +1,4 @@
-// Where an integrator stands that keeps nothing but sums. An iteration works on a copy, so that one that throws leaves no
+// The state of an integrator that keeps only sums. An iteration works on a copy, so that one that throws leaves no
 // trace.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace dspm {
 
 class SummedIterations {
  public:
-  /// `begin`: the statistics before the first iteration, but for bytes.
+  /// `begin`: the statistics before the first iteration, except bytes.
   SummedIterations(const PixelRect& crop, int frames, Statistics begin)
       : crop_(crop), done_{SeenLightSums(crop.count(), frames), std::move(begin)}, next_(done_) {
     done_.statistics.bytes = bytes();
@@ -22,7 +22,7 @@ class SummedIterations {
   static std::size_t bytes(int pixels, int frames) { return 2 * SeenLightSums::bytes(pixels, frames); }
   std::size_t bytes() const { return done_.sums.bytes() + next_.sums.bytes(); }
 
-  /// One more iteration: calls work(sums, statistics) with what it is to add to.
+  /// Runs one more iteration: work(sums, statistics) adds to its arguments.
   template <class Work>
   void advance(Work&& work) {
     next_ = done_;

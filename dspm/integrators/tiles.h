@@ -1,4 +1,4 @@
-// The pixels of a crop in square tiles: neighbours are traced together, a tile is one piece of parallel work.
+// The pixels of a crop in square tiles: neighbours are traced together, and a tile is one unit of parallel work.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,14 @@ void for_each_pixel_of_tile(const PixelRect& crop, int side, int t, Fn&& fn) {
     for (int x = x0; x < std::min(x0 + side, crop.x1); ++x) fn(x, y);
 }
 
-/// A camera path's place on the film, in pixels of the full image.
+/// A camera path's position on the film, in pixels of the full image.
 inline Vec2 film_point(const RenderSettings& render, int x, int y, const PathRandom& random) {
   const Vec2 offset = render.jitter ? render.filter->sample(random.pair(0, kLightPoint)) : Vec2{};
   return Vec2{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f} + offset;
 }
 
-/// A pixel's number in the full image: the index of its camera paths, so that a crop equals the same pixels of the
-/// whole.
+/// A pixel's number in the full image: the index of its camera paths, so that a crop equals the same pixels of the full
+/// image.
 inline std::uint64_t camera_path_index(const RenderSettings& render, int x, int y) {
   return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(render.width) + static_cast<std::uint64_t>(x);
 }

@@ -1,4 +1,4 @@
-// A digest of each element of a scene: equal if the same is rendered, whatever the text looks like.
+// A digest of each element of a scene: equal if it renders the same, however the text is written.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ struct ScenePartDigest {
   SourceLocation where;
 };
 
-/// Everything except what the driver reads: film, filter, sampler, integrator and accelerator. Files that the text
-/// names count here by their names.
+/// Everything except the settings of the job: film, filter, sampler, integrator and accelerator. Only the names of
+/// referenced files enter the digests.
 std::vector<ScenePartDigest> digests_of(const SceneDescription& scene);
 
-/// Of a directive's type and parameters, except the parameters named in `without`.
+/// The digest of a directive's type and parameters, except the parameters named in `without`.
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {});
 
 }  // namespace dspm

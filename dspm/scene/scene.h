@@ -1,4 +1,4 @@
-// The finished scene of one frame interval (the frames rendered together): all that an integrator may ask. Everything
+// The finished scene of one frame interval (the frames rendered together): all that an integrator may query. Everything
 // is const, and frames count from 0 at the first frame that is rendered.
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace dspm {
 
-/// A thing of the scene that may change from frame to frame: one object for each of its distinct states. The sets are
-/// disjoint; frames in none of them lack the thing.
+/// A scene element that may change from frame to frame: one object per distinct state. The sets are disjoint; in frames
+/// outside all of them, the element does not exist.
 template <class T>
 struct FrameStates {
   struct State {
@@ -25,13 +25,13 @@ struct FrameStates {
   };
   std::vector<State> states;
 
-  /// Whether these frames are in more than one state, or partly lack the thing.
+  /// Whether these frames are in more than one state, or the element exists in only some of them.
   bool differs_in(FrameSet frames) const {
     for (const State& s : states)
       if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
     return false;
   }
-  /// Calls fn(FrameSet, const T&) for each state that holds in some of `frames`.
+  /// Calls fn(FrameSet, const T&) for each state that applies in some of `frames`.
   template <class Fn>
   void for_each(FrameSet frames, Fn&& fn) const {
     for (const State& s : states)
@@ -39,25 +39,25 @@ struct FrameStates {
   }
 };
 
-/// What frames have is that of others times a colour.
+/// A factor by which frames differ from others.
 struct FrameFactor {
   FrameSet frames;
   Rgb factor;
 };
 
-/// A light and the chance that a photon path or a direct light sample chooses it: in proportion to its mean power over
-/// all frames of the file.
+/// A light and the probability that a photon path or a direct light sample chooses it, proportional to its mean power
+/// over all frames of the file.
 struct SceneLight {
-  /// States whose photons start alike: as those of `first`, a state of the file, times a weight.
+  /// States whose photons start alike: like those of `first`, a state of the file, times a weight.
   struct Alike {
     std::shared_ptr<const Light> first;
     std::vector<FrameStates<Light>::State> states;
-    /// Light::ratio_to of each over `first`; empty where the ratio depends on where a photon goes.
+    /// Light::ratio_to of each state over `first`; empty if the ratio depends on a photon's direction.
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;
   float probability = 0;
-  std::vector<Alike> alike;  // all states in groups
+  std::vector<Alike> alike;  // all states, grouped
   bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
 };
 
@@ -66,7 +66,7 @@ struct ChosenLight {
   float probability;
 };
 
-/// What a plugin has made, for messages.
+/// A scene element made by a plugin, for messages.
 struct ScenePart {
   enum class Kind { camera, shape, material, light };
   Kind kind;
@@ -77,19 +77,19 @@ struct ScenePart {
 class Scene {
  public:
   std::vector<Frame> file_frames;  // frame j here is frame file_frames[j] of the file; ascending, at most kMaxFrames
-  Vec3 center;                     // the sphere around everything, over all frames of the file
+  Vec3 center;                     // bounding sphere over all frames of the file
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
   std::vector<FrameStates<Material>> materials;
   std::vector<SceneLight> lights;
-  std::vector<int> infinite_lights;  // those that answer escaped()
+  std::vector<int> infinite_lights;  // those that implement escaped()
   FrameStates<Camera> camera;
   std::unique_ptr<Accel> accel;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
-  /// Light of index i with the lights' probabilities; nothing to choose from: probability 0.
+  /// Chooses a light by the lights' probabilities; probability 0 if there are none.
   ChosenLight choose_light(float u) const;
   SurfacePoint surface_point(const RayHit& hit) const {
     return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);

@@ -92,7 +92,7 @@ TEST_F(Files, ImportedFilesCloseTheirOwnBlocks) {
   put("main.dsc", "WorldBegin\nAttributeBegin\nImport \"a.dsc\"\nAttributeEnd");
   put("a.dsc", "AttributeEnd\nDynamicBegin \"x\"\n");
   EXPECT_EQ(parse({"main.dsc"}),
-            "a.dsc:1:1: error: AttributeEnd closes Import \"a.dsc\" of main.dsc:3\n"
+            "a.dsc:1:1: error: AttributeEnd does not match Import \"a.dsc\" (main.dsc:3)\n"
             "    1 | AttributeEnd\n"
             "      | ^~~~~~~~~~~~\n"
             "  an imported file cannot close blocks that were opened outside it\n"
@@ -106,7 +106,7 @@ TEST_F(Files, WrongNestingNamesTheOtherFile) {
   put("main.dsc", "WorldBegin\nInclude \"a.dsc\"\nDynamicEnd");
   put("a.dsc", "AttributeBegin");
   EXPECT_EQ(parse({"main.dsc"}),
-            "main.dsc:3:1: error: DynamicEnd closes AttributeBegin of a.dsc:1\n"
+            "main.dsc:3:1: error: DynamicEnd does not match AttributeBegin (a.dsc:1)\n"
             "    3 | DynamicEnd\n"
             "      | ^~~~~~~~~~\n"
             "  AttributeBegin ends with AttributeEnd\n");

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes the lists in by_rule/: lines drawn from the sources, each changed by a rule that knows nothing of the tests.
 
-Lines are drawn by a hash of the line and the rule, so that editing one leaves the others in the list. What somebody added
-to a record that is drawn again (`try`, `equivalent`) stays.
+What was drawn earlier stays as long as the sources hold it, with what somebody added to it (`try`, `equivalent`); the rest
+is drawn by a hash of the line and the rule.
 """
 import hashlib
 import pathlib
@@ -14,9 +14,9 @@ sys.dont_write_bytecode = True  # no folder of its own among the sources
 import mutant as lists
 
 SEED = "18"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = {"integrators": 22, "materials": 10, "lights": 10, "cameras": 5, "shapes": 12, "accel": 8, "film": 7,
-         "textures": 6, "world": 9, "lang": 10, "app": 11}
+ROOT = pathlib.Path(__file__).resolve().parents[2] / "dspm"
+ROOMS = {"accel": 12, "app": 8, "cameras": 7, "checkpoint": 7, "film": 5, "grid": 5, "integrators": 35, "lang": 16,
+         "lights": 14, "materials": 15, "output": 14, "session": 8, "shapes": 18, "textures": 9, "world": 16}
 MOST_A_FILE = 3
 
 # Declarations, messages, what nobody can see, and loops over a range, which would leave it.
@@ -85,7 +85,13 @@ def candidates(path):
                 yield min(changed, key=order_of)
 
 
-def draw(room, count):
+def is_fresh(mutant):
+    path = ROOT / mutant.file
+    return path.is_file() and path.read_text().count(mutant.old) == 1
+
+
+def draw(room, count, drawn):
+    """Adds to what was drawn earlier."""
     # A rule that many lines obey must not fill the list: each in turn gives its next mutant.
     by_rule = {rule: [] for rule in RULES}
     for path in sorted((ROOT / room).rglob("*")):
@@ -94,7 +100,6 @@ def draw(room, count):
                 by_rule[mutant.sentence].append(mutant)
     turns = sorted((turn, order_of(mutant), mutant) for each in by_rule.values()
                    for turn, mutant in enumerate(sorted(each, key=order_of)))
-    drawn = []
     for _, _, mutant in turns:
         of_file = [other for other in drawn if other.file == mutant.file]
         if len(of_file) < MOST_A_FILE and all(other.old != mutant.old for other in of_file) and len(drawn) < count:
@@ -103,14 +108,13 @@ def draw(room, count):
 
 
 def main():
-    known = {mutant.key: mutant for mutant in lists.read_lists()}
+    earlier = [mutant for path in sorted((lists.LISTS / "by_rule").glob("*.txt")) for mutant in lists.read_list(path)]
     for room, count in ROOMS.items():
         records = ["# Made by generate.py, which keeps what is added to its records.\n"]
-        for mutant in draw(room, count):
-            before = known.get(mutant.key, mutant)
+        for mutant in draw(room, count, [m for m in earlier if m.file.split("/")[0] == room and is_fresh(m)]):
             record = f"\n{mutant.file}: {mutant.sentence}\n  - {mutant.old}\n  + {mutant.new}\n"
-            record += f"  try {' '.join(before.tests)}\n" if before.tests else ""
-            record += f"  equivalent: {before.equivalent}\n" if before.equivalent else ""
+            record += f"  try {' '.join(mutant.tests)}\n" if mutant.tests else ""
+            record += f"  equivalent: {mutant.equivalent}\n" if mutant.equivalent else ""
             records.append(record)
         (lists.LISTS / "by_rule" / f"{room}.txt").write_text("".join(records))
 

@@ -1,8 +1,8 @@
 // Integrator "dsppm" "integer iterations" 400 "integer photons" 300000
 //
-// Dynamic stochastic progressive photon mapping [WG12]: all frames together. Camera and photon paths that meet nothing
-// which differs between frames are traced once, and hit points that frames share gather once; every frame converges to
-// what sppm gives for it alone. Parameters: see progressive_settings.cpp.
+// Dynamic stochastic progressive photon mapping [WG12]: all frames together. Camera and photon paths that meet only
+// objects common to all frames are traced once, and hit points shared by frames gather once; every frame converges to
+// the result of sppm for that frame alone. Parameters: see progressive_settings.cpp.
 #include "dspm/integrators/dsppm/dsppm.h"
 
 #include "dspm/integrators/progressive.h"

@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// Every pixel and frame shrinks its own radius [HJ09, WG12]; what frames share is gathered once.
+/// Every pixel and frame shrinks its own radius [HJ09, WG12]; frames that share a hit point gather once.
 EstimatorKind shared_hj09();
-/// The radius depends on the iteration alone [KZ11]; what all frames share is summed once.
+/// The radius depends only on the iteration [KZ11]; contributions shared by all frames are summed once.
 EstimatorKind shared_kz11();
 
 std::unique_ptr<Integrator> make_dsppm(ParamReader& params, const Scene& scene, const RenderSettings& render);

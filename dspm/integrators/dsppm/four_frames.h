@@ -1,5 +1,5 @@
 // A pixel's statistics in four frames side by side: the SIMD twin of PixelStatistics and PassSums. It does the same
-// operations in the same order, so that its values are the same bit by bit.
+// operations in the same order, so its values are identical bit for bit.
 #pragma once
 
 #include <immintrin.h>
@@ -16,12 +16,12 @@ struct FourSums {
   __m128 M, phi[3];
 
   static FourSums none() { return {_mm_setzero_ps(), {_mm_setzero_ps(), _mm_setzero_ps(), _mm_setzero_ps()}}; }
-  /// Photons more in the frames of `lanes`.
+  /// Adds photons in the frames of `lanes`.
   void add(__m128 lanes, const Rgb& flux, float photons = 1) {
     M = _mm_add_ps(M, _mm_and_ps(lanes, _mm_set1_ps(photons)));
     for (int c = 0; c < 3; ++c) phi[c] = _mm_add_ps(phi[c], _mm_and_ps(lanes, _mm_set1_ps(flux[c])));
   }
-  /// With what all frames of `lanes` share, and times the path's throughput.
+  /// Adds the sums shared by all frames of `lanes` and multiplies by the path's throughput.
   FourSums total(__m128 lanes, const PassSums& shared, const Rgb& throughput) const {
     FourSums sums;
     sums.M = _mm_and_ps(lanes, _mm_add_ps(M, _mm_set1_ps(static_cast<float>(shared.M))));
@@ -39,7 +39,7 @@ struct FourSums {
 
 class FourFrames {
  public:
-  /// The first hit point's radius, in the frames of `lanes`.
+  /// Sets the first hit point's radius in the frames of `lanes`.
   void begin(__m128 lanes, float radius2) {
     const __m128 first = _mm_and_ps(lanes, _mm_cmpeq_ps(R2_, _mm_setzero_ps()));
     if (_mm_movemask_ps(first) == 0) return;
@@ -49,7 +49,7 @@ class FourFrames {
   }
   __m128 R2() const { return R2_; }
 
-  /// [WG12 (1), (2), (4)]; frames without photons stay as they are.
+  /// [WG12 (1), (2), (4)]; frames without photons do not change.
   void absorb(const FourSums& sums, float alpha) {
     const __m128 none = _mm_cmpeq_ps(sums.M, _mm_setzero_ps());
     if (_mm_movemask_ps(none) == 15) return;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kGroups = kMaxFrames / 4;
 
-/// Of the lanes that are in, the largest and the smallest value over several groups.
+/// The largest and smallest values of the selected lanes over several groups.
 struct Extremes {
   __m128 most = _mm_setzero_ps(), least = _mm_set1_ps(kInfinity);
 
@@ -55,7 +55,7 @@ class Hj09 final : public PixelEstimator {
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     FourFrames* pixel = &statistics_[index(hit.pixel, 0)];
-    // The largest radius finds the photons of every frame; those within the smallest need no test by frame.
+    // The largest radius finds the photons of every frame; those within the smallest need no per-frame test.
     Extremes radii;
     FourSums sums[kGroups];
     for_each_group(hit.frames, [&](int group, __m128 lanes) {
@@ -146,7 +146,7 @@ class Hj09 final : public PixelEstimator {
   int groups_;  // of four frames
   int iterations_ = 0;
   std::vector<FourFrames> statistics_;  // the frames of a pixel lie together
-  std::vector<FourSums> passes_;        // of the iteration so far, likewise, where its photons come in batches
+  std::vector<FourSums> passes_;        // of the iteration so far, likewise, if its photons come in batches
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Probabilistic progressive photon mapping [KZ11]: the search radius shrinks with the iteration alone. The estimate is
-// then linear in the photons, so what all frames share is summed once for all, and other photons are added to the sums
-// of those frames that have them.
+// Probabilistic progressive photon mapping [KZ11]: the search radius depends only on the iteration. The estimate is
+// then linear in the photons, so photons shared by all frames are summed once, and the others are added to the sums of
+// their frames.
 #include <vector>
 
 #include "dspm/colour/rgb.h"
@@ -25,7 +25,7 @@ class Kz11 final : public PixelEstimator {
     const Rgb per_area = hit.throughput / (kPi * radius2);
     RgbLanes shared;
     FewListSums<RgbLanes> lists;
-    __m128 own[kMaxFrames];  // only those of the frames in with_own are there
+    __m128 own[kMaxFrames];  // valid only for the frames in with_own
     FrameSet with_own;
     const auto add_own = [&](FrameSet frames, RgbLanes flux) {
       (frames - with_own).for_each([&](Frame f) { own[f] = _mm_setzero_ps(); });
@@ -59,7 +59,7 @@ class Kz11 final : public PixelEstimator {
     });
   }
 
-  // Every iteration emits as many photons, so what was seen can be weighted by them and needs no sums of its own.
+  // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.
   void see(const SeenLight& light) override {
     add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
@@ -93,7 +93,7 @@ class Kz11 final : public PixelEstimator {
 
   EstimatorSettings of_;
   IterationRadius radius_;
-  std::vector<Rgb> shared_;  // by pixel: radiance times photons, what counts in all frames
+  std::vector<Rgb> shared_;  // by pixel: radiance times photons, common to all frames
   std::vector<Rgb> own_;     // by pixel and frame: the rest
 };
 
