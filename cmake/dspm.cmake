@@ -23,6 +23,17 @@ function(dspm_library name)
   add_library(dspm_${name} STATIC ${ARG_SOURCES})
   list(TRANSFORM ARG_NEEDS PREPEND dspm_)
   target_link_libraries(dspm_${name} PUBLIC dspm_settings ${ARG_NEEDS} PRIVATE ${ARG_USES})
+  # A third of the build was these headers. The preset "clang" does without, so that no include is forgotten.
+  get_property(first GLOBAL PROPERTY dspm_first_library)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    if(first)
+      target_precompile_headers(dspm_${name} REUSE_FROM ${first})
+    else()
+      set_property(GLOBAL PROPERTY dspm_first_library dspm_${name})
+      target_precompile_headers(dspm_${name} PRIVATE <fmt/format.h> <algorithm> <array> <cmath> <filesystem> <functional>
+        <map> <memory> <optional> <span> <string> <vector>)
+    endif()
+  endif()
   # What libdspm is made of; CGAL's files are objects among the sources.
   list(FILTER ARG_SOURCES INCLUDE REGEX "TARGET_OBJECTS")
   set_property(GLOBAL APPEND PROPERTY dspm_objects $<TARGET_OBJECTS:dspm_${name}> ${ARG_SOURCES})

@@ -14,7 +14,7 @@ volatile std::sig_atomic_t received = 0, images_wanted = 0, is_terminal = 0;
 
 extern "C" void on_end_wanted(int number) {
   constexpr char kWord[] =
-      "\ndspm: ending after this iteration, or in ten seconds if it takes longer; Ctrl-C again ends at once\n";
+      "\ndspm: ending after this iteration, which is cancelled in ten seconds if possible; Ctrl-C again ends at once\n";
   if (received != 0) end_suddenly(128 + number);
   received = number;
   alarm(kSecondsToFinish);

@@ -45,7 +45,7 @@ void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, 
 void refuse_to_overwrite(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return;
-  throw UsageError(fmt::format("--checkpoint {}: it exists already; continue it by --resume {}, or remove it first",
+  throw UsageError(fmt::format("--checkpoint {}: it exists already; continue it with --resume {}, or remove it first",
                                path.string(), path.string()));
 }
 

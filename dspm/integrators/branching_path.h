@@ -2,6 +2,8 @@
 // rays.
 #pragma once
 
+#include <array>
+
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"

@@ -12,7 +12,8 @@ namespace dspm {
 
 struct CameraPath : PathState {
   const Camera* camera = nullptr;
-  int pixel = 0;  // within the crop
+  int pixel = 0;     // within the crop
+  float length = 0;  // of the segments so far, in world units
 };
 
 /// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or

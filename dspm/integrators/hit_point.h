@@ -21,7 +21,7 @@ struct HitPoint {
   FrameSet frames;
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row
-  int scattering = -1;     // index in the tile; negative where f is constant
+  int scattering = -1;     // index in the tile; negative if f is constant
   StrandList strands = 0;  // in the tile's table: factors to the throughput by frame, if they differ
 };
 

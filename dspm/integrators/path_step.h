@@ -3,10 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dimension.h"
@@ -25,7 +23,6 @@ struct PathState {
   Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
   FrameSet frames;         // the frames in which exactly this path exists; never grows
   int bounces = 0;         // scatterings so far
-  float length = 0;        // of all segments so far, in world units
   float eta_scale = 1;     // of the refractions so far: the factor that throughput regains on leaving glass
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path

@@ -14,8 +14,8 @@
 
 namespace dspm {
 
-/// The data of a photon that a gather needs besides its position: half a cache line. A read of three lanes loads four;
-/// the fourth, bytes of the next member, is ignored.
+/// The data of a photon that a gather needs apart from its position: half a cache line. A read of three lanes loads
+/// four; the fourth, bytes of the next member, is ignored.
 struct alignas(32) GatheredPhoton {
   Vec3 wi;
   Rgb flux;

@@ -37,21 +37,14 @@ class Progressive final : public Integrator {
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override { return in_words(settings_); }
 
-  // [WG12 figure 3]
   void iterate(int number) override {
-    const auto iteration = static_cast<std::uint64_t>(number);
-    trace_camera_paths(iteration);
-    const float cell_size = mean_search_radius();
-    for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
-      trace_light_paths(iteration, first);
-      build_photon_map(cell_size);
-      if (first == 0) see_lights();  // not earlier: memory usually runs out before, and then no pixel has changed
-      see_hidden_light();
-      gather_photons();
+    const Statistics before = statistics_;
+    try {
+      iterate(static_cast<std::uint64_t>(number));
+    } catch (...) {
+      statistics_ = before;
+      throw;
     }
-    estimator_->end_iteration();
-    hidden_radius_.end_iteration(settings_.alpha);
-    ++statistics_.iterations;
   }
 
   Image estimate(Frame frame) const override {
@@ -76,6 +69,22 @@ class Progressive final : public Integrator {
   }
 
  private:
+  // [WG12 figure 3]
+  void iterate(std::uint64_t iteration) {
+    trace_camera_paths(iteration);
+    const float cell_size = mean_search_radius();
+    for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
+      trace_light_paths(iteration, first);
+      build_photon_map(cell_size);
+      if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
+      see_hidden_light();
+      gather_photons();
+    }
+    estimator_->end_iteration();
+    hidden_radius_.end_iteration(settings_.alpha);
+    ++statistics_.iterations;
+  }
+
   // [WG12 4.1]
   void trace_camera_paths(std::uint64_t iteration) {
     const StepTimer timer(statistics_.steps[kHitPoints]);

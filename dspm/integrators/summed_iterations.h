@@ -1,5 +1,5 @@
-// The state of an integrator that keeps only sums. An iteration works on a copy, so that one that throws leaves no
-// trace.
+// The state of an integrator that keeps only sums. An iteration works on a copy, so one that throws changes
+// nothing.
 #pragma once
 
 #include <utility>

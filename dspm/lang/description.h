@@ -149,7 +149,7 @@ enum class Dialect { pbrt, dsc };  // by the main file's name; standard input co
 struct SceneDescription {
   std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
   Dialect dialect = Dialect::dsc;
-  /// Where to look for files that are not beside the file that names them.
+  /// Where to look for files that are not next to the file that names them.
   std::filesystem::path main_directory() const {
     return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
   }

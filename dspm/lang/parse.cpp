@@ -154,7 +154,7 @@ class SceneReader {
     }
   }
 
-  /// Beside the file that names it, else beside the main file.
+  /// Next to the file that names it, else next to the main file.
   fs::path find(const std::string& name, const SourceFile& file) const {
     const fs::path beside = fs::path(file.name).parent_path() / name;
     const fs::path beside_main = fs::path(main_name_).parent_path() / name;

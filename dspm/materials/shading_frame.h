@@ -45,7 +45,6 @@ struct LocalPair {
     valid = wo.z > 0 && (reflected ? wi.z > 0 : wi.z < 0);
   }
   bool reflection() const { return valid && wi.z > 0; }
-  bool transmission() const { return valid && wi.z < 0; }
 };
 
 }  // namespace dspm

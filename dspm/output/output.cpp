@@ -50,7 +50,7 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
   const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
                                 job.description->frames.combination_of(job.frames.back());
   if (!settings.video.empty() && !is_one_variation)
-    throw UsageError("--video shows one variation: choose it by --variation");
+    throw UsageError("--video shows one variation: choose one with --variation");
   if (!settings.video.empty())
     video_.emplace(settings.video, VideoFormat{width, height, static_cast<float>(job.fps)}, std::move(end_wanted));
 }

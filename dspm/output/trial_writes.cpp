@@ -40,7 +40,7 @@ void warn_of_little_space(const fs::path& file, std::uint64_t bytes, const std::
   if (unknown || free >= bytes) return;
   messages.warn(fmt::format("{} may take {}, but only {} are left in {}", what, readable_bytes(bytes),
                             readable_bytes(free), fs::absolute(directory, unknown).lexically_normal().string()),
-                "images that do not fit are not written; make room, or write elsewhere by --outfile");
+                "images that do not fit are not written; make room, or write elsewhere with --outfile");
 }
 
 }  // namespace dspm

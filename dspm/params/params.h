@@ -90,7 +90,7 @@ struct DescribedEnough {};
 class ParamReader {
  public:
   /// `subject` as messages name it: `material "diffuse"`. `list` must not be keyed: see ParamList::at. Files that are
-  /// not beside the scene file that names them are looked for in `main_directory`, the main file's.
+  /// not next to the scene file that names them are looked for in `main_directory`, the main file's.
   ParamReader(const ParamList& list, std::string subject, SourceLocation where, Diagnostics& diagnostics,
               std::filesystem::path main_directory = {});
   /// Only describes: every read appends to `described` and returns its default; finish() throws DescribedEnough.

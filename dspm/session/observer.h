@@ -18,8 +18,8 @@ struct IntervalProgress {
 
 class SessionObserver {
  public:
-  /// Of an interval: those after an iteration, or its last ones.
-  enum class Images { so_far, last };
+  /// Of an interval: those after an iteration, those that a failed iteration leaves, or its last ones.
+  enum class Images { so_far, after_failure, last };
 
   virtual ~SessionObserver() = default;
   /// A step begins that may take a long time ("iteration 3"). `who` does the work; may be empty.

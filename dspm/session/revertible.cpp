@@ -1,5 +1,7 @@
 #include "dspm/session/revertible.h"
 
+#include <new>
+#include <optional>
 #include <string>
 
 #include "dspm/system/cancellation.h"
@@ -7,13 +9,26 @@
 
 namespace dspm {
 
+namespace {
+
+std::optional<std::string> copy_of(Integrator& integrator) {
+  try {
+    return state_of(integrator);
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 void iterate_revertibly(Integrator& integrator, int iteration) {
-  const std::string before = state_of(integrator);
+  const std::optional<std::string> before = copy_of(integrator);
+  if (!before) return integrator.iterate(iteration);
   try {
     const Cancellable nothing_is_lost;
     integrator.iterate(iteration);
   } catch (...) {
-    LoadedState state(before);
+    LoadedState state(*before);
     integrator.persist(state);
     throw;
   }

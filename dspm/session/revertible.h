@@ -1,12 +1,13 @@
-// Iterations that may be given up: what an integrator had before them is kept.
+// Iterations that can be cancelled: the integrator's earlier state is kept.
 #pragma once
 
 #include "dspm/integrators/integrator.h"
 
 namespace dspm {
 
-/// One iteration, which loops may end by Cancelled (system/cancellation.h). If it throws, the integrator is as it was
-/// before; it must have persist(). Takes a copy of its state for that long.
+/// One iteration that can be cancelled (system/cancellation.h). If it throws, the integrator is as it was before; it
+/// must have persist(). Takes a copy of its state for that long; if there is no memory for it, the iteration is an
+/// ordinary one.
 void iterate_revertibly(Integrator& integrator, int iteration);
 
 /// Bytes of the integrator's state; nothing if it keeps none (Integrator::persist).

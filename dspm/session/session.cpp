@@ -1,6 +1,5 @@
 #include "dspm/session/session.h"
 
-#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -9,13 +8,12 @@
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/cancellation.h"
+#include "dspm/system/readable.h"
 
 namespace dspm {
 namespace {
 
-// Shorter iterations end within the ten seconds that a Ctrl-C leaves them, so they do without a copy of the state.
-// Nobody knows how long this run's first one takes.
-constexpr double kLongIteration = 5, kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -72,7 +70,8 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& inte
   const Clock::time_point begin = Clock::now();
   WriteSchedule schedule(settings_.write_every);
   if (iterations > 0 && progress.iterations >= iterations)
-    messages_.say("all {} iterations are done; ask for more by --iterations", iterations);
+    messages_.say("{} done, none is left; ask for more with --iterations",
+                  counted(static_cast<std::size_t>(progress.iterations), "iteration"));
   const auto finished = [&] {
     return (iterations > 0 && progress.iterations >= iterations) || observer_.end_wanted() ||
            (settings_.time_limit > 0 && progress.iterations > 0 && seconds_since(begin) >= seconds);
@@ -95,15 +94,21 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& inte
   return progress;
 }
 
+// Photons in batches have room for the copy in the plan of --memory. Without a bound it must not be most of the memory.
+bool Session::can_copy(Integrator& integrator, std::size_t index) const {
+  const std::optional<std::uint64_t> copy = state_bytes(integrator);
+  const Statistics statistics = integrator.statistics();
+  const std::size_t share = memory_.for_integrator(index);
+  if (!copy || statistics.photon_batches > 1) return copy.has_value();
+  return share > 0 ? statistics.bytes + *copy <= share : 2 * *copy <= statistics.bytes;
+}
+
 void Session::iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const {
   if (before.iterations == 0) {  // nothing can be lost
     const Cancellable cancellable;
     return integrator.iterate(0);
   }
-  const std::optional<std::uint64_t> copy = state_bytes(integrator);
-  const std::size_t share = memory_.for_integrator(before.index);
-  const bool fits = copy && (share == 0 || integrator.statistics().bytes + *copy <= share);
-  if (fits && expected >= kLongIteration)
+  if (expected >= settings_.long_iteration && can_copy(integrator, before.index))
     iterate_revertibly(integrator, before.iterations);
   else
     integrator.iterate(before.iterations);
@@ -122,7 +127,7 @@ bool Session::iterate(const IntervalProgress& before, Integrator& integrator, do
   } catch (const Cancelled&) {
     return false;
   } catch (...) {
-    if (before.iterations > 0) write(before, integrator, SessionObserver::Images::so_far);
+    if (before.iterations > 0) write(before, integrator, SessionObserver::Images::after_failure);
     observer_.iteration_failed();
     throw;
   }

@@ -19,6 +19,9 @@ struct SessionSettings {
   double time_limit = 0;              // seconds for all intervals; 0: none
   Interval write_every;               // of the images so far
   std::size_t bytes_for_writing = 0;  // kept free during an iteration, to write images if memory runs out
+  // Seconds. Shorter iterations end within the ten seconds that a Ctrl-C leaves them, so they do without a copy of the
+  // state and are not cancelled.
+  double long_iteration = 5;
 };
 
 class Session {
@@ -38,6 +41,8 @@ class Session {
   IntervalProgress iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations);
   /// False: the iteration was cancelled. `expected`: seconds that it may take.
   bool iterate(const IntervalProgress& before, Integrator& integrator, double expected);
+  /// Whether a copy of the integrator's state can be afforded.
+  bool can_copy(Integrator& integrator, std::size_t index) const;
   void iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const;
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
   /// Seconds for the interval: an equal share of the time that the intervals before it left.

@@ -52,7 +52,7 @@ AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(file_be
   if (!fs::is_directory(directory, ignored)) throw WriteError(shown_, "there is no directory " + directory.string());
   const bool exists = fs::exists(target_, ignored);
   if (exists && !fs::is_regular_file(target_, ignored)) throw WriteError(shown_, "it is not a regular file");
-  // Another file could replace it all the same; but a file that is write-protected is meant to be kept.
+  // The file could still be replaced; but one that is write-protected is meant to be kept.
   if (exists && faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   if (fs::is_symlink(target_, ignored)) fail(ELOOP);
   temporary_ = temporary_name(target_);

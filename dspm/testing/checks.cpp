@@ -38,7 +38,7 @@ int run_checks(int count, char** arguments, const std::function<void(Checks&)>& 
     Checks made(only);
     checks(made);
     if (made.passed()) return 0;
-    if (!only.empty()) std::fprintf(stderr, "all checks whose names hold \"%s\" were made\n", only.c_str());
+    if (made.count() == 0) std::fprintf(stderr, "no check has \"%s\" in its name\n", only.c_str());
     return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -19,11 +19,12 @@ namespace dspm::test {
 
 class Checks {
  public:
-  /// only: nothing else is checked than what holds this word; empty: everything is.
+  /// Makes only checks whose names contain `only`; empty: all.
   explicit Checks(std::string only) : only_(std::move(only)) {}
 
   /// Makes the check, and prints its verdict and time. An exception is a failure of this check alone.
   void add(const std::string& what, const std::function<Verdict()>& check);
+  int count() const { return count_; }
   bool passed() const { return failures_ == 0 && count_ > 0; }
 
  private:

@@ -15,7 +15,8 @@ Verdict check_threads(const std::string& scene, int iterations = 3);
 /// An integrator that takes over the state of another one, after any of its iterations, ends with the same images.
 Verdict check_resume(const std::string& scene, int iterations = 3);
 
-/// Each frame of a joint render is that of a render of it alone, up to rounding (1e-5 of a pixel). Give an animation.
+/// Each frame of a joint render is that of a render of it alone, up to rounding (1e-5 of a pixel, or of 0.001 if it is
+/// darker). Give an animation.
 Verdict check_joint(const std::string& scene, int iterations = 3);
 
 /// The pixels of a crop are those of the whole image, up to rounding.

@@ -160,7 +160,7 @@ Verdict keeps_to_sides(const Material& material) {
     if (!sides_agree || (through && !bsdf.transmits(all))) {
       if (f != Rgb(0) || pdf_w != 0) wrong("there should be no light, and no sample");
     } else if (!is_black(f) && pdf_w == 0) {
-      wrong("there is light, which sample never finds");
+      wrong("evaluate is not 0 in directions that sample never draws");
     }
   };
   on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {

@@ -22,7 +22,7 @@ namespace test {
 /// Throws SceneError for errors in the text.
 class TestScene {
  public:
-  /// Files that the text names are looked for beside `name`.
+  /// Files that the text names are looked for next to `name`.
   explicit TestScene(std::string text, const std::string& name = "test.dsc");
   TestScene(std::string text, const Choices& choices, const std::string& name = "test.dsc");
   ~TestScene();

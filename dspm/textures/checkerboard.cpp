@@ -62,9 +62,8 @@ class CheckerboardTexture final : public Texture<T> {
 template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context) {
   const int dimension = reader.integer("dimension", 2, {}, "2: squares, 3: cubes");
-  const auto first =
-      value_or_texture<T>(reader, "tex1", 1, "where the origin is the lower corner, and every other one");
-  const auto second = value_or_texture<T>(reader, "tex2", 0, "in the ones between");
+  const auto first = value_or_texture<T>(reader, "tex1", 1, "in the square at the origin and every second one");
+  const auto second = value_or_texture<T>(reader, "tex2", 0, "in the others");
   const TextureMapping mapping = TextureMapping::read(reader, context.world_from_texture);
   reader.finish();
   if (dimension != 2 && dimension != 3) reader.error("dimension", "the dimension of a checkerboard must be 2 or 3");

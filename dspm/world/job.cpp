@@ -33,7 +33,7 @@ SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& d
                    fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
   ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
   SamplerSettings settings;
-  const int samples = reader.integer("pixelsamples", 0, "", "camera paths a pixel"),
+  const int samples = reader.integer("pixelsamples", 0, "", "camera paths per pixel"),
             seed = reader.integer("seed", 0, "", "of the random numbers");
   const int across = reader.integer("xsamples", 4, "", "strata"), down = reader.integer("ysamples", 4, "", "strata");
   reader.text("randomization", "", "without effect");

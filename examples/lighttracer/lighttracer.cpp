@@ -94,7 +94,7 @@ class LightTracer final : public Integrator {
   }
 
   int iterations() const override { return iterations_; }
-  std::string settings() const override { return std::to_string(photons_) + " photons an iteration"; }
+  std::string settings() const override { return std::to_string(photons_) + " photons per iteration"; }
 
   void iterate(int iteration) override {
     const StepTimer timer(statistics_.steps[0]);

@@ -20,7 +20,7 @@ constexpr double kFlat = 1.01;
 
 std::string iterations() {
   const char* const given = std::getenv("DSPM_LONG_RUN");
-  return given != nullptr ? given : "1000";
+  return given != nullptr ? given : "400";
 }
 
 /// What the process holds from time to time, until it ends.

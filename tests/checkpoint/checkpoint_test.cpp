@@ -213,7 +213,7 @@ TEST(Checkpoint, IsNeverOverwrittenByAnotherRun) {
   const std::string before = contents(directory / "a");
   const Outcome outcome = run(directory, {"tiny.dsc", "--checkpoint", "a"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.err.find("continue it by --resume a"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("continue it with --resume a"), std::string::npos) << outcome.err;
   EXPECT_EQ(contents(directory / "a"), before);
 }
 

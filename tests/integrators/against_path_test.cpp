@@ -6,6 +6,7 @@
 
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/scenes.h"
+#include "tests/support/seeds.h"
 
 namespace dspm::test {
 namespace {
@@ -119,14 +120,14 @@ constexpr Way kWays[] = {
   "float causticradius" 0.03)",
      1}};
 constexpr double kLevel = 0.01 / static_cast<double>(std::size(kCases) * std::size(kWays));  // 1% for all together
-constexpr int kSeeds = 24, kQuarters = 2;
+constexpr int kQuarters = 2;
 
 class AgainstPath : public testing::TestWithParam<Case> {};
 
 TEST_P(AgainstPath, AllIntegratorsAgree) {
-  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 8, kSeeds, kQuarters);
+  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 8, seeds(12), kQuarters);
   for (const Way& way : kWays) {
-    const Tiles found = rendered(scene_of(GetParam(), way.integrator), way.iterations, kSeeds, kQuarters);
+    const Tiles found = rendered(scene_of(GetParam(), way.integrator), way.iterations, seeds(12), kQuarters);
     const Verdict verdict = agreement(found, path, {kLevel, kBias});
     EXPECT_TRUE(verdict.passed) << way.integrator << ": " << verdict.message;
   }

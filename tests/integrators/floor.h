@@ -11,6 +11,7 @@
 
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
+#include "tests/support/seeds.h"
 
 namespace dspm::test {
 
@@ -79,12 +80,12 @@ enum class By { all, photons };  // photons alone find points and directions by 
 
 inline void expect_picture(const Floor& floor, const Image& expected, By by = By::all) {
   constexpr int kComparisons = 120;          // all of them together fail right integrators with a chance of 1%
-  constexpr int kSeeds = 32, kQuarters = 2;  // many seeds and few figures make a sharp t-test
+  constexpr int kQuarters = 2;  // many seeds and few figures make a sharp t-test
   const Tiles exact = tiles_of({{expected}}, kQuarters);
   for (const FloorIntegrator& integrator : kFloorIntegrators) {
     if (by == By::photons && std::string_view(integrator.words) == R"("path")") continue;
     const std::string words = fmt::format(fmt::runtime(integrator.words), floor.radius, floor.photons);
-    const Verdict verdict = agreement(rendered(floor.text(words), integrator.iterations, kSeeds, kQuarters), exact,
+    const Verdict verdict = agreement(rendered(floor.text(words), integrator.iterations, seeds(16), kQuarters), exact,
                                       {0.01 / kComparisons, floor.bias});
     EXPECT_TRUE(verdict.passed) << words << ": " << verdict.message;
   }

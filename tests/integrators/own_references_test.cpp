@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/integrators/references.h"
+#include "tests/support/seeds.h"
 
 namespace dspm::test {
 namespace {
@@ -18,7 +19,6 @@ constexpr Way kWays[] = {
     {R"("photonmap" "integer photons" 30000 "integer causticphotons" 30000 "float radius" 0.06
   "float causticradius" 0.03)",
      1}};
-constexpr int kSeeds = 32;
 constexpr double kBlurOfBlocks = 0.015, kBlurOfTheWhole = 0.005;
 
 // All of them together fail right integrators with a chance of 1%.
@@ -39,13 +39,13 @@ TEST_P(OwnReferences, IntegratorsAgree) {
   const Tiles expected = read_blocks(GetParam());
   for (const Way& way : kWays) {
     const std::string options = fmt::format("Integrator {} \"integer maxdepth\" {}\n", way.integrator, kReferenceDepth);
-    expect_agreement(way.integrator, Reference(GetParam(), options).rendered(way.iterations, kSeeds), expected,
+    expect_agreement(way.integrator, Reference(GetParam(), options).rendered(way.iterations, seeds(16)), expected,
                      kBlurOfBlocks, kBlurOfTheWhole);
   }
 }
 
 TEST_P(OwnReferences, LightTracerAgrees) {
-  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, kSeeds), read_blocks(GetParam()), 0,
+  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, seeds(16)), read_blocks(GetParam()), 0,
                    0);
 }
 

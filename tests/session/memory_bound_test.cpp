@@ -85,7 +85,7 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
   EXPECT_EQ(none.code, 1);
   const double least = bytes_taken(none.err);
   ASSERT_GT(least, 20 * kMegabyte) << none.err;
-  for (const double bytes : {least, 1.2 * least, 1.4 * least, 100 * least}) {
+  for (const double bytes : {least, 1.3 * least, 100 * least}) {
     const Outcome bounded = run_within(directory, megabytes(bytes));
     ASSERT_EQ(bounded.code, 0) << bounded.err;
     EXPECT_LE(bounded.peak_bytes, bytes);

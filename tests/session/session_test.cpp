@@ -21,16 +21,22 @@ namespace {
 class Stumbling : public IdleIntegrator {
  public:
   static inline std::function<void()> stumble;
-  static constexpr int kStumbles = 3;  // iterations before it does
+  static inline std::size_t bytes = 100;  // that it says it holds; its state takes four
+  static constexpr int kStumbles = 3;     // iterations before it does
 
   int iterations() const override { return 6; }
   void iterate(int iteration) override {
-    if (iteration == kStumbles && stumble) stumble();
     ++done_;
+    if (iteration == kStumbles && stumble) stumble();
   }
   bool persist(StateStream& state) override {
     state.part(done_);
     return true;
+  }
+  Statistics statistics() const override {
+    Statistics statistics;
+    statistics.bytes = bytes;
+    return statistics;
   }
   int done() const { return done_; }
 
@@ -48,12 +54,13 @@ struct Silent final : Messages {
   void print(std::string_view) const override {}
 };
 
-/// Notes what happens, in order: "2" after an iteration, "i2" and "l2" for images so far and the last ones.
+/// Notes what happens, in order: "2" after an iteration, "i2", "f2" and "l2" for images so far, those after a failure,
+/// and the last ones.
 class Notes : public SessionObserver {
  public:
   void iteration_done(const IntervalProgress& progress, Integrator&) override { note("", progress.iterations); }
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images which) override {
-    note(which == Images::last ? "l" : "i", progress.iterations);
+    note(which == Images::last ? "l" : which == Images::so_far ? "i" : "f", progress.iterations);
     if (which == Images::last) on_last(integrator);
   }
   void iteration_failed() override { text += "failed "; }
@@ -86,7 +93,7 @@ std::string stumbling_scene() {
 
 class SessionWithStumbles : public ::testing::Test {
  protected:
-  ~SessionWithStumbles() override { Stumbling::stumble = nullptr; }
+  ~SessionWithStumbles() override { Stumbling::stumble = nullptr, Stumbling::bytes = 100; }
 };
 
 TEST(Session, GivesTheImagesOfItsIntegrator) {
@@ -117,7 +124,9 @@ DynamicEnd
 
 TEST_F(SessionWithStumbles, ImagesAreDueAsAskedForAndOnceAtTheEnd) {
   Notes notes;
-  render(stumbling_scene(), notes, {.write_every = {.iterations = 2}});
+  SessionSettings settings;
+  settings.write_every.iterations = 2;
+  render(stumbling_scene(), notes, settings);
   EXPECT_EQ(notes.text, "1 2 i2 3 4 i4 5 6 l6 ");
 }
 
@@ -132,18 +141,35 @@ TEST_F(SessionWithStumbles, AnExceptionLeavesItAfterTheImagesSoFar) {
   Stumbling::stumble = [] { throw std::runtime_error("stumbled"); };
   Notes notes;
   EXPECT_THROW(render(stumbling_scene(), notes), std::runtime_error);
-  EXPECT_EQ(notes.text, "1 2 3 i3 failed ");
+  EXPECT_EQ(notes.text, "1 2 3 f3 failed ");
 }
 
-TEST_F(SessionWithStumbles, AnIterationThatIsGivenUpDoesNotCount) {
+/// How many iterations the integrator has begun when one of them was cancelled.
+int begun_when_cancelled(double long_iteration) {
   Notes notes;
-  notes.on_last = [](Integrator& integrator) { EXPECT_EQ(dynamic_cast<Stumbling&>(integrator).done(), 3); };
+  int begun = 0;
+  notes.on_last = [&](Integrator& integrator) { begun = dynamic_cast<Stumbling&>(integrator).done(); };
   Stumbling::stumble = [&] {
     notes.ends_after = 1;  // whoever cancels an iteration wants an end, too
     throw Cancelled();
   };
-  render(stumbling_scene(), notes);
+  SessionSettings settings;
+  settings.long_iteration = long_iteration;
+  render(stumbling_scene(), notes, settings);
   EXPECT_EQ(notes.text, "1 2 3 l3 ");
+  return begun;
+}
+
+TEST_F(SessionWithStumbles, ACancelledIterationLeavesNoTrace) { EXPECT_EQ(begun_when_cancelled(0), 3); }
+
+// Nor would they be cancelled by a signal: system/cancellation.h.
+TEST_F(SessionWithStumbles, ShortIterationsAreNotCopied) { EXPECT_EQ(begun_when_cancelled(5), 4); }
+
+TEST_F(SessionWithStumbles, StatesThatAreMostOfTheMemoryAreNotCopied) {
+  Stumbling::bytes = 7;
+  EXPECT_EQ(begun_when_cancelled(0), 4);
+  Stumbling::bytes = 8;
+  EXPECT_EQ(begun_when_cancelled(0), 3);
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ class Hj09 final : public PixelEstimator {
   int groups_;  // of four frames
   int iterations_ = 0;
   std::vector<FourFrames> statistics_;  // the frames of a pixel lie together
-  std::vector<FourSums> passes_;        // of the iteration so far, likewise, if its photons come in batches
+  std::vector<FourSums> passes_;        // of the iteration so far; only if photons come in batches
 };
 
 }  // namespace
