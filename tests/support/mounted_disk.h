@@ -36,7 +36,7 @@ class MountedDisk {
 
   /// To the last byte.
   void fill() const {
-    std::ofstream filler(filler_name());
+    std::ofstream filler(filler_name(), std::ios::app);
     while (filler.put('x').flush()) {}
   }
   void make_room() const { std::filesystem::remove(filler_name()); }
