@@ -39,7 +39,7 @@ class Integrator {
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
   /// Advances all frames by one iteration; iterations count from 0 and come in order. May throw; persist() can then
-  /// load the state saved before, which is also how a session undoes an abandoned iteration.
+  /// load the state saved before, which is also how a session undoes a cancelled iteration.
   virtual void iterate(int iteration) = 0;
   /// Radiance over the crop, in one frame of the interval, after the completed iterations.
   virtual Image estimate(Frame frame) const = 0;

@@ -1,16 +1,16 @@
-// Work that may be abandoned halfway: whoever holds a Cancellable guarantees that nothing is lost.
+// Work that may be cancelled halfway: whoever holds a Cancellable guarantees that nothing is lost.
 #pragma once
 
 namespace dspm {
 
-/// Thrown by a loop that is abandoned; not an error.
+/// Thrown by a loop that is cancelled; not an error.
 struct Cancelled {};
 
 /// From here on, loops within a Cancellable throw Cancelled until work is allowed again. Safe in signal handlers.
 void cancel_work();
 void allow_work();
 
-/// While it lives, loops (system/parallel.h) may be abandoned and their work so far discarded. One at a time.
+/// While it lives, loops (system/parallel.h) may be cancelled and their work so far discarded. One at a time.
 class Cancellable {
  public:
   Cancellable();

@@ -73,5 +73,30 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{kSpot, R"("conductor" "float roughness" 0.3)"}, Case{kLamp, R"("conductor")"},
                     Case{kSpot, R"("dielectric" "float roughness" 0.2)"}, Case{kLamp, R"("dielectric")"}));
 
+// A flat floor whose shading normals all lean by 30 degrees receives a sun by the cosine to these: as bright as a floor
+// that leans. Photons arrive by the cosine to the geometric normal.
+TEST(LeaningNormals, ReceiveByTheirOwnCosine) {
+  const double reflectance = 0.5, sun = 2, cosine = (0.5 + 2 * std::sqrt(0.75)) / std::sqrt(5);
+  const auto expected = static_cast<float>(reflectance / std::acos(-1.) * sun * cosine);
+  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 20000 "float radius" 0.2)",
+                                 R"("dsppm" "integer photons" 20000 "float radius" 0.2 "string estimator" "hj09")",
+                                 R"("sppm" "integer photons" 20000 "float radius" 0.2)",
+                                 R"("dsppm" "string direct" "sampled")", R"("photonmap")"}) {
+    const Tiles seen = rendered(std::string("Integrator ") + integrator + R"(
+LookAt 0 0 3  0 0 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 8 "integer yresolution" 8
+WorldBegin
+LightSource "distant" "rgb L" [2 2 2] "point3 from" [1 0 2] "point3 to" [0 0 0]
+Material "diffuse" "rgb reflectance" [.5 .5 .5]
+Shape "trianglemesh" "point3 P" [-4 -4 0  4 -4 0  4 4 0  -4 4 0] "integer indices" [0 1 2  0 2 3]
+  "normal N" [.5 0 .8660254  .5 0 .8660254  .5 0 .8660254  .5 0 .8660254]
+)",
+                                2);
+    const Verdict verdict = agreement(seen, Rgb(expected), {0.01, 0.002});
+    EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
+  }
+}
+
 }  // namespace
 }  // namespace dspm::test

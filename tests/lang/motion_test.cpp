@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -85,6 +86,14 @@ TEST(KeyedTransform, MirrorsStayMirrors) {
   const Matrix4 mirror = Matrix4::scale(-1, 1, 1);
   expect_near(between({matrix(mirror)}, {matrix(Matrix4::rotate(90, 1, 0, 0) * mirror)}, 1, 2),
               Matrix4::rotate(45, 1, 0, 0) * mirror);
+}
+
+// Of a rotation beyond 120 degrees the quaternion comes from the largest element of the diagonal.
+TEST(KeyedTransform, LargeRotationsTurnAboutTheirAxis) {
+  for (const auto& [x, y, z] : {std::array{1., 0.3, 0.5}, std::array{0.4, 1., -0.6}, std::array{-0.5, 0.3, 1.}})
+    for (const double degrees : {125., 150., 175.})
+      expect_near(between({matrix(Matrix4{})}, {matrix(Matrix4::rotate(degrees, x, y, z))}, 1, 4),
+                  Matrix4::rotate(degrees / 4, x, y, z));
 }
 
 TEST(KeyedTransform, KeysAreMetExactlyAndRotationsStayRigid) {
