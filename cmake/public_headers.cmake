@@ -7,7 +7,7 @@ set(public_headers
   colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/dimension.h integrators/integrator.h integrators/pixel_statistics.h integrators/rejections.h
+  integrators/dimension.h integrators/integrator.h integrators/output_info.h integrators/rejections.h
   integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/material.h materials/microfacet.h materials/parameters.h materials/shading_frame.h
@@ -27,10 +27,11 @@ set(toolkit_headers
   colour/rgb_lanes.h
   grid/point_grid.h grid/points_within.h grid/refit.h
   integrators/branching_path.h integrators/camera_path.h integrators/direct_light.h integrators/estimator.h
-  integrators/final_gather.h integrators/gather.h integrators/hit_point.h integrators/joint_path.h
+  integrators/final_gather.h integrators/gather.h integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h
   integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
-  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/progressive.h
-  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h
+  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pixel_statistics.h
+  integrators/progressive.h
+  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h integrators/surface_kernel.h
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h
   math/frame_lanes.h

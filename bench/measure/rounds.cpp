@@ -19,7 +19,7 @@ StepSeconds median_of_each(const Rounds& rounds, Value&& value) {
 StepSeconds mean_iteration(const Group& group, int iteration) {
   StepSeconds mean{};
   for (const Run& run : group) {
-    const StepSeconds taken = timed_iteration(*run.integrator, iteration);
+    const StepSeconds taken = timed_iteration(run, iteration);
     for (std::size_t s = 0; s < mean.size(); ++s) mean[s] += taken[s] / static_cast<double>(group.size());
   }
   return mean;
@@ -27,9 +27,10 @@ StepSeconds mean_iteration(const Group& group, int iteration) {
 
 }  // namespace
 
-StepSeconds timed_iteration(Integrator& integrator, int iteration) {
+StepSeconds timed_iteration(const Run& run, int iteration) {
+  Integrator& integrator = *run.integrator;
   const Statistics before = integrator.statistics();
-  integrator.iterate(iteration);
+  integrator.iterate(iteration, *run.scene);
   const Statistics after = integrator.statistics();
   StepSeconds seconds{};
   for (std::size_t i = 0; i < after.steps.size(); ++i) {

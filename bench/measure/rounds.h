@@ -16,7 +16,7 @@ using StepSeconds = std::array<double, kSteps.size()>;
 using Rounds = std::vector<StepSeconds>;
 
 /// One more iteration.
-StepSeconds timed_iteration(Integrator& integrator, int iteration);
+StepSeconds timed_iteration(const Run& run, int iteration);
 /// Step by step.
 StepSeconds medians(const Rounds& rounds);
 /// Medians of the rounds' ratios.

@@ -22,7 +22,7 @@ Row measure(const LoadedScene& loaded, const char* direct, int iterations) {
   Row row{direct};
   const int first = iterations / 3;
   for (int i = 0; i < iterations; ++i) {
-    const StepSeconds taken = timed_iteration(*run.integrator, i);
+    const StepSeconds taken = timed_iteration(run, i);
     for (std::size_t s = 0; i >= first && s < taken.size(); ++s) row.seconds[s] += taken[s] / (iterations - first);
   }
   const Statistics s = run.integrator->statistics();

@@ -31,7 +31,7 @@ std::vector<StepSeconds> measure(const LoadedScene& loaded, const char* integrat
   for (int iteration = 0; iteration < iterations; ++iteration) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const ThreadLimit limit(counts[i]);
-      const StepSeconds taken = timed_iteration(*runs[i].integrator, iteration);
+      const StepSeconds taken = timed_iteration(runs[i], iteration);
       if (iteration > 0) seconds[i].push_back(taken);
     }
     say("{}: iteration {} of {}", integrator, iteration + 1, iterations);

@@ -106,6 +106,14 @@ std::vector<Frame> parse_frames(std::string_view text) {
   return frames;
 }
 
+std::vector<std::string> parse_names(const char* option, std::string_view text) {
+  std::vector<std::string> names;
+  for (const std::string_view name : split(text, ',')) names.emplace_back(name);
+  if (std::find(names.begin(), names.end(), "") != names.end())
+    throw UsageError(fmt::format("{} {}: expected names with commas between them, such as N,albedo", option, text));
+  return names;
+}
+
 double parse_duration(const char* option, std::string_view text) {
   double seconds = 0;
   for (std::string_view rest = text; !rest.empty();) {

@@ -23,6 +23,9 @@ std::size_t parse_bytes(const char* option, std::string_view text);
 std::array<double, 4> parse_crop_window(std::string_view text);
 std::array<int, 4> parse_pixel_bounds(std::string_view text);
 
+/// "N,albedo": at least one name, none empty.
+std::vector<std::string> parse_names(const char* option, std::string_view text);
+
 /// Options as pbrt lets them be written (one dash or two; letter case, '-' and '_' in the name do not matter) in the
 /// spelling of `names`. Other arguments stay unchanged.
 std::vector<std::string> canonical_spelling(const std::vector<std::string>& arguments,

@@ -105,6 +105,8 @@ void add_output(CLI::App& app, Options& o) {
   app.add_flag("--png", o.png, "also write tone mapped PNGs");
   app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
+  add_text(app, "--aov", "NAMES", "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,...",
+           [&](const std::string& text) { o.outputs = parse_names("--aov", text); });
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
       ->check(kNamesAFile)
       ->type_name("FILE");

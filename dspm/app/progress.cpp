@@ -17,12 +17,6 @@ namespace {
 constexpr double kSecondsBetweenBars = 0.2, kSecondsBetweenLines = 10;
 constexpr int kBarWidth = 32;
 
-/// A terminal on which a line can be overwritten.
-bool stderr_is_terminal() {
-  const char* kind = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
-}
-
 std::string bar(double share) {
   const int filled = std::clamp(static_cast<int>(share * kBarWidth), 0, kBarWidth);
   return fmt::format("[{:=<{}}{:{}}]", "", filled, "", kBarWidth - filled);
@@ -30,8 +24,13 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(const Extent& extent, bool quiet)
-    : extent_(extent), quiet_(quiet), terminal_(stderr_is_terminal()), next_(terminal_ ? 0 : kSecondsBetweenLines) {}
+bool stderr_is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+Progress::Progress(const Extent& extent, bool quiet, bool terminal)
+    : extent_(extent), quiet_(quiet), terminal_(terminal), next_(terminal_ ? 0 : kSecondsBetweenLines) {}
 
 Progress::~Progress() { clear(); }
 

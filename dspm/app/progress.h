@@ -6,6 +6,9 @@
 
 namespace dspm {
 
+/// A terminal on which a line can be overwritten.
+bool stderr_is_terminal();
+
 class Progress {
  public:
   struct Extent {
@@ -13,7 +16,8 @@ class Progress {
     double time_limit = 0;  // seconds over all intervals; 0: none
     int intervals = 1;
   };
-  Progress(const Extent& extent, bool quiet);
+  /// `terminal`: a bar on a line that is overwritten.
+  Progress(const Extent& extent, bool quiet, bool terminal = stderr_is_terminal());
   /// Clears the bar's line.
   ~Progress();
   Progress(const Progress&) = delete;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "dspm/integrators/output_info.h"
 #include "dspm/lang/canonical.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/version.h"
@@ -26,6 +27,8 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back(
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
+  facts.push_back({"the outputs", s.outputs.empty() ? kRadiance : fmt::format("{}", fmt::join(s.outputs, ","))});
+  if (!s.outputs.empty()) facts.push_back({"the space of outputs", s.in_camera_space ? "camera" : "world"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back(digest_fact("the choice of frames", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
   facts.push_back({"the integrator", job.integrator});

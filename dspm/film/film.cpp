@@ -44,35 +44,50 @@ void check(ParamReader& reader, FilmSettings& film) {
   if (!(film.max_component > 0)) reader.error("maxcomponentvalue", "the largest value must be above 0");
 }
 
-std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
-  auto film = std::make_unique<FilmSettings>();
-  film->width = reader.integer("xresolution", film->width, "pixels", "width of the full image");
-  film->height = reader.integer("yresolution", film->height, "pixels", "height of the full image");
-  film->filename = reader.text("filename", film->filename, "the image file, .exr or .png; frames are numbered");
-  film->crop_window =
+void read_common(ParamReader& reader, FilmSettings& film) {
+  film.width = reader.integer("xresolution", film.width, "pixels", "width of the full image");
+  film.height = reader.integer("yresolution", film.height, "pixels", "height of the full image");
+  film.filename = reader.text("filename", film.filename, "the image file, .exr or .png; frames are numbered");
+  film.crop_window =
       four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the region to render"));
-  film->pixel_bounds =
+  film.pixel_bounds =
       four(reader, "pixelbounds", reader.integers("pixelbounds", "x0 x1 y0 y1 in pixels: the region to render"));
-  film->diagonal = reader.number("diagonal", 35, "mm", "diagonal of the film") / 1000;
-  film->iso = reader.number("iso", film->iso, "", "speed of the film: 200 doubles the values of 100");
-  film->max_component = reader.number("maxcomponentvalue", film->max_component, "",
-                                      "colours with a brighter component are scaled down to it");
-  film->save_half = reader.flag("savefp16", film->save_half, "half precision in the EXR file, else single");
+  film.diagonal = reader.number("diagonal", 35, "mm", "diagonal of the film") / 1000;
+  film.iso = reader.number("iso", film.iso, "", "speed of the film: 200 doubles the values of 100");
+  film.max_component = reader.number("maxcomponentvalue", film.max_component, "",
+                                     "colours with a brighter component are scaled down to it");
+  film.save_half = reader.flag("savefp16", film.save_half, "half precision in the EXR file, else single");
   reader.unsupported("whitebalance", "white balance");
   if (reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly") != "cie1931") {
     reader.diagnostics().unsupported(reader.where("sensor"),
                                      "sensors other than \"cie1931\" are not supported by dspm");
   }
   reader.finish();
-  check(reader, *film);
+  check(reader, film);
+}
+
+std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
+  auto film = std::make_unique<FilmSettings>();
+  read_common(reader, *film);
+  return film;
+}
+
+std::unique_ptr<FilmSettings> make_gbuffer(ParamReader& reader) {
+  auto film = std::make_unique<FilmSettings>();
+  film->surface_outputs = true;
+  film->in_camera_space =
+      reader.choice("coordinatesystem", "camera", {"camera", "world"}, "space of positions and normals") == "camera";
+  read_common(reader, *film);
   return film;
 }
 
 }  // namespace
 
 PluginTable<Plugin<MakeFilm>>& film_plugins() {
-  static PluginTable<Plugin<MakeFilm>> table("film", {{"rgb", "colour images, one per frame", make_rgb}},
-                                             {"gbuffer", "spectral"});
+  static PluginTable<Plugin<MakeFilm>> table("film",
+                                             {{"rgb", "colour images, one per frame", make_rgb},
+                                              {"gbuffer", "colours, and what the camera sees first", make_gbuffer}},
+                                             {"spectral"});
   return table;
 }
 

@@ -1,6 +1,6 @@
 // The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp lists the parameters. pbrt's other films (gbuffer, spectral) and its real sensors are not supported.
+// film.cpp lists the parameters. pbrt's film "spectral" and its real sensors are not supported.
 #pragma once
 
 #include <array>
@@ -25,7 +25,9 @@ struct FilmSettings {
   float diagonal = 0.035f;                          // of the film, in metres
   float iso = 100;
   float max_component = kInfinity;
-  bool save_half = true;  // else single precision
+  bool save_half = true;         // else single precision
+  bool surface_outputs = false;  // next to radiance, what the camera sees first
+  bool in_camera_space = false;  // positions and normals among them; else in world space
 };
 
 /// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.

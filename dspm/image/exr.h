@@ -1,10 +1,12 @@
-// OpenEXR files; exr.cpp is the only place that knows the library.
+// OpenEXR files; exr.cpp, exr_check.cpp and write_exr.cpp are the only places that know the library.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dspm/image/image.h"
 
@@ -18,18 +20,30 @@ struct ExrHeader {
   double frames_per_second = 0;           // 0: no animation
   int x = 0, y = 0;                       // where the pixels (data window) begin in the full image (display window)
   int full_width = 0, full_height = 0;    // 0: the pixels are the full image
+  std::vector<std::string> channels;      // of a file that was read, in alphabetical order
 };
 
 enum class ExrPixels { half, single };
+
+/// One to three channels; the pixels' r, g and b are their values.
+struct ExrLayer {
+  std::vector<std::string> channels;
+  Image image;
+  ExrPixels pixels = ExrPixels::half;
+};
 
 bool is_exr(std::string_view bytes);
 /// The data window of the first part; a missing R, G or B is an error unless there is Y. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
-/// One part with the channels R, G, B, compressed without loss. Halves end at 65504: brighter values are clamped to
-/// that.
-void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
+/// One part with the channels of all layers, compressed without loss. Halves end at 65504: brighter values are clamped
+/// to that. Layers of different sizes are an error.
+void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header);
+/// One layer: R, G and B.
+void write_exr(const std::filesystem::path& path, Image image, const ExrHeader& header,
                ExrPixels pixels = ExrPixels::half);
+/// These channels of a file's first part. Throws std::exception.
+Image read_exr_channels(const std::filesystem::path& path, const std::vector<std::string>& channels);
 ExrHeader read_exr_header(const std::filesystem::path& path);
 
 }  // namespace dspm

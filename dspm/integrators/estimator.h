@@ -10,6 +10,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/gather.h"
+#include "dspm/integrators/pixel_statistics.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/state_stream.h"
 
@@ -31,7 +32,7 @@ class PixelEstimator {
   virtual void persist(StateStream& state) = 0;
   /// Radiance after the completed iterations.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
-  /// Empty if only sums are kept.
+  /// Of a pixel with a radius of its own; empty if only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
   /// Called between iterations, or after one that threw: drops the state that only end_iteration() needs.
   virtual void forget_iteration() {}
@@ -40,8 +41,9 @@ class PixelEstimator {
 /// kz11's radius, the same for all pixels and frames except for its initial value.
 class IterationRadius {
  public:
+  float of(float initial) const { return initial * static_cast<float>(scale_); }
   float squared(const HitPoint& hit) const {
-    const float radius = hit.radius * static_cast<float>(scale_);
+    const float radius = of(hit.radius);
     return radius * radius;
   }
   /// After the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]

@@ -9,6 +9,7 @@
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/photon_map.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -29,12 +30,11 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
   counts.gathers.add(hit.frames.count());
   SharedCount within;
   if (!scattering) {  // separate, since most gather time is spent in this loop
-    const __m128 normal = _mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0);
+    const SurfaceSide side(hit);
     counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
       const FrameSet frames = photon.frames & hit.frames;
       within.add(frames.count());
-      if (!frames.empty() && _mm_cvtss_f32(_mm_dp_ps(photon.wi_lanes(), normal, 0x71)) > 0)
-        fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
+      if (!frames.empty() && side.counts(photon)) fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
     });
   } else {
     counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {

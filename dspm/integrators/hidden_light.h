@@ -4,6 +4,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/gather.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -23,7 +24,7 @@ void gather_hidden(const HitPoint& hit, const HitPointTile& tile, const PhotonMa
              alike.for_each([&](Frame f) { flux[static_cast<std::size_t>(f)] += photon.rgb() * weight; });
            });
          });
-  const Rgb per_area = hit.throughput / (kPi * radius2);
+  const Rgb per_area = hit.throughput / kernel_size(radius2);
   for_each_strand(tile.strands.of(hit.strands), lit, [&](FrameSet alike, const Rgb& weight) {
     alike.for_each([&](Frame f) { fn(FrameSet::single(f), flux[static_cast<std::size_t>(f)] * per_area * weight); });
   });

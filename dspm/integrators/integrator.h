@@ -3,14 +3,14 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "dspm/film/pixel_filter.h"
 #include "dspm/film/pixel_rect.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/pixel_statistics.h"
+#include "dspm/integrators/output_info.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -27,8 +27,10 @@ struct RenderSettings {
   std::shared_ptr<const PixelFilter> filter;
   bool jitter = true;  // false: every camera path through the pixel's centre
   std::uint64_t seed = 0;
-  int default_iterations = 256;  // if the integrator's parameters set none
-  std::size_t memory = 0;        // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound
+  int default_iterations = 256;      // if the integrator's parameters set none
+  std::size_t memory = 0;            // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound
+  std::vector<std::string> outputs;  // to be written next to radiance
+  bool in_camera_space = false;      // outputs that are positions or normals; else in world space
 };
 
 class Integrator {
@@ -38,13 +40,15 @@ class Integrator {
   virtual int iterations() const = 0;
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// Advances all frames by one iteration; iterations count from 0 and come in order. May throw; persist() can then
-  /// load the state saved before, which is also how a session undoes a cancelled iteration.
-  virtual void iterate(int iteration) = 0;
-  /// Radiance over the crop, in one frame of the interval, after the completed iterations.
-  virtual Image estimate(Frame frame) const = 0;
-  /// A progressive integrator's state of a pixel of the crop, for inspection; empty for other integrators.
-  virtual std::optional<PixelStatistics> pixel_statistics(int /*pixel*/, Frame) const { return std::nullopt; }
+  /// Advances all frames by one iteration; iterations count from 0 and come in order. `scene`: the one that the
+  /// integrator was made for, or its state in that iteration, with the same frames, shapes, materials and lights. May
+  /// throw; persist() can then load the state saved before, which is also how a session undoes a cancelled iteration.
+  virtual void iterate(int iteration, const Scene& scene) = 0;
+  /// What it gives of every frame: radiance first.
+  virtual std::vector<OutputInfo> outputs() const { return {radiance_output()}; }
+  /// One of its outputs over the crop, in one frame of the interval, after the completed iterations. Those other than
+  /// radiance are only asked for if RenderSettings::outputs names them.
+  virtual Image estimate(Frame frame, const std::string& output = kRadiance) const = 0;
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
   /// Called between iterations: counts, saves or loads the state, so that another integrator of the same scene and

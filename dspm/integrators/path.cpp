@@ -139,25 +139,24 @@ class PixelTracer {
 
 class Path final : public Integrator {
  public:
-  Path(int iterations, int max_depth, const Scene& scene, const RenderSettings& render)
+  Path(int iterations, int max_depth, int frames, const RenderSettings& render)
       : iterations_(iterations),
         max_depth_(max_depth),
-        scene_(scene),
         render_(render),
-        done_(render.crop, scene.frame_count(), statistics_at_start()) {}
+        done_(render.crop, frames, statistics_at_start()) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
     return fmt::format("one path per pixel and iteration, maxdepth {}", max_depth_);
   }
 
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene& scene) override {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      trace_paths(static_cast<std::uint64_t>(iteration), sums, statistics);
+      trace_paths(scene, static_cast<std::uint64_t>(iteration), sums, statistics);
     });
   }
 
-  Image estimate(Frame frame) const override { return done_.mean(frame); }
+  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
 
   Statistics statistics() const override { return done_.statistics(); }
 
@@ -173,11 +172,11 @@ class Path final : public Integrator {
     return statistics;
   }
 
-  void trace_paths(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
+  void trace_paths(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
     const StepTimer timer(statistics.steps[0]);
     std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
     parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene_, render_, max_depth_, sums);
+      PixelTracer tracer(scene, render_, max_depth_, sums);
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
                              [&](int x, int y) { tracer.trace(x, y, iteration); });
       counts[static_cast<std::size_t>(t)].camera = tracer.counts();
@@ -187,7 +186,6 @@ class Path final : public Integrator {
   }
 
   int iterations_, max_depth_;
-  const Scene& scene_;
   RenderSettings render_;
   SummedIterations done_;
 };
@@ -207,7 +205,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});
-  return std::make_unique<Path>(iterations, max_depth, scene, render);
+  return std::make_unique<Path>(iterations, max_depth, scene.frame_count(), render);
 }
 
 }  // namespace dspm

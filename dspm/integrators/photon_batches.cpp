@@ -1,5 +1,6 @@
 #include "dspm/integrators/photon_batches.h"
 
+#include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/scene/scene.h"
 
@@ -10,11 +11,12 @@ namespace {
 constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
 /// With several batches, iterations are long: the plan includes a copy of the state (session/revertible.h).
-std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator) {
-  const std::size_t working = estimator.bytes(of);
+std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render) {
+  const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
+  const std::size_t working = estimator.bytes(of) + found;
   if (!of.batched) return working;
   of.batched = false;
-  return working + estimator.bytes(of);
+  return working + estimator.bytes(of) + found;
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
-    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator);
+    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render);
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

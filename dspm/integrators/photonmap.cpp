@@ -63,7 +63,6 @@ class PhotonMapper final : public Integrator {
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
       : settings_(settings),
-        scene_(scene),
         render_(render),
         done_(render.crop, scene.frame_count(), statistics_at_start(scene.frame_count())) {
     const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
@@ -78,16 +77,17 @@ class PhotonMapper final : public Integrator {
                        settings_.caustic_photons, settings_.final_gather);
   }
 
-  void iterate(int iteration) override {
+  void iterate(int number, const Scene& scene) override {
+    const auto iteration = static_cast<std::uint64_t>(number);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
-      if (!has_maps_) make_maps(statistics);
-      trace_camera_paths(static_cast<std::uint64_t>(iteration), statistics);
-      gather_tiles(static_cast<std::uint64_t>(iteration), sums, statistics);
+      if (!has_maps_) make_maps(scene, statistics);
+      trace_camera_paths(scene, iteration, statistics);
+      gather_tiles(scene, iteration, sums, statistics);
     });
     has_maps_ = true;
   }
 
-  Image estimate(Frame frame) const override { return done_.mean(frame); }
+  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
 
   Statistics statistics() const override { return done_.statistics(); }
 
@@ -109,16 +109,16 @@ class PhotonMapper final : public Integrator {
     PathCounts paths;
   };
 
-  void make_maps(Statistics& statistics) {
+  void make_maps(const Scene& scene, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
     const auto trace = [&](const PhotonSettings& settings, int photons) {
-      auto traces = trace_photons(scene_, settings, 0, 0, photons, {});
+      auto traces = trace_photons(scene, settings, 0, 0, photons, {});
       if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
       return traces;
     };
     const auto build = [&](PhotonMap& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how,
                            std::vector<Photon> PhotonTrace::*which) {
-      map.build(traces, scene_.frame_count(), how.radius / 4, which);
+      map.build(traces, scene.frame_count(), how.radius / 4, which);
     };
     build(global_, trace(global_settings(settings_, render_), settings_.photons), global_how_, &PhotonTrace::photons);
     const auto caustic = trace(caustic_settings(settings_, render_), settings_.caustic_photons);
@@ -126,13 +126,14 @@ class PhotonMapper final : public Integrator {
     build(hidden_, caustic, caustic_how_, &PhotonTrace::hidden);
   }
 
-  void trace_camera_paths(std::uint64_t iteration, Statistics& statistics) {
+  void trace_camera_paths(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kHitPoints]);
-    tiles_ = trace_hit_points(scene_, render_, hit_point_settings(settings_), iteration, std::move(tiles_));
+    tiles_ = trace_hit_points(scene, render_, hit_point_settings(settings_), iteration, std::move(tiles_));
     account(tiles_, statistics);
   }
 
-  void gather_tile(const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums, TileCounts& counts) const {
+  void gather_tile(const Scene& scene, const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums,
+                   TileCounts& counts) const {
     const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance) {
       sums.add({hit.pixel, frames, radiance});
     };
@@ -140,7 +141,7 @@ class PhotonMapper final : public Integrator {
       estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,
                         [&](FrameSet frames, const Rgb& radiance) { add(hit, frames, radiance); });
     };
-    FinalGather final_gather(scene_, render_, {settings_.final_gather, settings_.least_alpha}, global_, global_how_,
+    FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha}, global_, global_how_,
                              counts.gather, counts.paths, add);
     for (const SeenLight& light : tile.seen) sums.add(light);
     for (const HitPoint& hit : tile.glossy) estimate(hit, hidden_, caustic_how_);
@@ -153,12 +154,12 @@ class PhotonMapper final : public Integrator {
     }
   }
 
-  void gather_tiles(std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
+  void gather_tiles(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kGather]);
     std::vector<TileCounts> counts(tiles_.size());
     parallel_for(static_cast<std::int64_t>(tiles_.size()), 1, [&](std::int64_t t) {
       const auto tile = static_cast<std::size_t>(t);
-      gather_tile(tiles_[tile], iteration, sums, counts[tile]);
+      gather_tile(scene, tiles_[tile], iteration, sums, counts[tile]);
     });
     std::vector<GatherCounts> gathers;
     for (const TileCounts& c : counts) statistics.camera.segments += c.paths.segments, gathers.push_back(c.gather);
@@ -168,7 +169,6 @@ class PhotonMapper final : public Integrator {
   }
 
   PhotonMapSettings settings_;
-  const Scene& scene_;
   RenderSettings render_;
   PhotonMap global_, caustic_;
   PhotonMap hidden_;  // photons on glossy lobes

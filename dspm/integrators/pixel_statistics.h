@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/math/vec.h"
+#include "dspm/integrators/kernel_size.h"
 
 namespace dspm {
 
@@ -32,7 +32,7 @@ struct PixelStatistics {
 
   /// Adds light that needs no photons, as the flux that yields its radiance, which shrinking the disc preserves.
   /// `emitted`: paths in this iteration.
-  void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * disc()); }
+  void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * kernel()); }
 
   /// Accepts a fraction alpha of the M new photons and shrinks the disc so that the density stays the same.
   /// [WG12 (1), (2), (4)]
@@ -47,11 +47,11 @@ struct PixelStatistics {
 
   /// [WG12 (5)]
   Rgb radiance(double emitted) const {
-    return emitted == 0 ? Rgb() : tau * static_cast<float>(1 / (emitted * static_cast<double>(disc())));
+    return emitted == 0 ? Rgb() : tau * static_cast<float>(1 / (emitted * static_cast<double>(kernel())));
   }
 
  private:
-  float disc() const { return kPi * (R2 == 0 ? 1 : R2); }
+  float kernel() const { return kernel_size(R2 == 0 ? 1 : R2); }
 };
 
 }  // namespace dspm

@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/photon_batches.h"
 #include "dspm/math/frames.h"
@@ -22,12 +23,12 @@ class Progressive final : public Integrator {
   Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
               const EstimatorKind& estimator)
       : settings_(settings),
-        scene_(scene),
         render_(render),
-        batches_(batches_within_memory(settings, scene, render, estimator)) {
+        batches_(batches_within_memory(settings, scene, render, estimator)),
+        found_(render.crop.count(), scene.frame_count(), render.outputs) {
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
-    estimator_bytes_ = estimator.bytes(of);
+    pixel_bytes_ = estimator.bytes(of) + FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
     statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = batches_.count();
@@ -37,25 +38,28 @@ class Progressive final : public Integrator {
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override { return in_words(settings_); }
 
-  void iterate(int number) override {
+  void iterate(int number, const Scene& scene) override {
     const Statistics before = statistics_;
     try {
-      iterate(static_cast<std::uint64_t>(number));
+      iterate(static_cast<std::uint64_t>(number), scene);
     } catch (...) {
       statistics_ = before;
       throw;
     }
   }
 
-  Image estimate(Frame frame) const override {
+  std::vector<OutputInfo> outputs() const override { return {radiance_output(), kRadiusOutput, kPhotonsOutput}; }
+
+  Image estimate(Frame frame, const std::string& output) const override {
+    const auto value = [&](int pixel) {
+      if (output == kRadiusOutput.name) return Rgb(radius(pixel, frame));
+      if (output == kPhotonsOutput.name) return Rgb(found_.photons(pixel, frame));
+      return estimator_->radiance(pixel, frame);
+    };
     Image image(render_.crop.width(), render_.crop.height());
     for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = estimator_->radiance(pixel, frame);
+      image.pixels[static_cast<std::size_t>(pixel)] = value(pixel);
     return image;
-  }
-
-  std::optional<PixelStatistics> pixel_statistics(int pixel, Frame frame) const override {
-    return estimator_->statistics(pixel, frame);
   }
 
   Statistics statistics() const override { return statistics_; }
@@ -64,31 +68,32 @@ class Progressive final : public Integrator {
     statistics_.persist(state);
     estimator_->forget_iteration();
     estimator_->persist(state);
-    hidden_radius_.persist(state);
+    shrinkage_.persist(state);
+    found_.persist(state);
     return true;
   }
 
  private:
   // [WG12 figure 3]
-  void iterate(std::uint64_t iteration) {
-    trace_camera_paths(iteration);
-    const float cell_size = mean_search_radius();
+  void iterate(std::uint64_t iteration, const Scene& scene) {
+    trace_camera_paths(scene, iteration);
+    const float cell_size = mean_search_radius(scene);
     for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
-      trace_light_paths(iteration, first);
-      build_photon_map(cell_size);
+      trace_light_paths(scene, iteration, first);
+      build_photon_map(scene, cell_size);
       if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
       see_hidden_light();
       gather_photons();
     }
     estimator_->end_iteration();
-    hidden_radius_.end_iteration(settings_.alpha);
+    shrinkage_.end_iteration(settings_.alpha);
     ++statistics_.iterations;
   }
 
   // [WG12 4.1]
-  void trace_camera_paths(std::uint64_t iteration) {
+  void trace_camera_paths(const Scene& scene, std::uint64_t iteration) {
     const StepTimer timer(statistics_.steps[kHitPoints]);
-    tiles_ = trace_hit_points(scene_, render_, settings_.hit_point, iteration, std::move(tiles_));
+    tiles_ = trace_hit_points(scene, render_, settings_.hit_point, iteration, std::move(tiles_));
     account(tiles_, statistics_);
   }
 
@@ -100,15 +105,15 @@ class Progressive final : public Integrator {
   }
 
   // [WG12 4.2]
-  void trace_light_paths(std::uint64_t iteration, std::int64_t first) {
+  void trace_light_paths(const Scene& scene, std::uint64_t iteration, std::int64_t first) {
     const StepTimer timer(statistics_.steps[kPhotons]);
     const std::int64_t end = std::min(first + batches_.size, batches_.photons);
-    traces_ = trace_photons(scene_, settings_.photon, iteration, first, end, std::move(traces_));
+    traces_ = trace_photons(scene, settings_.photon, iteration, first, end, std::move(traces_));
     account(traces_, statistics_);
   }
 
   /// The cell size for the photon map.
-  float mean_search_radius() {
+  float mean_search_radius(const Scene& scene) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     std::vector<double> sums(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
@@ -117,14 +122,14 @@ class Progressive final : public Integrator {
     });
     std::size_t count = 0;
     for (const HitPointTile& tile : tiles_) count += tile.hit_points.size();
-    if (count == 0) return scene_.radius;
+    if (count == 0) return scene.radius;
     return static_cast<float>(std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(count));
   }
 
-  void build_photon_map(float cell_size) {
+  void build_photon_map(const Scene& scene, float cell_size) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
-    map_.build(traces_, scene_.frame_count(), cell_size);
-    hidden_map_.build(traces_, scene_.frame_count(), cell_size, &PhotonTrace::hidden);
+    map_.build(traces_, scene.frame_count(), cell_size);
+    hidden_map_.build(traces_, scene.frame_count(), cell_size, &PhotonTrace::hidden);
   }
 
   /// Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and can be added as seen
@@ -134,7 +139,7 @@ class Progressive final : public Integrator {
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       for (const HitPoint& hit : tile.glossy)
-        gather_hidden(hit, tile, hidden_map_, hidden_radius_.squared(hit), counts[t],
+        gather_hidden(hit, tile, hidden_map_, shrinkage_.squared(hit), counts[t],
                       [&](FrameSet frames, const Rgb& radiance) {
                         estimator_->see({hit.pixel, frames, radiance / static_cast<float>(settings_.photons)});
                       });
@@ -147,10 +152,27 @@ class Progressive final : public Integrator {
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
-      for (const HitPoint& hit : tile.hit_points) estimator_->gather_at(hit, tile, map_, counts[t]);
+      for (const HitPoint& hit : tile.hit_points) {
+        if (found_.are_wanted()) find_photons(hit, tile);
+        estimator_->gather_at(hit, tile, map_, counts[t]);
+      }
     });
     account(counts, statistics_);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
+  }
+
+  void find_photons(const HitPoint& hit, const HitPointTile& tile) {
+    const float widest2 = estimator_->search_radius2(hit);
+    found_.gather_at(hit, tile, map_, widest2, [&](Frame frame) {
+      const std::optional<PixelStatistics> own = estimator_->statistics(hit.pixel, frame);
+      return !own ? widest2 : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
+    });
+  }
+
+  /// For the next iteration.
+  float radius(int pixel, Frame frame) const {
+    const std::optional<PixelStatistics> own = estimator_->statistics(pixel, frame);
+    return own ? std::sqrt(own->R2) : shrinkage_.of(found_.initial_radius(pixel, frame));
   }
 
   template <class Fn>
@@ -160,19 +182,19 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return estimator_bytes_ + map_.bytes() + hidden_map_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
+    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
   }
 
   ProgressiveSettings settings_;
-  const Scene& scene_;
   RenderSettings render_;
   PhotonBatches batches_;
+  FoundPhotons found_;
   std::unique_ptr<PixelEstimator> estimator_;
-  std::size_t estimator_bytes_ = 0;
+  std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
   PhotonMap map_, hidden_map_;
-  IterationRadius hidden_radius_;
+  IterationRadius shrinkage_;  // of hidden light's radius, and of kz11's
   Statistics statistics_;
 };
 

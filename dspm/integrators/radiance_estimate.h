@@ -52,7 +52,7 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
       flux += photon.flux;
     }
     if (is_black(flux) || radius2 == 0) return;
-    fn(frames, hit.throughput * flux / (static_cast<float>(how.emitted) * kPi * radius2));
+    fn(frames, hit.throughput * flux / kernel_size(radius2, static_cast<float>(how.emitted)));
   };
   FrameSet alike = hit.frames;
   for (const NearPhoton& photon : photons) alike &= photon.frames;

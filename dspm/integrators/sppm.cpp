@@ -12,6 +12,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/progressive.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
@@ -98,7 +99,7 @@ class Kz11 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = radius_.squared(hit);
     sums_[static_cast<std::size_t>(hit.pixel)] +=
-        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / (kPi * radius2);
+        gather_at_one(hit, tile.scattering_of(hit), map, radius2, counts).phi / kernel_size(radius2);
   }
 
   // Every iteration emits the same number of photons, so seen light is weighted by it and needs no separate sums.

@@ -234,7 +234,7 @@ void SceneBuilder::texture(Directive& directive) {
       .push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
 }
 
-std::string SceneBuilder::take_light_name(ParamList& params) {
+std::string SceneBuilder::take_name(ParamList& params) {
   const auto name = take_text(params, "name", diagnostics_);
   return name ? name->text : "";
 }
@@ -242,23 +242,25 @@ std::string SceneBuilder::take_light_name(ParamList& params) {
 void SceneBuilder::area_light_source(Directive& directive) {
   state_.area_light = static_cast<int>(scene_.area_lights.size());
   AreaLightUse light{plugin_use(directive, AttributeTarget::light), {}};
-  light.name = take_light_name(light.params);
+  light.name = take_name(light.params);
   scene_.area_lights.push_back(std::move(light));
 }
 
 void SceneBuilder::light_source(Directive& directive) {
   LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
-  light.name = take_light_name(light.params);
+  light.name = take_name(light.params);
   scene_.lights.push_back(std::move(light));
 }
 
 void SceneBuilder::shape(Directive& directive) {
   ShapeUse use{plugin_use(directive, AttributeTarget::shape),
+               {},
                state_.ctm,
                state_.reverse_orientation,
                state_.material,
                state_.area_light,
                state_.dynamic_block};
+  use.name = take_name(use.params);
   if (use.dynamic_block < 0 && use.params.is_keyed()) {
     const auto keyed = std::find_if(use.params.params.begin(), use.params.params.end(),
                                     [](const Param& param) { return ParamList{{param}}.is_keyed(); });

@@ -66,6 +66,7 @@ struct AreaLightUse : PluginUse {
 };
 
 struct ShapeUse : PluginUse {
+  std::string name;  // of `"string name"`, removed from the parameters; empty: not given
   Motion world_from_object;
   bool reverse_orientation = false;
   MaterialRef material;

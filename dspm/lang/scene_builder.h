@@ -96,7 +96,7 @@ class SceneBuilder {
   /// The type is the value of "string type"; nullopt, after an error, if that is missing.
   std::optional<PluginUse> named_plugin_use(Directive& directive, AttributeTarget target);
   void define(Places& names, const Directive& directive);
-  std::string take_light_name(ParamList& params);
+  std::string take_name(ParamList& params);
 
   SceneDescription& scene_;
   Diagnostics& diagnostics_;

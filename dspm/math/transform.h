@@ -43,6 +43,7 @@ class Transform {
   /// Not normalised; stays on the same side of the surface.
   Vec3 normal(const Vec3& n) const { return apply_transposed(backward_, n); }
   Vec3 inverse_point(const Vec3& p) const { return apply(backward_, p, 1); }
+  Vec3 inverse_normal(const Vec3& n) const { return apply_transposed(forward_, n); }
   Vec3 inverse_vector(const Vec3& v) const { return apply(backward_, v, 0); }
   /// The ray in the object's space. Its direction keeps the scale, so distances t are the world's.
   Ray inverse_ray(const Ray& ray) const {

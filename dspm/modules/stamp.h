@@ -60,7 +60,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::RenderSettings", sizeof(RenderSettings)},
     {"dspm::Statistics", sizeof(Statistics)},
     {"dspm::Rejections", sizeof(Rejections::Entry)},
-    {"dspm::PixelStatistics", sizeof(PixelStatistics)},
+    {"dspm::OutputInfo", sizeof(OutputInfo)},
     {"dspm::Sighting", sizeof(Sighting)},
     {"dspm::IntegratorPlugin", sizeof(IntegratorPlugin)},
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <exception>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "dspm/image/png.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/image_name.h"
+#include "dspm/output/json.h"
 #include "dspm/output/trial_writes.h"
 #include "dspm/output/write_image.h"
 #include "dspm/system/atomic_file.h"
@@ -34,6 +36,16 @@ std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files)
   std::vector<std::filesystem::path> paths;
   for (const NamedFile& file : files) paths.push_back(file.path);
   return paths;
+}
+
+/// Which id stands for which name: {"ball": "3fa2c014"}, in hexadecimal digits as in Cryptomatte's manifests.
+std::string manifest_of(const std::vector<std::string>& names) {
+  JsonWriter json;
+  json.begin_object();
+  for (const std::string& name : names)
+    json.member(name, fmt::format("{:08x}", std::bit_cast<std::uint32_t>(id_of(name))));
+  json.end_object();
+  return json.text();
 }
 
 }  // namespace
@@ -92,9 +104,10 @@ std::filesystem::path Output::name(Frame frame) const {
 
 std::size_t Output::bytes_while_writing() const {
   // The image, two copies, the last one in the file's format, and the growing file; for the sheet only the file.
-  constexpr std::size_t kImages = 6;
+  constexpr std::size_t kImages = 6, kLayerImages = 5;
+  const std::size_t images = kImages + kLayerImages * job_.settings.outputs.size();
   const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
-  return (kImages * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
+  return (images * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
 }
 
 ExrHeader Output::header(Frame frame) const {
@@ -118,16 +131,22 @@ Image Output::developed(Image image) const {
   return image;
 }
 
-void Output::write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds) {
+void Output::write(Frame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
+                   std::uint64_t photons, double seconds) {
   const Image image = developed(std::move(radiance));
   ExrHeader header = this->header(frame);
   header.integers["iterations"] = iterations;
   header.numbers["photons"] = static_cast<double>(photons);
   header.numbers["seconds"] = seconds;
+  std::vector<ExrLayer> more;
+  for (const OutputLayer& layer : layers) {
+    more.push_back({layer.info.channels, layer.image, layer.info.single ? ExrPixels::single : pixels_of(job_.film)});
+    if (!layer.info.names.empty()) header.texts[layer.info.name + " manifest"] = manifest_of(layer.info.names);
+  }
   if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
   std::exception_ptr failure;
   for (const std::filesystem::path& file : image_files(frame)) try {
-      write_image(file, image, job_.film, header, kToneMap);
+      write_image(file, image, job_.film, header, kToneMap, more);
     } catch (const WriteError&) {
       failure = std::current_exception();
     }

@@ -24,6 +24,12 @@ struct OutputSettings {
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 };
 
+/// Another output of an integrator, in one frame.
+struct OutputLayer {
+  OutputInfo info;
+  Image image;
+};
+
 /// The other files of a run, which Output must not replace.
 struct OtherFiles {
   std::vector<NamedFile> read, written;
@@ -42,7 +48,8 @@ class Output {
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
   /// WriteError, but tries its PNG anyway.
-  void write(Frame frame, Image radiance, int iterations, std::uint64_t photons, double seconds);
+  void write(Frame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations, std::uint64_t photons,
+             double seconds);
   /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.

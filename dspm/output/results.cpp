@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -30,6 +31,14 @@ void expect_size(const Image& image, const Job& job) {
                                          crop.width(), crop.height()));
 }
 
+std::vector<OutputInfo> asked_outputs(const Integrator& integrator, const Job& job) {
+  std::vector<OutputInfo> outputs;
+  const std::vector<std::string>& asked = job.settings.outputs;
+  for (const OutputInfo& output : integrator.outputs())
+    if (std::find(asked.begin(), asked.end(), output.name) != asked.end()) outputs.push_back(output);
+  return outputs;
+}
+
 }  // namespace
 
 Results::Results(const Job& job, const World& world, const OutputSettings& settings, const OtherFiles& others,
@@ -46,19 +55,26 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   const Statistics statistics = integrator.statistics();
   report_rejections(statistics.rejections, world_, interval, job_, messages_);
   faults_.retry();
+  const std::vector<OutputInfo> outputs = asked_outputs(integrator, job_);
   for (std::size_t j = 0; j < interval.size(); ++j) {
     const Frame frame = interval[j];
     const std::filesystem::path name = output_.name(frame);
     const auto image = std::make_shared<Image>();
+    const auto layers = std::make_shared<std::vector<OutputLayer>>();
     const auto estimate = [&] {
       *image = integrator.estimate(static_cast<Frame>(j));
       expect_size(*image, job_);
+      layers->clear();
+      for (const OutputInfo& output : outputs) {
+        layers->push_back({output, integrator.estimate(static_cast<Frame>(j), output.name)});
+        expect_size(layers->back().image, job_);
+      }
       black_out_invalid(*image, frame, job_, messages_);
       if (images == Images::last) output_.add_to_video(*image);
     };
-    const auto write_image = [this, frame, image, seconds, iterations = statistics.iterations,
+    const auto write_image = [this, frame, image, layers, seconds, iterations = statistics.iterations,
                               photons = statistics.photon.paths] {
-      output_.write(frame, *image, iterations, photons, seconds);
+      output_.write(frame, *image, *layers, iterations, photons, seconds);
     };
     // Later no integrator is left to ask for the last images.
     const bool keep = images == Images::last && keep_failed_;

@@ -21,8 +21,7 @@ bool is_whole_mp4(const std::filesystem::path& path) {
   constexpr std::uint64_t kHeader = 8, kLongHeader = 16, kSizeFollows = 1;
   std::error_code none;
   const std::uint64_t length = std::filesystem::file_size(path, none);
-  std::ifstream file(path, std::ios::binary);
-  if (none || !file) return false;
+  std::ifstream file(path, std::ios::binary);  // if there is none, its first box cannot be read
   std::set<std::string> boxes;
   for (std::uint64_t at = 0; at < length;) {
     file.seekg(static_cast<std::streamoff>(at));

@@ -8,7 +8,7 @@
 namespace dspm {
 
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
-                 const ToneMap& tone) {
+                 const ToneMap& tone, const std::vector<ExrLayer>& more) {
   if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
   if (path.extension() != ".exr") {
     throw WriteError(path, "images are .exr or .png files");
@@ -16,7 +16,9 @@ void write_image(const std::filesystem::path& path, Image image, const FilmSetti
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;
   header.full_width = film.width, header.full_height = film.height;
-  write_exr(path, image, header, film.save_half ? ExrPixels::half : ExrPixels::single);
+  std::vector<ExrLayer> layers = {{{"R", "G", "B"}, std::move(image), pixels_of(film)}};
+  layers.insert(layers.end(), more.begin(), more.end());
+  write_exr(path, layers, header);
 }
 
 }  // namespace dspm

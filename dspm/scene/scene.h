@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dspm/accel/accel.h"
@@ -11,6 +12,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/materials/material.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -81,10 +83,13 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
+  std::vector<std::string> object_names;  // of what the scene file calls one thing, perhaps several shapes; distinct
   std::vector<FrameStates<Material>> materials;
+  std::vector<std::string> material_names;  // distinct
   std::vector<SceneLight> lights;
   std::vector<int> infinite_lights;  // those that implement escaped()
   FrameStates<Camera> camera;
+  std::vector<Transform> camera_to_world;  // by frame
   std::unique_ptr<Accel> accel;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }

@@ -21,12 +21,12 @@ std::optional<std::string> copy_of(Integrator& integrator) {
 
 }  // namespace
 
-void iterate_revertibly(Integrator& integrator, int iteration) {
+void iterate_revertibly(Integrator& integrator, int iteration, const Scene& scene) {
   const std::optional<std::string> before = copy_of(integrator);
-  if (!before) return integrator.iterate(iteration);
+  if (!before) return integrator.iterate(iteration, scene);
   try {
     const Cancellable nothing_is_lost;
-    integrator.iterate(iteration);
+    integrator.iterate(iteration, scene);
   } catch (...) {
     LoadedState state(*before);
     integrator.persist(state);

@@ -58,11 +58,12 @@ void Session::render_interval(std::size_t index) {
     throw UsageError(fmt::format("the first of {} frame intervals would never end: give --time-limit or --iterations",
                                  intervals_.size()));
   if (index == 0) observer_.ready(*scene, *integrator, iterations);
-  const IntervalProgress progress = iterate_to_the_end(index, *integrator, iterations);
+  const IntervalProgress progress = iterate_to_the_end(index, *scene, *integrator, iterations);
   observer_.interval_ends(progress, *scene, *integrator);
 }
 
-IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations) {
+IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator,
+                                             int iterations) {
   const double seconds = settings_.time_limit > 0 ? time_share(index) : 0;
   IntervalProgress progress = observer_.interval_begins(index, integrator);
   const double seconds_before = progress.seconds;
@@ -80,7 +81,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, Integrator& inte
     const int done = progress.iterations - first;
     return done > 0 ? seconds_since(begin) / done : kUnknown;
   };
-  while (!finished() && iterate(progress, integrator, expected())) {
+  while (!finished() && iterate(progress, scene, integrator, expected())) {
     ++progress.iterations;
     progress.seconds = seconds_before + seconds_since(begin);
     observer_.iteration_done(progress, integrator);
@@ -103,18 +104,19 @@ bool Session::can_copy(Integrator& integrator, std::size_t index) const {
   return share > 0 ? statistics.bytes + *copy <= share : 2 * *copy <= statistics.bytes;
 }
 
-void Session::iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const {
+void Session::iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
+                                  double expected) const {
   if (before.iterations == 0) {  // nothing can be lost
     const Cancellable cancellable;
-    return integrator.iterate(0);
+    return integrator.iterate(0, scene);
   }
   if (expected >= settings_.long_iteration && can_copy(integrator, before.index))
-    iterate_revertibly(integrator, before.iterations);
+    iterate_revertibly(integrator, before.iterations, scene);
   else
-    integrator.iterate(before.iterations);
+    integrator.iterate(before.iterations, scene);
 }
 
-bool Session::iterate(const IntervalProgress& before, Integrator& integrator, double expected) {
+bool Session::iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected) {
   constexpr std::size_t kLibraries = 1 << 20;  // for OpenEXR and zlib
   const std::string step = fmt::format("iteration {}", before.iterations + 1);
   observer_.step_begins(step, integrator_);
@@ -122,7 +124,7 @@ bool Session::iterate(const IntervalProgress& before, Integrator& integrator, do
     // Address space only. It is free again in the catch clause, so that images can be written even if memory runs out.
     const std::unique_ptr<char[]> reserve(new (std::nothrow) char[settings_.bytes_for_writing + kLibraries]);
     asm volatile("" : : "g"(reserve.get()) : "memory");  // else compilers may drop the unused allocation
-    naming_memory_step([&] { return step; }, [&] { iterate_cancellably(before, integrator, expected); });
+    naming_memory_step([&] { return step; }, [&] { iterate_cancellably(before, scene, integrator, expected); });
     return true;
   } catch (const Cancelled&) {
     return false;

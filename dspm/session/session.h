@@ -38,12 +38,13 @@ class Session {
   using Clock = std::chrono::steady_clock;
 
   void render_interval(std::size_t index);
-  IntervalProgress iterate_to_the_end(std::size_t index, Integrator& integrator, int iterations);
+  IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations);
   /// False: the iteration was cancelled. `expected`: seconds that it may take.
-  bool iterate(const IntervalProgress& before, Integrator& integrator, double expected);
+  bool iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected);
   /// Whether a copy of the integrator's state can be afforded.
   bool can_copy(Integrator& integrator, std::size_t index) const;
-  void iterate_cancellably(const IntervalProgress& before, Integrator& integrator, double expected) const;
+  void iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
+                           double expected) const;
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
   /// Seconds for the interval: an equal share of the time that the intervals before it left.
   double time_share(std::size_t index) const;

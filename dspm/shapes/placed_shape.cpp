@@ -25,10 +25,10 @@ Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_wo
 }  // namespace
 
 Bounds3 PlacedShape::bounds(int primitive) const {
-  const Bounds3 object = shape->bounds(primitive);
-  if (!in_object_space() || object.empty()) return object;
-  Bounds3 world = to_world.bounds(object);
-  const Vec3 reach = max(abs(object.low), abs(object.high));
+  const Bounds3 own = shape->bounds(primitive);
+  if (!in_object_space() || own.empty()) return own;
+  Bounds3 world = to_world.bounds(own);
+  const Vec3 reach = max(abs(own.low), abs(own.high));
   const Vec3 error = round_trip_error(to_world, reach, max(abs(world.low), abs(world.high)));
   world.low = world.low - error;
   world.high = world.high + error;

@@ -23,6 +23,7 @@ struct PlacedShape {
   bool flip_normals = false;  // ReverseOrientation
   int material = -1;          // index into the scene's materials
   int light = -1;             // index into the scene's lights, if this shape emits
+  int object = -1;            // index into the scene's object names
 
   Bounds3 bounds(int primitive) const;
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;

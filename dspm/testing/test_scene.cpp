@@ -53,7 +53,7 @@ std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std:
 Image TestScene::render(Frame frame, int iterations, const std::string& name) {
   const auto alone = scene({frame});
   const auto made = integrator(*alone, name);
-  for (int i = 0; i < iterations; ++i) made->iterate(i);
+  for (int i = 0; i < iterations; ++i) made->iterate(i, *alone);
   return made->estimate(0);
 }
 
@@ -62,7 +62,7 @@ std::vector<Image> TestScene::render_all(int iterations) {
   for (const std::vector<Frame>& frames : intervals()) {
     const auto together = scene(frames);
     const auto made = integrator(*together);
-    for (int i = 0; i < iterations; ++i) made->iterate(i);
+    for (int i = 0; i < iterations; ++i) made->iterate(i, *together);
     for (Frame frame = 0; frame < together->frame_count(); ++frame) images.push_back(made->estimate(frame));
   }
   return images;

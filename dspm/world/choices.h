@@ -16,8 +16,9 @@ struct Choices {
   bool lenient = false;              // unsupported features are warnings, not errors
   bool quick = false;                // a quarter of the resolution and of the iterations
 
-  std::string outfile;       // empty: the Film's filename
-  std::optional<bool> half;  // none: as the Film says
+  std::string outfile;               // empty: the Film's filename
+  std::optional<bool> half;          // none: as the Film says
+  std::vector<std::string> outputs;  // to be written next to radiance, besides those of the Film
 
   std::optional<std::uint64_t> seed;
   std::string integrator, accel;  // empty: what the scene says

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "dspm/math/frames.h"
@@ -34,6 +35,14 @@ Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, con
         return instance ? instance->world_from_instance.at(moment) * own : own;
       },
       [](const Matrix4& a, const Matrix4& b) { return a == b; });
+}
+
+/// Its mesh file without folder and extension, else its type.
+std::string name_in_file(const ShapeUse& use) {
+  const Param* file = use.params.find("filename");
+  const auto* texts = file != nullptr ? std::get_if<std::vector<std::string>>(&file->values) : nullptr;
+  if (texts == nullptr || texts->empty()) return use.type;
+  return std::filesystem::path(texts->front()).stem().string();
 }
 
 std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
@@ -124,6 +133,21 @@ void Geometry::check(const ShapeUse& use, Source& source) {
   }
 }
 
+/// What the scene gives a name is one object: an instance, or all blocks of that name. Other shapes are one each.
+int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
+  const auto once = [&](auto& known, const auto& key, const std::string& name) {
+    const auto [at, is_new] = known.try_emplace(key);
+    if (is_new) at->second = objects_.add(name);
+    return at->second;
+  };
+  if (instance) return once(object_of_use_, static_cast<const void*>(instance), instance->name);
+  if (use.name.empty() && use.dynamic_block >= 0) {
+    const std::string& block = description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].name;
+    return once(object_of_block_, block, block);
+  }
+  return once(object_of_use_, static_cast<const void*>(&use), use.name.empty() ? name_in_file(use) : use.name);
+}
+
 void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
   std::vector<bool> present(source.params.state_of.size());
   for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
@@ -142,6 +166,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       },
       [](const Place& a, const Place& b) { return a == b; });
 
+  const int object = object_of(use, instance);
   std::vector<int> uses_of_state(source.shapes.size(), 0);
   for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
   for (std::size_t part = 0; part < source.materials.size(); ++part) {
@@ -165,6 +190,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.to_world_is_identity = to_world.is_identity();
       world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
       world.placed.material = source.materials[part];
+      world.placed.object = object;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       world.present.resize(present.size());
       if (emitter.use) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dspm/lang/description.h"
 #include "dspm/shapes/placed_shape.h"
+#include "dspm/world/distinct_names.h"
 #include "dspm/world/looks.h"
 
 namespace dspm {
@@ -33,6 +36,8 @@ class Geometry {
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
   const Bounds3& bounds() const { return bounds_; }  // over all frames
+  /// By PlacedShape::object.
+  const std::vector<std::string>& object_names() const { return objects_.all(); }
 
  private:
   struct Source;
@@ -40,6 +45,7 @@ class Geometry {
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);
+  int object_of(const ShapeUse& use, const ObjectUse* instance);
 
   const SceneDescription& description_;
   Looks& looks_;
@@ -49,6 +55,9 @@ class Geometry {
   std::vector<std::shared_ptr<const Shape>> owned_;
   std::vector<Emitter> emitters_;
   Bounds3 bounds_;
+  DistinctNames objects_;
+  std::map<const void*, int> object_of_use_;    // of an instance, or of a shape outside of blocks
+  std::map<std::string, int> object_of_block_;  // blocks of one name are one object
 };
 
 }  // namespace dspm

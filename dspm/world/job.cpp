@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
+#include "dspm/integrators/surface_outputs.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
@@ -127,6 +129,40 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
   } catch (const DescribedEnough&) {}
 }
 
+/// Those of the Film, then the chosen ones.
+std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices) {
+  std::vector<std::string> names;
+  if (film.surface_outputs)
+    for (const OutputInfo& output : surface_outputs()) names.push_back(output.name);
+  for (const std::string& name : choices.outputs)
+    if (name != kRadiance && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+/// What an integrator declares must suit a file.
+void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
+                   const std::string& integrator, Diagnostics& diagnostics) {
+  std::set<std::string> channels = {"R", "G", "B"};
+  for (const std::string& name : asked) {
+    const auto found = std::find_if(declared.begin(), declared.end(), [&](const auto& o) { return o.name == name; });
+    if (found == declared.end()) {
+      std::vector<std::string> names;
+      for (const OutputInfo& output : declared) names.push_back(output.name);
+      for (const OutputInfo& output : surface_outputs())
+        if (std::find(names.begin(), names.end(), output.name) == names.end()) names.push_back(output.name);
+      const std::string guess = did_you_mean(name, names);
+      diagnostics.error({}, fmt::format("integrator \"{}\" has no output \"{}\"", integrator, name),
+                        guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess);
+      continue;
+    }
+    bool good = !found->channels.empty() && found->channels.size() <= 3;
+    for (const std::string& channel : found->channels) good = channels.insert(channel).second && good;
+    if (!good)
+      diagnostics.error({}, fmt::format("output \"{}\" of integrator \"{}\" needs one to three channels of its own",
+                                        name, integrator));
+  }
+}
+
 }  // namespace
 
 std::string Job::frames_in_words() const {
@@ -145,12 +181,18 @@ int Job::iterations(const Integrator& made) const {
 
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory) const {
-  ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
   RenderSettings bounded = settings;
-  bounded.memory = memory;
-  std::unique_ptr<Integrator> made = plugin->make(reader, scene, bounded);
+  const auto make = [&](std::size_t bytes) {
+    ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
+    bounded.memory = bytes;
+    return plugin->make(reader, scene, bounded);
+  };
+  RenderSettings whole = settings;
+  whole.memory = memory;
+  std::unique_ptr<Integrator> made = with_surface_outputs(make, scene, whole);
   if (made == nullptr && diagnostics.error_count() == 0)
     diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
+  if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
   return made;
 }
 
@@ -178,6 +220,10 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
+  settings.outputs = outputs_of(job.film, choices), settings.in_camera_space = job.film.in_camera_space;
+  if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() == ".png")
+    throw UsageError(fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr", job.film.filename,
+                                 settings.outputs.front()));
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));

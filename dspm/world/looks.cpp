@@ -63,7 +63,7 @@ Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
   for (const TextureUse& use : description.textures) add_texture(use);
   for (const MaterialUse& use : description.materials) {
     const std::string& name = use.name.empty() ? use.type : use.name;
-    of_use_.push_back(add_material(use, fmt::format("material \"{}\"", name)));
+    of_use_.push_back(add_material(use, fmt::format("material \"{}\"", name), name));
     if (!use.name.empty() && !by_name_.emplace(use.name, of_use_.back()).second)
       diagnostics.error(use.where, fmt::format("a material named \"{}\" exists already", use.name));
   }
@@ -142,7 +142,7 @@ void Looks::add_texture_of(const TextureUse& own) {
   names_.add<T>(own.name, std::make_shared<ConstantTexture<T>>(T(0.5f)));
 }
 
-int Looks::add_material(const MaterialUse& own, std::string name) {
+int Looks::add_material(const MaterialUse& own, std::string name, const std::string& plain) {
   MaterialLook look;
   look.name = std::move(name);
   look.recipes = recipes_of(definition_of(description_, own));
@@ -153,7 +153,7 @@ int Looks::add_material(const MaterialUse& own, std::string name) {
   });
   if (!good) return -1;
   materials_.push_back(std::move(look));
-  return material_count() - 1;
+  return material_names_.add(plain);
 }
 
 TextureSet Looks::known_textures(const Recipe& recipe) const {
@@ -237,7 +237,7 @@ int Looks::find(const MaterialRef& ref) {
   if (default_ < 0) {
     MaterialUse& use = material_uses_.emplace_back();
     use.type = "diffuse";
-    default_ = add_material(use, "the default material");
+    default_ = add_material(use, "the default material", use.type);
   }
   return default_;
 }
@@ -256,7 +256,7 @@ int Looks::add(const FileMaterial& file, const SourceLocation& where) {
   MaterialUse& use = material_uses_.emplace_back();
   use.type = "diffuse", use.params = file.diffuse;
   use.where = use.type_where = where;
-  const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name));
+  const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name), file.name);
   from_files_.emplace(key, material);
   return material;
 }

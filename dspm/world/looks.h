@@ -16,6 +16,7 @@
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/textures/plugins.h"
+#include "dspm/world/distinct_names.h"
 #include "dspm/world/look.h"
 
 namespace dspm {
@@ -47,6 +48,8 @@ class Looks {
   }
   /// `material "glass"`, for messages.
   const std::string& name_of(int material) const { return look(material).name; }
+  /// By index, distinct: what the scene or the geometry file calls it, else its type.
+  const std::vector<std::string>& material_names() const { return material_names_.all(); }
 
  private:
   struct MaterialLook : Look<Material> {
@@ -68,7 +71,8 @@ class Looks {
   void add_texture(const TextureUse& own);
   template <class T>
   void add_texture_of(const TextureUse& own);
-  int add_material(const MaterialUse& own, std::string name);
+  /// `name`: for messages; `plain`: see material_names.
+  int add_material(const MaterialUse& own, std::string name, const std::string& plain);
 
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>
@@ -94,6 +98,7 @@ class Looks {
   TextureSet names_;  // of all textures so far, with something grey for each
   std::tuple<Textures<float>, Textures<Rgb>> textures_;
   std::vector<MaterialLook> materials_;
+  DistinctNames material_names_;
   std::deque<TextureUse> texture_uses_;  // of geometry files
   std::deque<MaterialUse> material_uses_;
   std::vector<int> of_use_;  // by index into SceneDescription::materials

@@ -15,6 +15,11 @@ const CameraUse& camera_use(const SceneDescription& description) {
   return description.camera ? *description.camera : fallback;
 }
 
+Transform camera_to_world(const SceneDescription& description, Frame frame) {
+  const Matrix4 camera_from_world = camera_use(description).camera_from_world.at(description.frames.moment(frame));
+  return Transform(camera_from_world.inverse().value_or(Matrix4()));
+}
+
 Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
                                                     Diagnostics& diagnostics) {
   struct State {
@@ -125,13 +130,16 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   scene->file_frames.assign(frames.begin(), frames.end());
   scene->center = parts_->sphere.center, scene->radius = parts_->sphere.radius;
   scene->shapes = parts_->shapes_in(scene->file_frames);
+  scene->object_names = parts_->geometry.object_names();
   scene->materials = parts_->looks.materials_in(scene->file_frames);
+  scene->material_names = parts_->looks.material_names();
   for (const WorldLight& light : parts_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta});
   }
   scene->camera = cut(parts_->camera, scene->file_frames);
+  for (const Frame frame : frames) scene->camera_to_world.push_back(camera_to_world(parts_->description, frame));
   Diagnostics ignored;
   const ParamList none;
   ParamReader reader(none, "accelerator", {}, ignored);

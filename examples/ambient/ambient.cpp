@@ -18,8 +18,11 @@ using namespace dspm;
 class Ambient final : public Integrator {
  public:
   Ambient(int iterations, float distance, const Scene& scene, const RenderSettings& render)
-      : iterations_(iterations), distance_(distance), scene_(scene), render_(render) {
-    open_.resize(static_cast<std::size_t>(render.crop.count()) * static_cast<std::size_t>(scene.frame_count()));
+      : iterations_(iterations),
+        distance_(distance),
+        render_(render),
+        frames_(static_cast<std::size_t>(scene.frame_count())) {
+    open_.resize(static_cast<std::size_t>(render.crop.count()) * frames_);
     statistics_.steps = {{"rays"}};
     statistics_.bytes = open_.size() * sizeof(open_[0]);
   }
@@ -27,16 +30,16 @@ class Ambient final : public Integrator {
   int iterations() const override { return iterations_; }
   std::string settings() const override { return "distance " + std::to_string(distance_); }
 
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene& scene) override {
     const StepTimer timer(statistics_.steps[0]);
     parallel_for(render_.crop.height(), 1, [&](std::int64_t row) {
       const int y = render_.crop.y0 + static_cast<int>(row);
-      for (int x = render_.crop.x0; x < render_.crop.x1; ++x) look(x, y, static_cast<std::uint64_t>(iteration));
+      for (int x = render_.crop.x0; x < render_.crop.x1; ++x) look(scene, x, y, static_cast<std::uint64_t>(iteration));
     });
     ++statistics_.iterations;
   }
 
-  Image estimate(Frame frame) const override {
+  Image estimate(Frame frame, const std::string&) const override {
     Image image(render_.crop.width(), render_.crop.height());
     for (int pixel = 0; pixel < render_.crop.count() && statistics_.iterations > 0; ++pixel)
       image.pixels[static_cast<std::size_t>(pixel)] =
@@ -54,36 +57,35 @@ class Ambient final : public Integrator {
 
  private:
   /// One camera ray of the pixel, in all frames.
-  void look(int x, int y, std::uint64_t iteration) {
+  void look(const Scene& scene, int x, int y, std::uint64_t iteration) {
     const PathRandom random(render_.seed, Stream::camera, camera_path_index(render_, x, y), iteration);
     const int pixel = pixel_in_crop(render_.crop, x, y);
     const Vec2 film = film_point(render_, x, y, random);
-    scene_.camera.for_each(scene_.frames(), [&](FrameSet frames, const Camera& camera) {
+    scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {
       const Ray ray = camera.ray(film, random.pair(0, kLightDirection));
-      for (const FrameHit& part : scene_.accel->partition(ray, frames)) {
-        const FrameSet open = part.hit.missed() ? part.frames : open_frames(ray, part, random);
+      for (const FrameHit& part : scene.accel->partition(ray, frames)) {
+        const FrameSet open = part.hit.missed() ? part.frames : open_frames(scene, ray, part, random);
         open.for_each([&](Frame frame) { ++open_[slot(pixel, frame)]; });
       }
     });
   }
 
   /// Those frames of the part in which a ray from its hit reaches the sky.
-  FrameSet open_frames(const Ray& ray, const FrameHit& part, const PathRandom& random) const {
-    const SurfacePoint point = scene_.surface_point(part.hit);
+  FrameSet open_frames(const Scene& scene, const Ray& ray, const FrameHit& part, const PathRandom& random) const {
+    const SurfacePoint point = scene.surface_point(part.hit);
     const Vec3 normal = dot(ray.direction, point.ng) < 0 ? point.ng : -point.ng;
     const Vec3 w = Basis::around(normal).to_world(cosine_hemisphere(random.pair(0, kScatter)));
-    return part.frames - scene_.accel->occluded(point.spawn(w, distance_), part.frames);
+    return part.frames - scene.accel->occluded(point.spawn(w, distance_), part.frames);
   }
 
   std::size_t slot(int pixel, Frame frame) const {
-    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(scene_.frame_count()) +
-           static_cast<std::size_t>(frame);
+    return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);
   }
 
   int iterations_;
   float distance_;
-  const Scene& scene_;
   RenderSettings render_;
+  std::size_t frames_;
   std::vector<std::uint32_t> open_;  // rays that reached the sky, by pixel and frame
   Statistics statistics_;
 };

@@ -88,7 +88,7 @@ class PhotonTracer {
 class LightTracer final : public Integrator {
  public:
   LightTracer(int iterations, int photons, int max_depth, const Scene& scene, const RenderSettings& render)
-      : iterations_(iterations), photons_(photons), max_depth_(max_depth), scene_(scene), render_(render) {
+      : iterations_(iterations), photons_(photons), max_depth_(max_depth), render_(render) {
     sums_.assign(static_cast<std::size_t>(scene.frame_count()), Image(render.crop.width(), render.crop.height()));
     statistics_.steps = {{"photons"}};
   }
@@ -96,7 +96,7 @@ class LightTracer final : public Integrator {
   int iterations() const override { return iterations_; }
   std::string settings() const override { return std::to_string(photons_) + " photons per iteration"; }
 
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene& scene) override {
     const StepTimer timer(statistics_.steps[0]);
     constexpr int kGrain = 4096;  // fixed, so that sums have the same order with any number of threads
     struct Chunk {
@@ -105,7 +105,7 @@ class LightTracer final : public Integrator {
     };
     std::vector<Chunk> chunks(static_cast<std::size_t>(chunk_count(photons_, kGrain)));
     parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-      PhotonTracer tracer(scene_, render_, max_depth_);
+      PhotonTracer tracer(scene, render_, max_depth_);
       for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
       chunks[static_cast<std::size_t>(begin / kGrain)] = {tracer.splats(), tracer.counts()};
     });
@@ -119,7 +119,7 @@ class LightTracer final : public Integrator {
     ++statistics_.iterations;
   }
 
-  Image estimate(Frame frame) const override {
+  Image estimate(Frame frame, const std::string&) const override {
     Image image = sums_[static_cast<std::size_t>(frame)];
     const double paths = std::max(1.0, static_cast<double>(statistics_.iterations) * photons_);
     for (Rgb& c : image.pixels) c = c * static_cast<float>(1 / paths);
@@ -134,7 +134,6 @@ class LightTracer final : public Integrator {
 
  private:
   int iterations_, photons_, max_depth_;
-  const Scene& scene_;
   RenderSettings render_;
   std::vector<Image> sums_;  // by frame
   Statistics statistics_;

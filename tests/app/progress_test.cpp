@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace dspm {
 namespace {
 
@@ -14,6 +16,26 @@ TEST(Progress, IsSilentWhereNothingIsDue) {
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
+
+std::string first_bar(const Progress::Extent& extent, int interval, int iterations) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(extent, false, true);
+    progress.step(interval, iterations);
+  }
+  const std::string text = testing::internal::GetCapturedStderr();
+  return text.substr(1, text.find(',') - 1);  // after \r, before the time
+}
+
+TEST(Progress, FillsItsBar) {
+  const std::string half(16, '='), quarter(8, '=');
+  EXPECT_EQ(first_bar({.iterations = 10}, 0, 5), "[" + half + std::string(16, ' ') + "] iteration 5/10");
+  EXPECT_EQ(first_bar({.iterations = 10}, 0, 10), "[" + half + half + "] iteration 10/10");
+  EXPECT_EQ(first_bar({.iterations = 8, .intervals = 2}, 1, 4),
+            "[" + half + quarter + std::string(8, ' ') + "] iteration 4/8 of frame interval 2/2");
+}
+
+TEST(Progress, HasNoBarWithoutAnEnd) { EXPECT_EQ(first_bar({.iterations = 0}, 0, 5), "iteration 5"); }
 
 }  // namespace
 }  // namespace dspm

@@ -13,11 +13,11 @@ class Scripted : public Integrator {
   }
   int iterations() const override { return 0; }
   std::string settings() const override { return {}; }
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene&) override {
     const double slow = iteration == 0 ? 10 : 1;
     statistics_.steps[0].seconds += slow * seconds_, statistics_.steps[1].seconds += slow * 2;
   }
-  Image estimate(Frame) const override { return {}; }
+  Image estimate(Frame, const std::string&) const override { return {}; }
   Statistics statistics() const override { return statistics_; }
 
  private:
@@ -27,7 +27,7 @@ class Scripted : public Integrator {
 
 Group group_of(std::initializer_list<double> seconds) {
   Group group;
-  for (const double s : seconds) group.push_back({nullptr, std::make_unique<Scripted>(s)});
+  for (const double s : seconds) group.push_back({std::make_unique<Scene>(), std::make_unique<Scripted>(s)});
   return group;
 }
 

@@ -5,6 +5,7 @@
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
+#include "dspm/session/load.h"
 #include "dspm/testing/test_scene.h"
 #include "tests/support/process.h"
 
@@ -314,6 +315,23 @@ TEST(Checkpoint, IsWrittenAtTheEndThatASignalAsksFor) {
   const std::string iterations = std::to_string(done + 3);
   expect_success(directory, {"tiny.dsc", "--float", "--resume", "a", "--iterations", iterations});
   EXPECT_EQ(images_in(directory), undisturbed({"--iterations", iterations}));
+}
+
+TEST(Checkpoint, KnowsTheTimeOfAllIntervals) {
+  const TinyDirectory directory;
+  expect_success(directory, {"tiny.dsc", "--integrator", "sppm", "--checkpoint", "a"});
+  double sum = 0;
+  for (const IntervalState& interval : CheckpointFile(directory / "a").intervals()) {
+    EXPECT_GT(interval.seconds, 0);
+    sum += interval.seconds;
+  }
+  Choices choices;
+  choices.integrator = "sppm";
+  Messages messages(true);
+  const LoadedScene loaded({directory / "tiny.dsc"}, choices, messages);
+  CheckpointSettings settings;
+  settings.resume = directory / "a";
+  EXPECT_EQ(Checkpoints(loaded.job, settings, messages).seconds(), sum);
 }
 
 TEST(Checkpoint, AWholeNumberOfIterationsMayLieBetween) {

@@ -6,8 +6,10 @@
 #include <optional>
 
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/pixel_statistics.h"
 #include "dspm/system/parallel.h"
 #include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
 #include "dspm/world/job.h"
 #include "tests/integrators/random_scene.h"
 
@@ -47,12 +49,8 @@ void expect_equal(const Integrator& a, const Integrator& b, int frames) {
     const Image one = a.estimate(f), other = b.estimate(f);
     for (int p = 0; p < static_cast<int>(one.pixels.size()); ++p) {
       EXPECT_TRUE(near(one.pixels[static_cast<std::size_t>(p)], other.pixels[static_cast<std::size_t>(p)]));
-      const auto s = a.pixel_statistics(p, f), t = b.pixel_statistics(p, f);
-      if (!s) continue;
-      EXPECT_EQ(s->N, t->N);
-      EXPECT_EQ(s->R2, t->R2);
-      EXPECT_TRUE(near(s->tau, t->tau));
     }
+    for (const char* output : {"photons", "radius"}) EXPECT_EQ(a.estimate(f, output), b.estimate(f, output));
   }
 }
 
@@ -72,13 +70,15 @@ TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
     const std::string text =
         RandomScene(2000 + seed, kFrames).text(fmt::format(R"(Integrator {} "integer photons" 20000)", GetParam()));
     SCOPED_TRACE(text);
-    TestScene test(text);
+    Choices choices;
+    choices.outputs = {"photons", "radius"};
+    TestScene test(text, choices);
     const bool alone = test.job().plugin->frames_together == 1;
     const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
     const auto whole = test.integrator(*scene), batches = with_least_memory(test, *scene);
     EXPECT_EQ(whole->statistics().photon_batches, 1);
     EXPECT_GT(batches->statistics().photon_batches, 1);
-    for (int i = 0; i < kIterations; ++i) whole->iterate(i), batches->iterate(i);
+    for (int i = 0; i < kIterations; ++i) whole->iterate(i, *scene), batches->iterate(i, *scene);
     expect_equal(*whole, *batches, scene->frame_count());
     expect_equal_counts(whole->statistics(), batches->statistics());
     EXPECT_LT(batches->statistics().bytes, whole->statistics().bytes);
@@ -94,11 +94,28 @@ TEST_P(Progressive, BatchesHaveTheSameBitsWithAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     const auto batches = with_least_memory(test, *scene);
     EXPECT_GT(batches->statistics().photon_batches, 1);
-    for (int i = 0; i < kIterations; ++i) batches->iterate(i);
+    for (int i = 0; i < kIterations; ++i) batches->iterate(i, *scene);
     images.push_back(batches->estimate(0));
   }
   EXPECT_EQ(images[0], images[1]);
   EXPECT_EQ(images[0], images[2]);
+}
+
+// A batch has 4096 paths or more.
+TEST_P(Progressive, BatchesAreNotTooSmall) {
+  for (const auto& [photons, batches] : {std::pair(8192, 2), std::pair(8190, 1)}) {
+    TestScene test(RandomScene(77, 1).text(fmt::format(R"(Integrator {} "integer photons" {})", GetParam(), photons)));
+    const auto scene = test.scene({0});
+    EXPECT_EQ(with_least_memory(test, *scene)->statistics().photon_batches, batches);
+  }
+}
+
+// Working buffers, and a copy of what the state of the pixels takes.
+TEST(MemoryNeeds, OfBatchesHaveRoomForACopy) {
+  TestScene test(RandomScene(77, 1).text(R"(Integrator "sppm" "string estimator" "hj09" "integer photons" 20000)"));
+  const auto scene = test.scene({0});
+  const auto pixels = static_cast<std::size_t>(test.job().settings.crop.count());
+  EXPECT_EQ(needs_within(test, *scene, 1)->pixels, pixels * (2 * sizeof(PixelStatistics) + sizeof(PassSums)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Estimators, Progressive,
@@ -157,7 +174,7 @@ TEST_P(BoundedMemory, HoldsWhatItSays) {
     EXPECT_TRUE(needs_within(test, *scene, least - 1));
     EXPECT_FALSE(needs_within(test, *scene, kPlenty));
     const auto integrator = test.integrator(*scene, {}, least);
-    for (int i = 0; i < 6; ++i) integrator->iterate(i);
+    for (int i = 0; i < 6; ++i) integrator->iterate(i, *scene);
     // Photons are kept in vectors that grow by doubling; memory that was never written to is not taken.
     EXPECT_LE(static_cast<double>(integrator->statistics().bytes), 1.5 * static_cast<double>(least));
   }

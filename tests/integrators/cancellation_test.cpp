@@ -36,7 +36,7 @@ DynamicEnd
 )";
 
 /// Whether it was given up.
-bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int iteration) {
+bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int iteration, const Scene& scene) {
   allow_work();
   std::thread impatient([&] {
     std::this_thread::sleep_for(time);
@@ -44,7 +44,7 @@ bool iterate_for(std::chrono::microseconds time, Integrator& integrator, int ite
   });
   bool cancelled = false;
   try {
-    iterate_revertibly(integrator, iteration);
+    iterate_revertibly(integrator, iteration, scene);
   } catch (const Cancelled&) {
     cancelled = true;
   }
@@ -63,15 +63,15 @@ TEST_P(Cancellation, ChangesNothing) {
     int cancelled = 0;
     for (int i = 0; i < 30; ++i) {
       const std::string before = state_of(*given_up);
-      if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, iteration)) break;
+      if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, iteration, *scene)) break;
       ++cancelled;
       ASSERT_EQ(state_of(*given_up), before);
     }
     EXPECT_GT(cancelled, 1);
-    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration);
+    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration, *scene);
   }
-  while (given_up->statistics().iterations < 3) given_up->iterate(given_up->statistics().iterations);
-  for (int i = 0; i < 3; ++i) calm->iterate(i);
+  while (given_up->statistics().iterations < 3) given_up->iterate(given_up->statistics().iterations, *scene);
+  for (int i = 0; i < 3; ++i) calm->iterate(i, *scene);
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));
 }
@@ -98,18 +98,18 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
   constexpr int kMoments = 20;
   for (const int iteration : {0, 1}) {  // before the first one there is nothing to keep
     const auto begin = std::chrono::steady_clock::now();
-    calm->iterate(iteration);
+    calm->iterate(iteration, *scene);
     const std::chrono::duration<double, std::micro> duration = std::chrono::steady_clock::now() - begin;
     int cancelled = 0;
     const std::string before = state_of(*given_up);
     while (cancelled < kMoments) {
       const auto moment = std::chrono::duration_cast<std::chrono::microseconds>(duration * cancelled / kMoments);
-      if (!iterate_for(moment, *given_up, iteration)) break;
+      if (!iterate_for(moment, *given_up, iteration, *scene)) break;
       ++cancelled;
       ASSERT_EQ(state_of(*given_up), before);
     }
     EXPECT_GE(cancelled, kMoments / 2);
-    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration);
+    if (given_up->statistics().iterations == iteration) given_up->iterate(iteration, *scene);
   }
   for (Frame frame = 0; frame < scene->frame_count(); ++frame)
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));

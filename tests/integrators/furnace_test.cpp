@@ -24,24 +24,25 @@ TEST_P(Furnace, HasTheAnalyticRadiance) {
 // maxdepth 40: what is left out is 0.8^40 = 0.013%.
 INSTANTIATE_TEST_SUITE_P(
     Integrators, Furnace,
-    testing::Values(Case{R"("path" "integer maxdepth" 40)", 8},
-                    Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
-                    Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000)", 2},
-                    Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
-                    Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
-                    Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
-                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
+    testing::Values(
+        Case{R"("path" "integer maxdepth" 40)", 8},
+        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
+        Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000)", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
 "integer causticphotons" 20000)",
-                         3},
-                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2 "integer nearest" 5
+             3},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2 "integer nearest" 5
 "integer causticphotons" 20000)",
-                         3},
-                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
+             3},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
 "integer causticphotons" 20000)",
-                         2},
-                    Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 4
+             2},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 4
 "integer causticphotons" 20000)",
-                         1}));
+             1}));
 
 class OpenFurnace : public testing::TestWithParam<const char*> {};
 

@@ -37,7 +37,7 @@ Statistics work(const std::string& material, const std::string& lamp, const char
   TestScene test(scene(material, lamp, share_paths));
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
-  integrator->iterate(0);
+  integrator->iterate(0, *all);
   return integrator->statistics();
 }
 
@@ -84,11 +84,11 @@ TEST(JointPaths, AnOpeningConeKeepsItsLight) {
   const auto all = test.scene(test.all_frames());
   const auto integrator = test.integrator(*all);
   constexpr int kIterations = 20;
-  for (int i = 0; i < kIterations; ++i) integrator->iterate(i);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, *all);
   for (const Frame f : test.all_frames()) {
     const auto one = test.scene({f});
     const auto alone = test.integrator(*one, "sppm");
-    for (int i = 0; i < kIterations; ++i) alone->iterate(i);
+    for (int i = 0; i < kIterations; ++i) alone->iterate(i, *one);
     const double emitted = alone->statistics().energy[0].emitted;
     EXPECT_NEAR(integrator->statistics().energy[static_cast<std::size_t>(f)].emitted, emitted, 0.01 * emitted);
     const Image joint = integrator->estimate(f), own = alone->estimate(0);
@@ -99,6 +99,34 @@ TEST(JointPaths, AnOpeningConeKeepsItsLight) {
     }
     EXPECT_LT(std::abs(difference), 0.01 * sum) << "frame " << f;
   }
+}
+
+/// The share of camera paths that a ball makes dynamic. It fills the image in the first frame.
+double dynamic_share(const char* in_the_second_frame) {
+  TestScene test(fmt::format(R"(Frames 2
+Integrator "dsppm" "integer photons" 100
+Camera "perspective"
+Film "rgb" "integer xresolution" 24 "integer yresolution" 24
+WorldBegin
+LightSource "point"
+DynamicBegin "ball"
+  Keyframe 1 Translate 0 0 3
+  Keyframe 2 Translate {}
+  KeyframeEnd
+  Shape "sphere" "float radius" 2.9
+DynamicEnd
+)",
+                             in_the_second_frame));
+  const auto all = test.scene(test.all_frames());
+  const auto integrator = test.integrator(*all);
+  integrator->iterate(0, *all);
+  return integrator->statistics().camera.dynamic_share();
+}
+
+// Each of these paths ends where its frames part: no branch of it goes on in fewer frames.
+TEST(JointPaths, PathsThatPartAreDynamic) {
+  EXPECT_EQ(dynamic_share("0 0 -30"), 1);
+  EXPECT_EQ(dynamic_share("0 0 3"), 0);
 }
 
 TEST(JointPaths, OtherDirectionsPart) {

@@ -29,7 +29,7 @@ TEST_P(LongCounters, GoBeyond32Bits) {
   TestScene test(std::string("Integrator ") + GetParam() + kScene);
   const auto scene = test.scene({0});
   const auto young = test.integrator(*scene), old = test.integrator(*scene);
-  young->iterate(0);
+  young->iterate(0, *scene);
 
   Statistics few = young->statistics(), many = few;
   for (std::uint64_t* count : {&many.camera.paths, &many.camera.segments.done, &many.photon.paths,
@@ -38,7 +38,7 @@ TEST_P(LongCounters, GoBeyond32Bits) {
   const std::string saved = state_of(many) + state_of(*young).substr(state_of(few).size());
   LoadedState state(saved);
   ASSERT_TRUE(old->persist(state));
-  young->iterate(1), old->iterate(1);
+  young->iterate(1, *scene), old->iterate(1, *scene);
 
   EXPECT_EQ(old->estimate(0), young->estimate(0));
   const Statistics now = old->statistics(), then = young->statistics();

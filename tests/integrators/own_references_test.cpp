@@ -45,8 +45,8 @@ TEST_P(OwnReferences, IntegratorsAgree) {
 }
 
 TEST_P(OwnReferences, LightTracerAgrees) {
-  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, seeds(16)), read_blocks(GetParam()), 0,
-                   0);
+  expect_agreement("light tracer", Reference(GetParam(), "").light_traced(30'000, seeds(16)), read_blocks(GetParam()),
+                   0, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, OwnReferences, testing::ValuesIn(kReferences),

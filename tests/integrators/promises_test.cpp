@@ -90,7 +90,7 @@ DynamicEnd)"));
   const auto made = test.integrator(*scene);
   std::vector<std::size_t> bytes;
   for (int i = 0; i < 60; ++i) {
-    made->iterate(i);
+    made->iterate(i, *scene);
     bytes.push_back(made->statistics().bytes);
   }
   // Buffers settle within a few iterations; what grew with every iteration would be six times larger.

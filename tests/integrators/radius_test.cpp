@@ -10,6 +10,7 @@
 #include "dspm/integrators/estimator.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {
@@ -116,17 +117,19 @@ void expect_pixels(const Integrator& integrator, Frame frame, bool has_beam, int
       return kz11 ? kz11_shrinkage(i, s.alpha) : hj09_shrinkage(i - 1, s.alpha);
     });
     expect_near(static_cast<double>(image.at(x, 0).g), pixel.radiance);
-    const auto statistics = integrator.pixel_statistics(x, frame);
-    EXPECT_EQ(statistics.has_value(), !kz11);
-    if (!statistics) continue;
-    expect_near(static_cast<double>(statistics->R2), s.radius * s.radius * hj09_shrinkage(pixel.lit, s.alpha));
-    expect_near(statistics->N, pixel.lit * s.alpha * s.photons);
+    const double radius = static_cast<double>(integrator.estimate(frame, "radius").at(x, 0).r);
+    const double next = kz11 ? kz11_shrinkage(iterations + 1, s.alpha) : hj09_shrinkage(pixel.lit, s.alpha);
+    expect_near(radius * radius, s.radius * s.radius * next);
+    EXPECT_EQ(integrator.estimate(frame, "photons").at(x, 0).r, static_cast<float>(pixel.lit * s.photons));
   }
 }
 
 void expect_radii(const Settings& s) {
+  Choices choices;
+  choices.outputs = {"photons", "radius"};
   TestScene test(beam(fmt::format(R"("{}" "string estimator" "{}" "integer photons" {} {})", s.integrator, s.estimator,
-                                  s.photons, s.parameters)));
+                                  s.photons, s.parameters)),
+                 choices);
   SCOPED_TRACE(s.integrator + " " + s.estimator + " " + s.parameters);
   for (const std::vector<Frame>& frames : test.intervals()) {
     const auto scene = test.scene(frames);
@@ -135,7 +138,7 @@ void expect_radii(const Settings& s) {
       EXPECT_EQ(integrator->statistics().photon_batches > 1, s.in_batches);
     }
     for (int n = 1; n <= 30; ++n) {
-      integrator->iterate(n - 1);
+      integrator->iterate(n - 1, *scene);
       if (n > 3 && n != 10 && n != 30) continue;
       for (Frame j = 0; j < scene->frame_count(); ++j)
         expect_pixels(*integrator, j, frames[static_cast<std::size_t>(j)] == 0, n, s);
@@ -198,13 +201,14 @@ void for_each_first_radius2(const std::string& integrator, double fov, const std
   TestScene test(dark(integrator, fov, contents));
   const auto scene = test.scene({0});
   const auto made = test.integrator(*scene);
-  made->iterate(0);
+  made->iterate(0, *scene);
+  const Image radii = made->estimate(0, "radius");
   const double spacing = 2 * std::tan(fov / 360 * kPiD) / kHeight;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       SCOPED_TRACE(fmt::format("{}, pixel {}, {}", integrator, x, y));
       fn((x + 0.5 - kWidth / 2) * spacing, (kHeight / 2 - y - 0.5) * spacing,
-         static_cast<double>(made->pixel_statistics(y * kWidth + x, 0)->R2));
+         std::pow(static_cast<double>(radii.at(x, y).r), 2));
     }
 }
 

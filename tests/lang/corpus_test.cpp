@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "dspm/system/read_file.h"
 #include "dspm/lang/formatter.h"
+#include "dspm/system/read_file.h"
 #include "tests/lang/parsing.h"
 
 namespace dspm::test {

@@ -33,7 +33,7 @@ class Directory : public TemporaryDirectory {
   }
 };
 
-Outcome run_within(const Directory& directory, const std::string& memory, std::vector<std::string> more = {}) {
+Outcome run_within(const TemporaryDirectory& directory, const std::string& memory, std::vector<std::string> more = {}) {
   more.insert(more.end(), {"tiny.dsc", "--float", "--memory", memory});
   return run(directory, more);
 }
@@ -46,7 +46,7 @@ double bytes_taken(const std::string& message) {
 }
 
 /// The bytes that a run of this scene takes at least.
-double least_bytes(const Directory& directory) { return bytes_taken(run_within(directory, "20M").err); }
+double least_bytes(const TemporaryDirectory& directory) { return bytes_taken(run_within(directory, "20M").err); }
 
 std::string megabytes(double bytes) { return fmt::format("{:.1f}M", bytes / kMegabyte + 0.1); }
 
@@ -130,6 +130,30 @@ TEST(Memory, OfMeshesAndTheirTreesCounts) {
   const Outcome bounded = run_within(directory, megabytes(least));
   ASSERT_EQ(bounded.code, 0) << bounded.err;
   EXPECT_LE(bounded.peak_bytes, least);
+}
+
+// An image in memory and on its way into two files is most of what this run takes.
+TEST(Memory, OfWritingImagesCounts) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const TemporaryDirectory directory;
+  put_file(directory / "tiny.dsc", R"(
+Integrator "path" "integer iterations" 1
+Film "rgb" "integer xresolution" 1600 "integer yresolution" 1200
+WorldBegin
+LightSource "infinite"
+)");
+  const double least = least_bytes(directory);
+  const Outcome bounded = run_within(directory, megabytes(least), {"--png", "--contact-sheet", "sheet.png"});
+  ASSERT_EQ(bounded.code, 1) << "a contact sheet takes memory, too";
+  const double with_sheet = bytes_taken(bounded.err);
+  const Outcome outcome = run_within(directory, megabytes(with_sheet), {"--png", "--contact-sheet", "sheet.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LE(outcome.peak_bytes, with_sheet);
+  const Outcome without_sheet = run_within(directory, megabytes(least), {"--png"});
+  ASSERT_EQ(without_sheet.code, 0) << without_sheet.err;
+  EXPECT_LE(without_sheet.peak_bytes, least);
 }
 
 TEST(Memory, SaysWhatItMeans) {

@@ -25,7 +25,7 @@ class Stumbling : public IdleIntegrator {
   static constexpr int kStumbles = 3;     // iterations before it does
 
   int iterations() const override { return 6; }
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene&) override {
     ++done_;
     if (iteration == kStumbles && stumble) stumble();
   }
@@ -170,6 +170,18 @@ TEST_F(SessionWithStumbles, StatesThatAreMostOfTheMemoryAreNotCopied) {
   EXPECT_EQ(begun_when_cancelled(0), 4);
   Stumbling::bytes = 8;
   EXPECT_EQ(begun_when_cancelled(0), 3);
+}
+
+TEST(LoadedScene, LooksForHolesInMeshesOfGlass) {
+  Diagnostics diagnostics;
+  const LoadedScene loaded("test.dsc", R"(
+WorldBegin
+LightSource "point"
+Material "dielectric"
+Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 3  1 0 3  0 1 3])",
+                           {}, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_NE(diagnostics.all().front().message.find("open"), std::string::npos) << diagnostics.all().front().message;
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ class IdleIntegrator : public Integrator {
  public:
   int iterations() const override { return 1; }
   std::string settings() const override { return {}; }
-  void iterate(int) override {}
-  Image estimate(Frame) const override { return {}; }
+  void iterate(int, const Scene&) override {}
+  Image estimate(Frame, const std::string&) const override { return {}; }
   Statistics statistics() const override { return {}; }
 };
 

@@ -16,7 +16,7 @@ template <class Colour>
 class Even : public IdleIntegrator {
  public:
   Even(const Scene& scene, const RenderSettings& render) : scene_(scene), render_(render) {}
-  Image estimate(Frame frame) const override {
+  Image estimate(Frame frame, const std::string&) const override {
     Image image(render_.crop.width(), render_.crop.height());
     for (Rgb& pixel : image.pixels) pixel = Rgb(Colour()(scene_, render_, frame));
     return image;

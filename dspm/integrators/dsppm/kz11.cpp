@@ -5,6 +5,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dsppm/dsppm.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -22,7 +23,7 @@ class Kz11 final : public PixelEstimator {
 
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = radius_.squared(hit);
-    const Rgb per_area = hit.throughput / (kPi * radius2);
+    const Rgb per_area = hit.throughput / kernel_size(radius2);
     RgbLanes shared;
     FewListSums<RgbLanes> lists;
     __m128 own[kMaxFrames];  // valid only for the frames in with_own

@@ -16,13 +16,13 @@ class Mischief final : public Integrator {
 
   int iterations() const override { return 4; }
   std::string settings() const override { return mood_; }
-  void iterate(int iteration) override {
+  void iterate(int iteration, const Scene&) override {
     if (iteration == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
     if (iteration == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
     if (iteration == 2 && mood_ == "hoard") hoard();
     ++statistics_.iterations;
   }
-  Image estimate(Frame frame) const override {
+  Image estimate(Frame frame, const std::string&) const override {
     Image image(render_.crop.width(), render_.crop.height());
     for (Rgb& c : image.pixels) c = Rgb(0.25f * static_cast<float>(frame + 1));
     if (mood_ == "nan") image.at(3, 1) = image.at(0, 2) = Rgb(std::numeric_limits<float>::quiet_NaN());

@@ -1,0 +1,73 @@
+// The outputs "photons" and "radius" of progressive integrators: what the gathers at each pixel find, in each frame.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/gather.h"
+#include "dspm/integrators/output_info.h"
+#include "dspm/math/frames.h"
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+inline const OutputInfo kPhotonsOutput{"photons", {"photons"}, "photons found at the pixel's hit points so far", true};
+inline const OutputInfo kRadiusOutput{
+    "radius", {"radius"}, "search radius in world units, for the pixel's last hit point", true};
+
+/// Counts by gathers of its own, so that those of the estimators stay as fast as they are.
+class FoundPhotons {
+ public:
+  /// Nothing is kept unless one of the outputs is among `asked`.
+  FoundPhotons(int pixels, int frames, const std::vector<std::string>& asked)
+      : frames_(static_cast<std::size_t>(frames)), pixels_(bytes(pixels, frames, asked) / sizeof(Pixel)) {}
+  static std::size_t bytes(int pixels, int frames, const std::vector<std::string>& asked) {
+    const auto is_ours = [](const std::string& name) {
+      return name == kPhotonsOutput.name || name == kRadiusOutput.name;
+    };
+    if (std::none_of(asked.begin(), asked.end(), is_ours)) return 0;
+    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Pixel);
+  }
+  bool are_wanted() const { return !pixels_.empty(); }
+
+  /// Before the estimator gathers for the same hit point. `radius2(Frame)`: the square of its radius in that frame;
+  /// `widest2`: the largest of them. Concurrent for different pixels.
+  template <class Radius2>
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2,
+                 Radius2&& radius2) {
+    std::array<float, kMaxFrames> within2;
+    hit.frames.for_each([&](Frame f) {
+      within2[static_cast<std::size_t>(f)] = radius2(f);
+      pixels_[index(hit.pixel, f)].initial_radius = hit.radius;
+    });
+    GatherCounts not_counted;
+    gather(hit, tile.scattering_of(hit), map, widest2, not_counted,
+           [&](const Strand*, FrameSet frames, RgbLanes, float distance2) {
+             frames.for_each([&](Frame f) {
+               pixels_[index(hit.pixel, f)].photons += distance2 <= within2[static_cast<std::size_t>(f)];
+             });
+           });
+  }
+
+  float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_[index(pixel, frame)].photons); }
+  /// Before any shrinking.
+  float initial_radius(int pixel, Frame frame) const { return pixels_[index(pixel, frame)].initial_radius; }
+  void persist(StateStream& state) { state.part(pixels_); }
+
+ private:
+  struct Pixel {
+    std::uint32_t photons = 0;
+    float initial_radius = 0;
+  };
+  std::size_t index(int pixel, Frame frame) const {
+    return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);
+  }
+
+  std::size_t frames_;
+  std::vector<Pixel> pixels_;  // the frames of a pixel lie together
+};
+
+}  // namespace dspm

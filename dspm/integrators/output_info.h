@@ -1,0 +1,25 @@
+// The images that an integrator gives of every frame, by name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dspm {
+
+inline constexpr const char* kRadiance = "radiance";
+
+struct OutputInfo {
+  std::string name;                   // as in --aov
+  std::vector<std::string> channels;  // one to three, as EXR files name them; the r, g and b of the image
+  std::string sentence;               // what the values are, and their unit
+  bool single = false;                // in single precision even if the film says half
+  // If the values are ids, the names that they stand for: a value is id_of(name), and 0 stands for none.
+  std::vector<std::string> names = {};
+};
+
+inline OutputInfo radiance_output() { return {kRadiance, {"R", "G", "B"}, "radiance in W/(m^2 sr)"}; }
+
+/// A name's id in images: a hash as the bits of a float, never 0, infinite or NaN. [Cryptomatte specification 1.2.0]
+float id_of(const std::string& name);
+
+}  // namespace dspm

@@ -1,0 +1,24 @@
+// What the camera sees first, for any integrator: position, depth, normal, albedo, texture coordinates, object and
+// material. Camera rays of their own find it, through the same film and lens points as the integrator's paths, so that
+// it is filtered like the image.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "dspm/integrators/integrator.h"
+
+namespace dspm {
+
+/// All of them, for every scene; those of ids without names.
+const std::vector<OutputInfo>& surface_outputs();
+
+/// Makes an integrator that may hold that many bytes; 0: no bound.
+using MakeWithin = std::function<std::unique_ptr<Integrator>(std::size_t memory)>;
+
+/// The integrator that `make` returns (null if it failed), together with those of the surface outputs in
+/// `render.outputs` that it does not declare itself. Throws NotEnoughMemory.
+std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const Scene& scene,
+                                                 const RenderSettings& render);
+
+}  // namespace dspm

@@ -1,0 +1,110 @@
+// --aov and Film "gbuffer": outputs next to radiance, as layers of each frame's EXR file.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "dspm/image/exr.h"
+#include "dspm/integrators/output_info.h"
+#include "tests/support/process.h"
+
+namespace dspm::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Outcome render(const TemporaryDirectory& directory, std::vector<std::string> more) {
+  more.insert(more.begin(), "tiny.dsc");
+  return run(directory, more);
+}
+
+Names channels_of(const std::filesystem::path& image) { return read_exr_header(image).channels; }
+
+const Names kSurface = {"Albedo.B", "Albedo.G", "Albedo.R", "B", "G",      "N.X",      "N.Y", "N.Z", "P.X",
+                        "P.Y",      "P.Z",      "R",        "Z", "object", "material", "u",   "v"};
+
+Names sorted(Names names) {
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Layers, AreThoseThatWereAskedFor) {
+  const TinyDirectory directory;
+  ASSERT_EQ(render(directory, {}).code, 0);
+  const Image plain = read_image(directory / kTinyImages[1]);
+  EXPECT_EQ(channels_of(directory / kTinyImages[1]), (Names{"B", "G", "R"}));
+  const Outcome outcome = render(directory, {"--aov", "N,Z,photons,radius"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* image : kTinyImages)
+    EXPECT_EQ(channels_of(directory / image), (Names{"B", "G", "N.X", "N.Y", "N.Z", "R", "Z", "photons", "radius"}));
+  EXPECT_EQ(read_image(directory / kTinyImages[1]), plain);
+  const Image photons = read_exr_channels(directory / kTinyImages[1], {"photons"});
+  EXPECT_TRUE(std::any_of(photons.pixels.begin(), photons.pixels.end(), [](const Rgb& p) { return p.r > 0; }));
+}
+
+TEST(Layers, OfAGbufferFilmAreTheSame) {
+  const TinyDirectory asked, film;
+  ASSERT_EQ(render(asked, {"--aov", "N,P,Z,albedo,uv,object,material"}).code, 0);
+  std::string scene = kTinyScene;
+  scene.replace(scene.find("Film \"rgb\""), 10, "Film \"gbuffer\" \"string coordinatesystem\" \"world\"");
+  put_file(film / "tiny.dsc", scene);
+  const Outcome outcome = render(film, {});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* image : kTinyImages) {
+    EXPECT_EQ(channels_of(film / image), sorted(kSurface));
+    for (const Names& layer :
+         {Names{"N.X", "N.Y", "N.Z"}, Names{"P.X", "P.Y", "P.Z"}, Names{"Z", "u", "v"}, Names{"object", "material"}})
+      EXPECT_EQ(read_exr_channels(film / image, layer), read_exr_channels(asked / image, layer));
+  }
+}
+
+TEST(Layers, OfIdsHaveAManifest) {
+  const TinyDirectory directory;
+  ASSERT_EQ(render(directory, {"--aov", "object"}).code, 0);
+  const std::string manifest = read_exr_header(directory / kTinyImages[0]).texts.at("object manifest");
+  const Image ids = read_exr_channels(directory / kTinyImages[0], {"object"});
+  const auto entry = [](float id) { return fmt::format("{:08x}\"", std::bit_cast<std::uint32_t>(id)); };
+  for (const Rgb& pixel : ids.pixels) {
+    if (pixel.r == 0) continue;
+    EXPECT_NE(manifest.find(entry(pixel.r)), manifest.npos);
+  }
+  EXPECT_NE(manifest.find("\"ball\": \"" + entry(id_of("ball"))), manifest.npos) << manifest;
+}
+
+TEST(Layers, GoOnAfterAResume) {
+  const TinyDirectory whole, parts;
+  const Names outputs = {"--aov", "N,albedo,object,photons"};
+  const auto with = [&](Names more) {
+    more.insert(more.end(), outputs.begin(), outputs.end());
+    return more;
+  };
+  ASSERT_EQ(render(whole, with({"--iterations", "4"})).code, 0);
+  ASSERT_EQ(render(parts, with({"--iterations", "2", "--checkpoint", "tiny.ck"})).code, 0);
+  const Outcome other = render(parts, {"--iterations", "4", "--resume", "tiny.ck"});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("the outputs"), std::string::npos) << other.err;
+  const Outcome outcome = render(parts, with({"--iterations", "4", "--resume", "tiny.ck"}));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* image : kTinyImages)
+    for (const Names& layer : {Names{"R", "G", "B"}, Names{"N.X", "N.Y", "N.Z"},
+                               Names{"Albedo.R", "Albedo.G", "Albedo.B"}, Names{"object", "photons"}})
+      EXPECT_EQ(read_exr_channels(parts / image, layer), read_exr_channels(whole / image, layer));
+}
+
+TEST(Layers, ThatNobodyHasAreErrors) {
+  const TinyDirectory directory;
+  const Outcome outcome = render(directory, {"--aov", "normal,albdo"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("integrator \"dsppm\" has no output \"normal\""), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("radiance, radius, photons, N, P, Z, albedo, uv, object, material"), std::string::npos);
+  EXPECT_NE(outcome.err.find("did you mean \"albedo\"?"), std::string::npos) << outcome.err;
+  EXPECT_EQ(render(directory, {"--integrator", "path", "--aov", "photons"}).code, 1);
+  EXPECT_EQ(render(directory, {"--aov", "N,"}).code, 2);
+  const Outcome png = render(directory, {"--aov", "N", "-o", "a.png"});
+  EXPECT_EQ(png.code, 2);
+  EXPECT_NE(png.err.find("a.png cannot hold N"), std::string::npos) << png.err;
+}
+
+}  // namespace
+}  // namespace dspm::test
