@@ -124,14 +124,7 @@ class DiffuseArea final : public Light {
   }
 
   float pdf_a(int primitive, const Vec3& ng) const {
-    return primitives_.probability(primitive) * pdf_on_primitive(primitive, ng);
-  }
-
-  // The density of placed_.sample_area() at a point with that normal.
-  float pdf_on_primitive(int primitive, const Vec3& ng) const {
-    const Transform& t = placed_.to_world;
-    const Vec3 n{dot(ng, t.vector({1, 0, 0})), dot(ng, t.vector({0, 1, 0})), dot(ng, t.vector({0, 0, 1}))};
-    return 1 / (placed_.shape->area(primitive) * placed_.area_scale(normalize(n)));
+    return primitives_.probability(primitive) * placed_.pdf_a(primitive, ng);
   }
 
   const PlacedShape& placed_;
