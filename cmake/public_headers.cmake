@@ -7,8 +7,9 @@ set(public_headers
   colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/dimension.h integrators/integrator.h integrators/output_info.h integrators/rejections.h
-  integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h integrators/tiles.h
+  integrators/counters.h integrators/dimension.h integrators/integrator.h integrators/output_info.h
+  integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
+  integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/material.h materials/microfacet.h materials/parameters.h materials/shading_frame.h
   math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h

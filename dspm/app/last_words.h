@@ -1,9 +1,33 @@
-// An exception that cannot be caught, as when a library's thread runs out of memory, still ends in a message.
+// Ends that nobody asked for still end in a message: an exception that cannot be caught, as when a library's thread runs
+// out of memory; a crash; exit() in a module.
 #pragma once
+
+#include <cstddef>
+#include <string_view>
 
 namespace dspm {
 
-/// From now on such an end is reported on standard error, leaves no temporary file, and has exit code 1.
+/// From now on such an end is reported on standard error and leaves no temporary file. A crash ends the process by its
+/// signal, others have exit code 1.
 void prepare_last_words();
+
+/// While it lives, a render is under way: exit() is a failure, and last words say what was being done, which module was
+/// at it, and what the render leaves behind. At most one at a time.
+class LastWords {
+ public:
+  LastWords();
+  ~LastWords();
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+  /// A step begins: "iteration 3". `own`: who does it if no module is found at work; may be empty.
+  void begin(std::string_view step, std::string_view own);
+  /// What has been rendered so far and where it lies, in words.
+  void keep(std::string_view files);
+
+ private:
+  void know_modules();
+  std::size_t known_modules_ = 0;
+};
 
 }  // namespace dspm

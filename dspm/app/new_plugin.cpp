@@ -30,6 +30,8 @@ constexpr SceneLine kSceneLines[] = {
     {"camera", "Camera \"perspective\" \"float fov\" 40", "Camera \"@name@\" \"float fov\" 100"},
     {"light", "LightSource \"point\" \"point3 from\" [2 4 -3] \"rgb I\" [60 58 54]",
      "AttributeBegin Translate 2 4 -3 LightSource \"@name@\" \"rgb I\" [60 58 54] AttributeEnd"},
+    {"area light", "", "AreaLightSource \"@name@\" \"rgb L\" [6 5 4]"},
+    {"filter", "", "PixelFilter \"@name@\" \"float radius\" 1.5"},
     {"texture", "", "Texture \"pattern\" \"spectrum\" \"@name@\" \"rgb light\" [.8 .75 .6] \"rgb dark\" [.15 .2 .35]"},
     {"material", "Material \"diffuse\" \"rgb reflectance\" [.7 .6 .5]",
      "Material \"@name@\" \"rgb reflectance\" [.7 .6 .5]"},
@@ -69,12 +71,24 @@ std::string_view template_text(std::string_view file) {
   return std::find_if(all.begin(), all.end(), [&](const Template& t) { return t.file == file; })->text;
 }
 
-void check(std::string_view kind, const std::string& name, const fs::path& folder) {
-  std::vector<std::string> kinds;
-  for (const SceneLine& line : kSceneLines) kinds.emplace_back(line.kind);
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw UsageError(
-        fmt::format("--new-plugin {}: there is no such kind; choose one of: {}", kind, fmt::join(kinds, ", ")));
+/// The name of a kind as one word, on the command line and in the names of templates.
+std::string word_of(std::string kind) {
+  std::replace(kind.begin(), kind.end(), ' ', '-');
+  return kind;
+}
+
+/// The kind as the tables of plugins name it.
+std::string kind_of(const std::string& word) {
+  std::vector<std::string> words;
+  for (const SceneLine& line : kSceneLines) {
+    words.push_back(word_of(line.kind));
+    if (word_of(word) == words.back()) return line.kind;
+  }
+  throw UsageError(
+      fmt::format("--new-plugin {}: there is no such kind; choose one of: {}", word, fmt::join(words, ", ")));
+}
+
+void check(const std::string& kind, const std::string& name, const fs::path& folder) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || name[0] < 'a' || name == "test")
     throw UsageError(fmt::format(
@@ -82,7 +96,7 @@ void check(std::string_view kind, const std::string& name, const fs::path& folde
   if (kind == "integrator" && is_name_of_path(name))
     throw UsageError(
         fmt::format("--new-plugin: in pbrt scenes the integrator \"{}\" means \"path\"; choose another name", name));
-  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: a {} \"{}\" exists already", kind, name));
+  if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: {} \"{}\" exists already", kind, name));
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
     throw UsageError(fmt::format("--new-plugin: {} exists already, and is not an empty folder", folder.string()));
@@ -116,14 +130,15 @@ std::string commands(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-std::string new_plugin(std::string_view kind, const std::string& name, const fs::path& folder) {
+std::string new_plugin(const std::string& kind, const std::string& name, const fs::path& folder) {
   expect_allowed(folder);
-  check(kind, name, folder);
+  const std::string table_kind = kind_of(kind), file = word_of(table_kind);
+  check(table_kind, name, folder);
   fs::create_directories(folder);
-  const Words words = words_of(kind, name);
+  const Words words = words_of(table_kind, name);
   write_file(folder / "CMakeLists.txt", filled(template_text("CMakeLists.txt"), words));
-  write_file(folder / (name + ".cpp"), filled(template_text(std::string(kind) + ".cpp"), words));
-  write_file(folder / (name + "_test.cpp"), filled(template_text(std::string(kind) + "_test.cpp"), words));
+  write_file(folder / (name + ".cpp"), filled(template_text(file + ".cpp"), words));
+  write_file(folder / (name + "_test.cpp"), filled(template_text(file + "_test.cpp"), words));
   write_file(folder / (name + ".dsc"), filled(template_text("scene.dsc"), words));
   return commands(folder, name);
 }

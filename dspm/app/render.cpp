@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 
+#include "dspm/app/last_words.h"
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
 #include "dspm/app/watch.h"
@@ -31,12 +32,14 @@ OtherFiles other_files(const Options& options) {
 /// Shows a session's progress, saves its checkpoints and writes its images.
 class Render final : public SessionObserver {
  public:
-  Render(const LoadedScene& loaded, const Options& options, MemoryBound& memory, Messages& messages, Watch& watch)
+  Render(const LoadedScene& loaded, const Options& options, MemoryBound& memory, Messages& messages, Watch& watch,
+         LastWords& last_words)
       : loaded_(loaded),
         options_(options),
         memory_(memory),
         messages_(messages),
         watch_(watch),
+        last_words_(last_words),
         results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages,
                  [] { return InterruptRequests::signal() != 0; }),
         checkpoints_(loaded.job, options, messages),
@@ -49,7 +52,10 @@ class Render final : public SessionObserver {
   int run();
   const std::vector<FrameList>& intervals() const { return intervals_; }
 
-  void step_begins(const std::string& step, const std::string& who) override { watch_.begin(step, who); }
+  void step_begins(const std::string& step, const std::string& who) override {
+    watch_.begin(step, who);
+    last_words_.begin(step, who);
+  }
   void ready(const Scene& scene, Integrator& integrator, int iterations) override {
     announce(scene, integrator, iterations);
     checkpoints_.begin(intervals_, integrator);
@@ -58,6 +64,8 @@ class Render final : public SessionObserver {
     const IntervalProgress before = checkpoints_.resume(index, integrator);
     progress_->begin(static_cast<int>(index), before.iterations);
     saved_ = before.iterations;
+    has_checkpoint_ |= saved_ > 0;
+    last_words_.keep(kept_in_words());
     return before;
   }
   void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
@@ -67,6 +75,7 @@ class Render final : public SessionObserver {
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
     if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
     results_.write(intervals_[progress.index], integrator, progress.seconds, images);
+    last_words_.keep(kept_in_words());
     if (images == Images::so_far) results_.report_faults();
   }
   void iteration_failed() override { results_.report_missing(); }
@@ -78,8 +87,19 @@ class Render final : public SessionObserver {
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   void save(const IntervalProgress& progress, Integrator& integrator) {
     saved_ = progress.iterations;
+    has_checkpoint_ = !checkpoints_.path().empty();
     results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(progress, integrator); });
     results_.report_faults();
+    last_words_.keep(kept_in_words());
+  }
+  /// What a crash would leave.
+  std::string kept_in_words() const {
+    const std::string images = results_.written();
+    std::string words =
+        images.empty() ? "no images have been written (--write-every writes some)" : "the images so far: " + images;
+    if (has_checkpoint_)
+      words += fmt::format("; --resume {} continues from the last checkpoint", checkpoints_.path().string());
+    return words;
   }
 
   const LoadedScene& loaded_;
@@ -87,10 +107,12 @@ class Render final : public SessionObserver {
   const MemoryBound& memory_;
   Messages& messages_;
   Watch& watch_;
+  LastWords& last_words_;
   Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
   int saved_ = 0;  // iterations of the interval that the checkpoint holds
+  bool has_checkpoint_ = false;
   RunReport report_;
   std::unique_ptr<Progress> progress_;
 };
@@ -145,11 +167,13 @@ int with_render(const Options& options, const char* step, const Task& task) {
   MemoryBound memory(options.memory);
   Watch watch(options.patience);
   watch.begin(step, "");
+  LastWords last_words;
+  last_words.begin(step, "");
   return naming_memory_step([&] { return watch.step(); },
                             [&] {
                               const LoadedScene loaded(options.scenes, options, messages);
                               const InterruptRequests interrupts;
-                              Render render(loaded, options, memory, messages, watch);
+                              Render render(loaded, options, memory, messages, watch, last_words);
                               if (options.explain) explain(*loaded.world, render.intervals());
                               return task(render, loaded, messages);
                             });

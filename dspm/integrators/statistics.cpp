@@ -12,6 +12,7 @@ void Statistics::persist(StateStream& state) {
   rejections.persist(state);
   state.part(energy);
   state.part(bytes);
+  counters.persist(state);
 }
 
 }  // namespace dspm

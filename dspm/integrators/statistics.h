@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/integrators/counters.h"
 #include "dspm/integrators/rejections.h"
 #include "dspm/system/state_stream.h"
 
@@ -77,6 +78,7 @@ struct Statistics {
   std::vector<EnergyBalance> energy;  // by frame; empty if no photons are traced
   std::size_t bytes = 0;              // peak size of the integrator's own buffers
   int photon_batches = 1;             // per iteration
+  Counters counters;                  // of a plugin's own
 
   /// The members that accumulate over iterations.
   void persist(StateStream& state);

@@ -59,7 +59,7 @@ class DiffuseArea final : public Light {
 
   std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
     if (!(primitives_.total() > 0)) return std::nullopt;
-    const AreaSample s = sample_point(u_position);
+    const Start s = sample_point(u_position);
     float side = 1;
     if (two_sided_) {
       side = u_direction.x < 0.5f ? 1.f : -1.f;
@@ -67,18 +67,24 @@ class DiffuseArea final : public Light {
     }
     const Vec3 local = cosine_hemisphere(u_direction);
     const Vec3 w = normalize(Basis::around(side * s.point.ng).to_world(local));
-    return Emission{s.point.spawn(w), radiance_ * (kPi * sides() / s.pdf_a)};
+    return Emission{s.point.spawn(w), radiance_ * (kPi * sides() / s.pdf_a), pdf(s.pdf_a, dot(s.point.ng, w)),
+                    s.point.ng, s.primitive};
+  }
+
+  EmissionPdf pdf_emit(const Ray& start, const Vec3& normal, int primitive) const override {
+    return pdf(pdf_a(primitive, normal), dot(normal, start.direction));
   }
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const override {
     if (!(primitives_.total() > 0)) return std::nullopt;
-    const AreaSample s = sample_point(u);
+    const Start s = sample_point(u);
     const Vec3 d = s.point.p - p;
     const float distance = length(d);
     const Vec3 wi = d / distance;
     const Rgb radiance = emitted(s.point, -wi);
     if (!(distance > 0) || is_black(radiance)) return std::nullopt;
-    return Illumination{wi, distance, radiance, s.pdf_a * length2(d) / std::abs(dot(s.point.ng, wi))};
+    return Illumination{wi,         distance,   radiance, s.pdf_a * length2(d) / std::abs(dot(s.point.ng, wi)),
+                        s.point.ng, s.primitive};
   }
 
   Rgb emitted(const SurfacePoint& point, const Vec3& w) const override {
@@ -88,8 +94,8 @@ class DiffuseArea final : public Light {
 
   float pdf_w(const Vec3& from, const SurfacePoint& point, int primitive) const override {
     const Vec3 d = point.p - from;
-    const float pdf_a = primitives_.probability(primitive) * pdf_on_primitive(primitive, point.ng);
-    return is_black(emitted(point, -d)) ? 0 : pdf_a * length2(d) * length(d) / std::abs(dot(point.ng, d));
+    if (is_black(emitted(point, -d))) return 0;
+    return pdf_a(primitive, point.ng) * length2(d) * length(d) / std::abs(dot(point.ng, d));
   }
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
@@ -99,20 +105,26 @@ class DiffuseArea final : public Light {
   }
 
  private:
+  struct Start : AreaSample {
+    int primitive;
+  };
+
   float sides() const { return two_sided_ ? 2.f : 1.f; }
 
-  AreaSample sample_point(Vec2 u) const {
+  Start sample_point(Vec2 u) const {
     const auto [primitive, probability, rest] = primitives_.choose(u.x);
-    AreaSample s = placed_.sample_area(primitive, {rest, u.y});
+    Start s{placed_.sample_area(primitive, {rest, u.y}), primitive};
     s.pdf_a *= probability;
     return s;
   }
 
-  // The density of placed_.sample_area() at a point with that normal.
-  float pdf_on_primitive(int primitive, const Vec3& ng) const {
-    const Transform& t = placed_.to_world;
-    const Vec3 n{dot(ng, t.vector({1, 0, 0})), dot(ng, t.vector({0, 1, 0})), dot(ng, t.vector({0, 0, 1}))};
-    return 1 / (placed_.shape->area(primitive) * placed_.area_scale(normalize(n)));
+  /// `cosine` of the direction to the normal.
+  EmissionPdf pdf(float pdf_a, float cosine) const {
+    return {pdf_a, cosine_hemisphere_pdf_w(two_sided_ ? std::abs(cosine) : cosine) / sides(), false, false};
+  }
+
+  float pdf_a(int primitive, const Vec3& ng) const {
+    return primitives_.probability(primitive) * placed_.pdf_a(primitive, ng);
   }
 
   const PlacedShape& placed_;

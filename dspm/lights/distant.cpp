@@ -29,8 +29,10 @@ class Distant final : public Light {
   Rgb power() const override { return irradiance_ * scene_.disk_area(); }
 
   std::optional<Emission> emit(Vec2 u_position, Vec2) const override {
-    return Emission{scene_.entering(wi_, u_position), power()};
+    return Emission{scene_.entering(wi_, u_position), power(), pdf()};
   }
+
+  EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
 
   std::optional<Illumination> illuminate(const Vec3&, Vec2) const override {
     return Illumination{wi_, kInfinity, irradiance_, 0};
@@ -43,6 +45,8 @@ class Distant final : public Light {
   }
 
  private:
+  EmissionPdf pdf() const { return {1 / scene_.disk_area(), 1, false, true}; }
+
   SceneSphere scene_;
   Vec3 wi_;
   Rgb irradiance_;

@@ -49,7 +49,12 @@ class Infinite final : public Light {
   std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
     if (map_.is_black()) return std::nullopt;
     const EnvironmentMap::Sample s = draw(u_direction);
-    return Emission{scene_.entering(s.direction, u_position), s.radiance * (scene_.disk_area() / s.pdf_w)};
+    return Emission{scene_.entering(s.direction, u_position), s.radiance * (scene_.disk_area() / s.pdf_w),
+                    pdf(s.pdf_w)};
+  }
+
+  EmissionPdf pdf_emit(const Ray& start, const Vec3&, int) const override {
+    return pdf(escaped_pdf_w(-start.direction));
   }
 
   std::optional<Illumination> illuminate(const Vec3&, Vec2 u) const override {
@@ -75,6 +80,8 @@ class Infinite final : public Light {
   }
 
  private:
+  EmissionPdf pdf(float pdf_w) const { return {1 / scene_.disk_area(), pdf_w, false, false}; }
+
   Vec3 to_light(const Vec3& direction) const { return normalize(to_world_.inverse_vector(direction)); }
 
   EnvironmentMap::Sample draw(Vec2 u) const {

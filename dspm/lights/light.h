@@ -17,18 +17,35 @@
 
 namespace dspm {
 
-/// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power.
+/// The densities with which emit() draws the start and the direction of a path. What is a delta counts as 1: all paths
+/// start in one point, or all go in one direction.
+struct EmissionPdf {
+  /// By area: of the light's surface in the world, or, if the light is infinitely far away, of the disk across the
+  /// direction on which photons start. It includes the choice of the primitive.
+  float position = 0;
+  float direction = 0;  // by solid angle; if the light is infinitely far away, whatever the position
+  bool delta_position = false, delta_direction = false;
+};
+
+/// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power; `flux` times both
+/// densities is the radiance times |cos| to `normal`. Without a normal there is no cosine, and for a delta the radiance
+/// is what takes its place: the radiant intensity, or the irradiance across the direction.
 struct Emission {
   Ray ray;
   Rgb flux;
+  EmissionPdf pdf = {};
+  Vec3 normal = {};    // the geometric normal of the light's surface at the start; zero if it has no surface
+  int primitive = -1;  // of the light's shape; -1 if it has none
 };
 
 /// Light that arrives at a point from one direction.
 struct Illumination {
-  Vec3 wi;         // towards the light
-  float distance;  // infinite for distant and infinite lights
-  Rgb radiance;    // for a delta light: the irradiance on a surface perpendicular to wi
-  float pdf_w;     // by solid angle; 0 for a delta light (one that no ray can hit)
+  Vec3 wi;           // towards the light
+  float distance;    // infinite for distant and infinite lights
+  Rgb radiance;      // for a delta light: the irradiance on a surface perpendicular to wi
+  float pdf_w;       // by solid angle; 0 for a delta light (one that no ray can hit)
+  Vec3 normal = {};  // of the light's surface at the sampled point, and its primitive: as in Emission
+  int primitive = -1;
 };
 
 class Light {
@@ -38,6 +55,9 @@ class Light {
   virtual Rgb power() const = 0;
   /// Starts a photon path; nullopt if these numbers yield no light.
   virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
+  /// The densities with which emit() draws this start and direction, for paths that came to the light another way;
+  /// `normal` and `primitive` as in Emission. A delta is taken for granted. Zero: unknown, or never drawn.
+  virtual EmissionPdf pdf_emit(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const { return {}; }
   /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
 

@@ -27,8 +27,10 @@ class Point final : public Light {
   Rgb power() const override { return 4 * kPi * intensity_; }
 
   std::optional<Emission> emit(Vec2, Vec2 u_direction) const override {
-    return Emission{{p_, uniform_sphere(u_direction)}, power()};
+    return Emission{{p_, uniform_sphere(u_direction)}, power(), pdf()};
   }
+
+  EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
     const Vec3 d = p_ - p;
@@ -44,6 +46,8 @@ class Point final : public Light {
   }
 
  private:
+  static EmissionPdf pdf() { return {1, kUniformSpherePdfW, true, false}; }
+
   Vec3 p_;
   Rgb intensity_;
 };

@@ -56,8 +56,11 @@ class Spot final : public Light {
         u.x < share ? inner_ * (u.x / share) : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
     const float sine = std::sqrt(versine * (2 - versine)), phi = 2 * kPi * u.y;
     const Vec3 local{sine * std::cos(phi), sine * std::sin(phi), 1 - versine};
-    return Emission{{p_, normalize(basis_.to_world(local))}, power()};
+    const Vec3 w = normalize(basis_.to_world(local));
+    return Emission{{p_, w}, power(), pdf(w)};
   }
+
+  EmissionPdf pdf_emit(const Ray& start, const Vec3&, int) const override { return pdf(start.direction); }
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
     const Vec3 d = p_ - p;
@@ -89,6 +92,8 @@ class Spot final : public Light {
   }
 
  private:
+  EmissionPdf pdf(const Vec3& w) const { return {1, falloff(w) / (kPi * (inner_ + outer_)), true, false}; }
+
   float falloff(const Vec3& w) const {
     const float versine = 0.5f * length2(w - basis_.z);
     if (versine <= inner_) return 1;

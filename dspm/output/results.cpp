@@ -85,6 +85,12 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   written_.insert(interval.begin(), interval.end());
 }
 
+std::string Results::written() const {
+  if (written_.empty() || faults_.any()) return {};
+  const std::string first = output_.name(*written_.begin()).string();
+  return written_.size() > 1 ? fmt::format("{} to {}", first, output_.name(*written_.rbegin()).string()) : first;
+}
+
 void Results::say_end(double seconds, bool interrupted) const {
   const std::size_t left = job_.frames.size() - written_.size();
   const std::string what = interrupted ? "interrupted" : "done";
@@ -92,9 +98,7 @@ void Results::say_end(double seconds, bool interrupted) const {
   if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
   if (faults_.any())
     return messages_.say("{} after {}, but not all files could be written{}", what, readable_time(seconds), missing);
-  const std::string last = written_.size() > 1 ? " to " + output_.name(*written_.rbegin()).string() : "";
-  messages_.say("{} after {}: {}{}{}", what, readable_time(seconds), output_.name(*written_.begin()).string(), last,
-                missing);
+  messages_.say("{} after {}: {}{}", what, readable_time(seconds), written(), missing);
 }
 
 bool Results::finish(const RunReport& report) {

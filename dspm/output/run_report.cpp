@@ -89,6 +89,9 @@ void write_work(JsonWriter& json, const Statistics& s) {
   json.end_object();
   json.member("photon_tests", s.photon_tests);
   json.member("invalid", s.rejections.count());
+  json.key("counters").begin_object();
+  for (const Counters::Entry& counter : s.counters) json.member(key_of(counter.name), counter.value);
+  json.end_object();
 }
 
 /// Frame by frame of the job, those that were rendered.
@@ -124,6 +127,7 @@ void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_int
   sum.rejections += interval.rejections;
   sum.energy.insert(sum.energy.end(), interval.energy.begin(), interval.energy.end());
   if (!interval.energy.empty()) frames.insert(frames.end(), of_interval.begin(), of_interval.end());
+  sum.counters += interval.counters;
   sum.bytes = std::max(sum.bytes, interval.bytes);
 }
 
@@ -152,6 +156,8 @@ std::string table_of(const Job& job, const RunReport& report) {
     text += fmt::format("  {:<24}{:>16}{:>18}{:>10.2f}\n", name, grouped(count.done), grouped(count.separate),
                         count.factor());
   text += fmt::format("  {:<24}{:>16}\n", "photon tests", grouped(s.photon_tests));
+  for (const Counters::Entry& counter : s.counters)
+    text += fmt::format("  {:<24}{:>16}\n", counter.name, grouped(counter.value));
   text += fmt::format("\n  {:<24}{:>16}{:>18}\n", "paths", "camera", "photon");
   const auto line = [&](const char* name, std::uint64_t camera, std::uint64_t photon) {
     text += fmt::format("  {:<24}{:>16}{:>18}\n", name, grouped(camera), grouped(photon));

@@ -61,6 +61,12 @@ AreaSample PlacedShape::sample_area(int primitive, Vec2 u) const {
   return {surface_point(primitive, uv), 1 / (shape->area(primitive) * scale)};
 }
 
+float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
+  const Vec3 n{dot(ng, to_world.vector({1, 0, 0})), dot(ng, to_world.vector({0, 1, 0})),
+               dot(ng, to_world.vector({0, 0, 1}))};
+  return 1 / (shape->area(primitive) * area_scale(normalize(n)));
+}
+
 float PlacedShape::area_scale(const Vec3& n) const {
   if (!in_object_space()) return 1;
   const Basis tangents = Basis::around(n);

@@ -29,6 +29,8 @@ struct PlacedShape {
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
   AreaSample sample_area(int primitive, Vec2 u) const;
+  /// The density of sample_area() at a point of the primitive whose normal, in the world, is ng.
+  float pdf_a(int primitive, const Vec3& ng) const;
   /// Factor from object to world area at a point whose object-space unit normal is n.
   float area_scale(const Vec3& n) const;
 

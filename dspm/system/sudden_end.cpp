@@ -46,11 +46,15 @@ Leftover::~Leftover() {
   slot_->taken = false;
 }
 
-void end_suddenly(int code) {
+void remove_leftovers() {
   for (const Leftover::Slot& slot : Leftover::Slot::all)
     if (slot.ready && slot.program != 0) kill(slot.program, SIGKILL);
   for (const Leftover::Slot& slot : Leftover::Slot::all)
     if (slot.ready && slot.program == 0) unlink(slot.file);
+}
+
+void end_suddenly(int code) {
+  remove_leftovers();
   _exit(code);
 }
 

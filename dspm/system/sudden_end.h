@@ -7,10 +7,12 @@
 
 namespace dspm {
 
-/// Ends the process with this exit code. For signal handlers.
+/// Removes the files and kills the programs of all Leftovers. For signal handlers.
+void remove_leftovers();
+/// Does that, and ends the process with this exit code. For signal handlers.
 [[noreturn]] void end_suddenly(int code);
 
-/// While it lives, end_suddenly() removes the file, or kills the program. There is room for a few at a time; any others
+/// While it lives, remove_leftovers() removes the file, or kills the program. There is room for a few at a time; any others
 /// are left over.
 class Leftover {
  public:
@@ -23,7 +25,7 @@ class Leftover {
  private:
   struct Slot;
   static Slot* take();
-  friend void end_suddenly(int code);
+  friend void remove_leftovers();
 
   Slot* slot_;  // null: no room
 };

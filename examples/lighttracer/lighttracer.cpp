@@ -111,6 +111,7 @@ class LightTracer final : public Integrator {
     });
     for (const Chunk& chunk : chunks) {
       statistics_.photon += chunk.counts;
+      statistics_.counters.add("splats", chunk.splats.size());
       for (const Splat& splat : chunk.splats)
         splat.frames.for_each([&](Frame frame) {
           sums_[static_cast<std::size_t>(frame)].pixels[static_cast<std::size_t>(splat.pixel)] += splat.radiance;

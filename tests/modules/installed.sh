@@ -60,8 +60,8 @@ examples() {
 projects() {
   local kind commands
   export CXX=$compiler CXXFLAGS="-Wall -Wextra -Werror" CMAKE_GENERATOR=Ninja CMAKE_BUILD_TYPE=Release
-  for kind in integrator material shape texture light camera accelerator; do
-    commands=$("$dspm" --new-plugin "$kind" "my_$kind" "$work/what's new/$kind")
+  for kind in integrator material shape texture light area-light camera filter accelerator; do
+    commands=$("$dspm" --new-plugin "$kind" "my_${kind//-/_}" "$work/what's new/$kind")
     bash -ec "$commands" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "what --new-plugin $kind says fails with $compiler"; }
   done
 }

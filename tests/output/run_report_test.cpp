@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tests/output/json_check.h"
 
 namespace dspm {
@@ -17,13 +21,16 @@ Statistics interval(int iterations, double seconds) {
   s.photons_stored = {1000, 3000};
   s.energy = {{.emitted = 3, .absorbed = 2, .escaped = 1, .terminated = 0}};
   s.bytes = 5;
+  s.counters.add("joined paths", 1'500);
   return s;
 }
 
 TEST(RunReport, AddsIntervals) {
   RunReport report;
   report.add(interval(2, 1), {2});
-  report.add(interval(3, 10), {0});
+  Statistics second = interval(3, 10);
+  second.counters.add("a count of its own", 7);
+  report.add(second, {0});
   const Statistics& s = report.statistics;
   EXPECT_EQ(report.iterations, (std::vector<int>{2, 3}));
   EXPECT_EQ(s.iterations, 5);
@@ -33,6 +40,9 @@ TEST(RunReport, AddsIntervals) {
   EXPECT_EQ(s.camera.segments.separate, 80u);
   EXPECT_EQ(s.energy.size(), 2u);
   EXPECT_EQ(s.bytes, 5u);
+  std::vector<std::pair<std::string, std::uint64_t>> counters;
+  for (const Counters::Entry& counter : s.counters) counters.emplace_back(counter.name, counter.value);
+  EXPECT_EQ(counters, (decltype(counters){{"joined paths", 3'000}, {"a count of its own", 7}}));
 }
 
 TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
@@ -49,8 +59,10 @@ TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   EXPECT_NE(table.find("camera path segments                  10                40      4.00"), std::string::npos)
       << table;
   EXPECT_NE(table.find("3,000"), std::string::npos) << table;
+  EXPECT_NE(table.find("joined paths                       1,500\n"), std::string::npos) << table;
   EXPECT_TRUE(test::JsonCheck::valid(json)) << json;
   EXPECT_NE(json.find("\"factor\": 3"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"joined_paths\": 1500"), std::string::npos) << json;
 }
 
 }  // namespace

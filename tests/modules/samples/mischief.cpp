@@ -1,6 +1,7 @@
 // An integrator that does what a bad one may do; without a mood it paints every frame in its own grey.
 #include <dspm/modules/module.h>
 
+#include <cstdlib>
 #include <list>
 #include <stdexcept>
 #include <thread>
@@ -20,6 +21,7 @@ class Mischief final : public Integrator {
     if (iteration == 2 && mood_ == "throw") throw std::runtime_error("out of paint");
     if (iteration == 2 && mood_ == "hang") std::this_thread::sleep_for(std::chrono::seconds(3));
     if (iteration == 2 && mood_ == "hoard") hoard();
+    if (iteration == 1) die();
     ++statistics_.iterations;
   }
   Image estimate(Frame frame, const std::string&) const override {
@@ -29,8 +31,20 @@ class Mischief final : public Integrator {
     return image;
   }
   Statistics statistics() const override { return statistics_; }
+  bool persist(StateStream& state) override {
+    statistics_.persist(state);
+    return mood_ == "abort";
+  }
 
  private:
+  void die() const {
+    int* volatile nowhere = nullptr;
+    if (mood_ == "abort") std::abort();
+    if (mood_ == "segfault") *nowhere = 1;
+    if (mood_ == "exit") std::exit(0);
+    if (mood_ == "exit in a thread") std::thread([] { std::exit(0); }).join();
+    if (mood_ == "throw in a thread") std::thread([] { throw std::runtime_error("out of thread"); }).join();
+  }
   /// All memory that a process with a limit may have.
   void hoard() {
     constexpr std::size_t kPiece = 1 << 18, kUnlimited = 1 << 12;
@@ -45,8 +59,10 @@ class Mischief final : public Integrator {
 };
 
 std::unique_ptr<Integrator> make_mischief(ParamReader& params, const Scene&, const RenderSettings& render) {
-  const std::string mood =
-      params.choice("mood", "good", {"good", "throw", "refuse", "hang", "nan", "hoard"}, "what it does");
+  const std::string mood = params.choice("mood", "good",
+                                         {"good", "throw", "refuse", "hang", "nan", "hoard", "abort", "segfault",
+                                          "exit", "exit in a thread", "throw in a thread"},
+                                         "what it does");
   params.finish();
   if (mood == "refuse") throw std::runtime_error("not today");
   return std::make_unique<Mischief>(mood, render);

@@ -1,0 +1,36 @@
+#include "dspm/integrators/counters.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace dspm {
+
+void Counters::add(std::string_view name, std::uint64_t count) {
+  const auto same =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
+  if (same != entries_.end()) {
+    same->value += count;
+    return;
+  }
+  if (name.size() > kLongestName) throw std::length_error("the name of a counter is too long");
+  if (entries_.size() >= kMost) throw std::length_error("an integrator has too many counters");
+  Entry& entry = entries_.emplace_back();
+  std::copy(name.begin(), name.end(), entry.name);
+  entry.value = count;
+}
+
+Counters& Counters::operator+=(const Counters& other) {
+  for (const Entry& entry : other.entries_) add(entry.name, entry.value);
+  return *this;
+}
+
+void Counters::persist(StateStream& state) {
+  std::vector<Entry> entries = entries_;
+  state.list(entries, kMost);
+  for (const Entry& entry : entries)
+    if (entry.name[kLongestName] != 0) throw std::runtime_error("it holds a counter whose name is too long");
+  entries_ = std::move(entries);
+}
+
+}  // namespace dspm

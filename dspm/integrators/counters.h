@@ -1,0 +1,36 @@
+// Counts that a plugin's integrator has of its own, by name, for --stats.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+class Counters {
+ public:
+  struct Entry {
+    char name[24];  // ends with a 0
+    std::uint64_t value;
+  };
+  static constexpr std::size_t kMost = 64, kLongestName = sizeof(Entry::name) - 1;
+
+  /// Searches for the name, so it is for the sum of a chunk of work rather than for each ray. Throws std::length_error
+  /// beyond kMost names, or if the name is longer than kLongestName.
+  void add(std::string_view name, std::uint64_t count);
+  /// Adds those of the same name.
+  Counters& operator+=(const Counters& other);
+  /// Names, too: loading replaces all counters.
+  void persist(StateStream& state);
+
+  auto begin() const { return entries_.begin(); }
+  auto end() const { return entries_.end(); }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+}  // namespace dspm
