@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dspm/lang/canonical.h"
+#include "dspm/math/frames.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/version.h"
 
@@ -18,6 +19,13 @@ Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& w
   return {std::move(name), fmt::format("{:016x}", digest), true, where};
 }
 
+/// "0,1,5".
+std::string list_of(const std::vector<FileFrame>& frames) {
+  std::vector<int> indices;
+  for (const FileFrame frame : frames) indices.push_back(frame.index());
+  return fmt::format("{}", fmt::join(indices, ","));
+}
+
 void add_settings(const Job& job, std::vector<Fact>& facts) {
   const RenderSettings& s = job.settings;
   const PixelRect& crop = s.crop;
@@ -27,7 +35,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
-  facts.push_back(digest_fact("the choice of frames", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
+  facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));

@@ -47,7 +47,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   report_rejections(statistics.rejections, world_, interval, job_, messages_);
   faults_.retry();
   for (std::size_t j = 0; j < interval.size(); ++j) {
-    const Frame frame = interval[j];
+    const FileFrame frame = interval[j];
     const std::filesystem::path name = output_.name(frame);
     const auto image = std::make_shared<Image>();
     const auto estimate = [&] {

@@ -59,21 +59,21 @@ Comparison compare(TestScene& test) {
   const auto dsppm = test.integrator(*together, "dsppm");
   std::vector<std::unique_ptr<Scene>> scenes;
   std::vector<std::unique_ptr<Integrator>> sppm;
-  for (const Frame f : test.all_frames()) {
+  for (const FileFrame f : test.all_frames()) {
     scenes.push_back(test.scene({f}));
     sppm.push_back(test.integrator(*scenes.back(), "sppm"));
   }
   for (int i = 0; i < kIterations; ++i) {
     dsppm->iterate(i);
-    for (const Frame f : test.all_frames()) {
-      Integrator& alone = *sppm[static_cast<std::size_t>(f)];
+    for (const FileFrame f : test.all_frames()) {
+      Integrator& alone = *sppm[f.slot()];
       alone.iterate(i);
-      const Image a = dsppm->estimate(f), b = alone.estimate(0);
+      const Image a = dsppm->estimate(f.index()), b = alone.estimate(0);
       for (int p = 0; p < static_cast<int>(a.pixels.size()); ++p) {
         const auto at = static_cast<std::size_t>(p);
         ++result.pixels;
         result.lit += !is_black(b.pixels[at]);
-        const auto joint = dsppm->pixel_statistics(p, f), own = alone.pixel_statistics(p, 0);
+        const auto joint = dsppm->pixel_statistics(p, f.index()), own = alone.pixel_statistics(p, 0);
         result.differing += !(same(a.pixels[at], b.pixels[at]) && (!own || same(*joint, *own)));
         result.with_statistics += own.has_value();
       }
@@ -125,8 +125,8 @@ TEST(Kz11, FramesEqualTheirOwnRuns) {
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
     for (int i = 0; i < kIterations; ++i) together->iterate(i);
-    for (const Frame f : test.all_frames()) {
-      const Image a = together->estimate(f), b = test.render(f, kIterations);
+    for (const FileFrame f : test.all_frames()) {
+      const Image a = together->estimate(f.index()), b = test.render(f, kIterations);
       for (std::size_t p = 0; p < a.pixels.size(); ++p) EXPECT_TRUE(same(a.pixels[p], b.pixels[p]));
     }
   }
@@ -141,7 +141,7 @@ TEST(Path, FramesEqualTheirOwnRuns) {
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
     for (int i = 0; i < kIterations; ++i) together->iterate(i);
-    for (const Frame f : test.all_frames()) EXPECT_EQ(together->estimate(f), test.render(f, kIterations));
+    for (const FileFrame f : test.all_frames()) EXPECT_EQ(together->estimate(f.index()), test.render(f, kIterations));
   }
 }
 
