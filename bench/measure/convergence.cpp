@@ -16,7 +16,7 @@ class Renderer {
  public:
   Renderer(const LoadedScene& loaded, const Method& method) {
     const IntegratorPlugin* plugin = integrator_plugins().find(method.integrator);
-    const std::vector<Frame>& frames = loaded.job.frames;
+    const std::vector<FileFrame>& frames = loaded.job.frames;
     if (plugin->frames_together > 1) {
       runs_.push_back(start(loaded, method.job, method.integrator, frames));
     } else {

@@ -41,7 +41,7 @@ std::filesystem::path foreign(const std::string& name) {
   return path;
 }
 
-LoadedScene load(const std::filesystem::path& scene, const Choices& choices, std::optional<Frame> only) {
+LoadedScene load(const std::filesystem::path& scene, const Choices& choices, std::optional<FileFrame> only) {
   if (!std::filesystem::exists(scene)) throw Skipped(fmt::format("there is no {}", scene.filename().string()));
   Messages messages(true);
   try {
@@ -71,16 +71,16 @@ std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& 
   return made;
 }
 
-Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames) {
+Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<FileFrame>& frames) {
   Run run{loaded.world->scene(frames), nullptr};
   run.integrator = start(std::move(job), integrator, *run.scene);
   return run;
 }
 
 std::vector<Run> start_each(const LoadedScene& loaded, const Job& job, const char* integrator,
-                            const std::vector<Frame>& frames) {
+                            const std::vector<FileFrame>& frames) {
   std::vector<Run> runs;
-  for (const Frame f : frames) runs.push_back(start(loaded, job, integrator, {f}));
+  for (const FileFrame f : frames) runs.push_back(start(loaded, job, integrator, {f}));
   return runs;
 }
 
@@ -96,9 +96,9 @@ Job with_number(Job job, const char* name, float value) {
   return with_param(std::move(job), name, ParamType::number, std::vector<float>{value});
 }
 
-std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t count) {
+std::vector<FileFrame> spread_frames(const std::vector<FileFrame>& frames, std::size_t count) {
   if (count >= frames.size()) return frames;
-  std::vector<Frame> some;
+  std::vector<FileFrame> some;
   for (std::size_t i = 0; i < count; ++i) some.push_back(frames[i * frames.size() / count]);
   return some;
 }

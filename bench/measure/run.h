@@ -27,7 +27,7 @@ std::filesystem::path foreign(const std::string& name);
 
 /// Throws Skipped if the scene or files that it names are missing, such as meshes that have not been made.
 LoadedScene load(const std::filesystem::path& scene, const Choices& choices,
-                 std::optional<Frame> only = std::nullopt);  // as if the file held that frame alone
+                 std::optional<FileFrame> only = std::nullopt);  // as if the file held that frame alone
 /// With values for names in the scene's text, name=value.
 LoadedScene load(const std::filesystem::path& scene, const std::vector<std::string>& defines = {});
 /// The paper's first scene with its original models.
@@ -41,10 +41,10 @@ struct Run {
 /// This integrator with the job's settings, on the scene.
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene);
 /// The scene's own integrator with other settings, or another one.
-Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<Frame>& frames);
+Run start(const LoadedScene& loaded, Job job, const char* integrator, const std::vector<FileFrame>& frames);
 /// The same for each of the frames alone.
 std::vector<Run> start_each(const LoadedScene& loaded, const Job& job, const char* integrator,
-                            const std::vector<Frame>& frames);
+                            const std::vector<FileFrame>& frames);
 
 /// The job with another value of an integrator's parameter.
 Job with_text(Job job, const char* name, const char* value);
@@ -52,7 +52,7 @@ Job with_integer(Job job, const char* name, int value);
 Job with_number(Job job, const char* name, float value);
 
 /// `count` of the frames, evenly spread, the first among them; all if there are fewer.
-std::vector<Frame> spread_frames(const std::vector<Frame>& frames, std::size_t count);
+std::vector<FileFrame> spread_frames(const std::vector<FileFrame>& frames, std::size_t count);
 
 /// Seconds of all steps so far.
 double seconds(const Statistics& statistics);

@@ -6,7 +6,8 @@
 
 namespace dspm {
 
-Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations) {
+Share measure_share(const LoadedScene& loaded, const std::vector<FileFrame>& frames, std::size_t alone,
+                    int iterations) {
   std::vector<Group> groups(3);
   groups[0].push_back(start(loaded, loaded.job, "dsppm", frames));
   groups[1] = start_each(loaded, loaded.job, "dsppm", spread_frames(frames, alone));

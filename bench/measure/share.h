@@ -20,7 +20,7 @@ struct Share {
 };
 
 /// `alone`: how many of the frames, evenly spread, are rendered one by one.
-Share measure_share(const LoadedScene& loaded, const std::vector<Frame>& frames, std::size_t alone, int iterations);
+Share measure_share(const LoadedScene& loaded, const std::vector<FileFrame>& frames, std::size_t alone, int iterations);
 
 /// One row per step.
 std::string table_of(const Share& share);

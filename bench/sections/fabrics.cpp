@@ -33,14 +33,14 @@ double time_over_one(const LoadedScene& loaded, const FrameList& interval, int i
   return ratios(rounds[0], rounds[1]).back();
 }
 
-ChildReport render(const LoadedScene& loaded, const std::vector<Frame>& fabrics, int iterations) {
+ChildReport render(const LoadedScene& loaded, const std::vector<FileFrame>& fabrics, int iterations) {
   std::vector<std::string> arguments = {loaded.job.scene_file, "--iterations", std::to_string(iterations)};
-  for (const Frame f : fabrics) arguments.insert(arguments.end(), {"--variation", loaded.job.variation(f)});
+  for (const FileFrame f : fabrics) arguments.insert(arguments.end(), {"--variation", loaded.job.variation(f)});
   return run_dspm(arguments);
 }
 
 Measured measure_one(const LoadedScene& loaded, int count, bool quick) {
-  const std::vector<Frame> fabrics = spread_frames(loaded.job.frames, static_cast<std::size_t>(count));
+  const std::vector<FileFrame> fabrics = spread_frames(loaded.job.frames, static_cast<std::size_t>(count));
   const std::vector<FrameList> intervals = FrameIntervals(*loaded.description, fabrics).cut(kMaxFrames);
   Measured m{static_cast<int>(fabrics.size()), intervals.size(), 0, 0, {}};
   for (const FrameList& interval : intervals) {

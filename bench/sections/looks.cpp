@@ -68,15 +68,15 @@ Squares squares(const std::vector<Images>& by_seed, std::size_t frame, const Ima
 Noise measure_noise(const Product& product, const Choices& choices, const NoiseSettings& settings) {
   const LoadedScene loaded = load(product.file, choices);
   const Job job = with_integer(loaded.job, "photons", kPhotons);
-  const std::vector<Frame>& frames = job.frames;
+  const std::vector<FileFrame>& frames = job.frames;
   const std::unique_ptr<Scene> scene = loaded.world->scene(frames);
   say("noise: reference");
   const Images truth = long_run(*scene, job, settings.reference);
   say("noise: all together");
   const std::vector<Images> together = rendered_by_seed(*scene, "dsppm", job, 0, settings);
   Noise noise{settings.iterations, {}, {}};
-  for (const Frame f : spread_frames(frames, settings.variations)) {
-    say("noise: frame {}", f + 1);
+  for (const FileFrame f : spread_frames(frames, settings.variations)) {
+    say("noise: frame {}", f.index() + 1);
     const LoadedScene file = load(product.file, choices, f);
     const Job own_job = with_integer(file.job, "photons", kPhotons);
     const std::vector<Images> alone =

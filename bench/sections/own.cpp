@@ -52,7 +52,7 @@ Choices choices_of(const Case& c) {
 /// A frame alone in its file.
 class Own {
  public:
-  Own(const Case& c, Frame frame, const Effort& effort)
+  Own(const Case& c, FileFrame frame, const Effort& effort)
       : effort_(effort),
         file_(load(c.file, choices_of(c), frame)),
         job_(with_integer(file_.job, "photons", c.photons)),
@@ -119,12 +119,12 @@ Measured measure_one(const Case& c, const Effort& effort) {
   std::vector<Images> runs;
   for (int seed = 0; seed < effort.seeds; ++seed)
     runs.push_back(rendered(*scene, "dsppm", job, seed, effort.iterations));
-  for (const Frame f : spread_frames(job.frames, c.frames)) {
+  for (const FileFrame f : spread_frames(job.frames, c.frames)) {
     Row row{job.description->frames.label(f)};
     say("{}: frame {} alone", m.name, row.frame);
     const Own own(c, f, effort);
     Images together;
-    for (const Images& images : runs) together.push_back(images[static_cast<std::size_t>(f)]);
+    for (const Images& images : runs) together.push_back(images[f.slot()]);
     const Images alone = own.by_seed(effort.iterations);
     row.together = mean_error(together, own.truth()), row.own = mean_error(alone, own.truth());
     row.deviation = deviation(together, own.truth()) / deviation(alone, own.truth());

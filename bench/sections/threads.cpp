@@ -22,8 +22,8 @@ std::vector<int> thread_counts() {
 }
 
 /// Medians for each number of threads; all take turns on runs of their own.
-std::vector<StepSeconds> measure(const LoadedScene& loaded, const char* integrator, const std::vector<Frame>& frames,
-                                 int iterations) {
+std::vector<StepSeconds> measure(const LoadedScene& loaded, const char* integrator,
+                                 const std::vector<FileFrame>& frames, int iterations) {
   const std::vector<int> counts = thread_counts();
   std::vector<Run> runs;
   for (std::size_t i = 0; i < counts.size(); ++i) runs.push_back(start(loaded, loaded.job, integrator, frames));
@@ -61,7 +61,7 @@ std::string table_of(const std::vector<StepSeconds>& seconds) {
 Findings measure_threads(const Setup& setup) {
   const LoadedScene loaded = setup.scene.empty() ? load(our_scene("horse")) : load(setup.scene, setup.defines);
   const int iterations = setup.quick ? 3 : 8;
-  const std::vector<Frame>& frames = loaded.job.frames;
+  const std::vector<FileFrame>& frames = loaded.job.frames;
   const auto together = measure(loaded, "dsppm", frames, iterations);
   const auto alone = measure(loaded, "sppm", {frames[frames.size() / 2]}, 2 * iterations);
   return {fmt::format("`dsppm`, {} frames:\n\n{}\n`sppm`, one frame:\n\n{}", frames.size(), table_of(together),

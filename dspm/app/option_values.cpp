@@ -91,7 +91,7 @@ std::string plain_name(std::string_view argument) {
 
 }  // namespace
 
-std::vector<Frame> parse_frames(std::string_view text) {
+std::vector<Moment> parse_frames(std::string_view text) {
   std::vector<bool> wanted;  // a flag per frame: a list would grow with each repeated range
   for (const std::string_view part : split(text, ',')) {
     const auto range = frame_range(part);
@@ -100,10 +100,10 @@ std::vector<Frame> parse_frames(std::string_view text) {
     for (std::int64_t frame = range->first; frame <= range->last; frame += range->step)
       wanted[static_cast<std::size_t>(frame - 1)] = true;
   }
-  std::vector<Frame> frames;
+  std::vector<Moment> moments;
   for (std::size_t frame = 0; frame < wanted.size(); ++frame)
-    if (wanted[frame]) frames.push_back(static_cast<Frame>(frame));
-  return frames;
+    if (wanted[frame]) moments.emplace_back(static_cast<double>(frame));
+  return moments;
 }
 
 std::vector<std::string> parse_names(const char* option, std::string_view text) {

@@ -11,9 +11,8 @@
 
 namespace dspm {
 
-/// "1-8,12,1-32:4" (every fourth from 1 to 32): ascending frames without repetition, counted from 0; the text counts
-/// from 1.
-std::vector<Frame> parse_frames(std::string_view text);
+/// "1-8,12,1-32:4" (every fourth from 1 to 32): ascending, without repetition.
+std::vector<Moment> parse_frames(std::string_view text);
 /// "30s", "1h30m", "1.5h"; a bare number is seconds.
 double parse_duration(const char* option, std::string_view text);
 /// A duration with a unit, or a bare number of iterations.

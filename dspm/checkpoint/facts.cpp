@@ -7,6 +7,7 @@
 
 #include "dspm/integrators/output_info.h"
 #include "dspm/lang/canonical.h"
+#include "dspm/math/frames.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/version.h"
 
@@ -17,6 +18,13 @@ namespace fs = std::filesystem;
 
 Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& where = {}) {
   return {std::move(name), fmt::format("{:016x}", digest), true, where};
+}
+
+/// "0,1,5".
+std::string list_of(const std::vector<FileFrame>& frames) {
+  std::vector<int> indices;
+  for (const FileFrame frame : frames) indices.push_back(frame.index());
+  return fmt::format("{}", fmt::join(indices, ","));
 }
 
 void add_settings(const Job& job, std::vector<Fact>& facts) {
@@ -30,7 +38,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the outputs", s.outputs.empty() ? kRadiance : fmt::format("{}", fmt::join(s.outputs, ","))});
   if (!s.outputs.empty()) facts.push_back({"the space of outputs", s.in_camera_space ? "camera" : "world"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
-  facts.push_back(digest_fact("the choice of frames", digest(fmt::format("{}", fmt::join(job.frames, ",")))));
+  facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));

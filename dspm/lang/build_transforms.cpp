@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dspm/lang/scene_builder.h"
+#include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -71,7 +72,7 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
   if (group_) return group_->multiply(op);
   Motion motion = state_.ctm;
   motion.multiply(matrix);
-  if (is_regular(motion.at(0)))
+  if (is_regular(motion.at(Moment())))
     state_.ctm = std::move(motion);
   else
     diagnostics_.error(directive.where,
@@ -120,7 +121,7 @@ void SceneBuilder::coordinate_system(const Directive& directive) {
   } else if (found->second.is_keyed()) {
     diagnostics_.error(name.where, fmt::format("the coordinate system \"{}\" moves, so it cannot be a key", name.text));
   } else {
-    group_->replace(matrix_op(found->second.at(0)));
+    group_->replace(matrix_op(found->second.at(Moment())));
   }
 }
 
@@ -142,9 +143,9 @@ void SceneBuilder::keyframe(const Directive& directive) {
   const std::string ease =
       reader.choice("ease", "linear", {"linear", "smooth", "step"}, "easing from this key to the next");
   reader.finish();
-  const int frame = static_cast<int>(std::clamp(key, 1.0, static_cast<double>(kMostFrames)));
-  check_frame(frame, directive.where);
-  group_->begin_key(frame - 1,
+  const Moment moment = Moment::numbered(static_cast<int>(std::clamp(key, 1.0, static_cast<double>(kMostFrames))));
+  check_key(moment, directive.where);
+  group_->begin_key(moment,
                     ease == "smooth" ? Ease::smooth
                     : ease == "step" ? Ease::step
                                      : Ease::linear,

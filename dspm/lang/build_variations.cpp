@@ -167,7 +167,7 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
   const Argument& name = directive.words[0];
   const int errors = diagnostics_.error_count();
   ParamList unkeyed = directive.params;
-  for (Param& param : unkeyed.params) param.key = 0;
+  for (Param& param : unkeyed.params) param.key.reset();
   for (const Param& param : unkeyed.params) {
     const ParamList one{{param}};
     ParamReader reader(one, "Light", directive.where, diagnostics_);

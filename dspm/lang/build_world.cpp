@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dspm/lang/scene_builder.h"
+#include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -35,7 +36,7 @@ std::optional<Argument> take_text(ParamList& params, std::string_view name, Diag
   if (found == params.params.end()) return std::nullopt;
   const auto* texts = std::get_if<std::vector<std::string>>(&found->values);
   Argument argument{{}, found->values_where};
-  if (found->type == ParamType::text && found->key == 0 && texts->size() == 1)
+  if (found->type == ParamType::text && !found->key && texts->size() == 1)
     argument.text = texts->front();
   else
     diagnostics.error(found->where, fmt::format("\"{}\" must be one string, the same in all frames", name));
@@ -94,7 +95,7 @@ void SceneBuilder::close_block(Block::Kind kind, const Directive& directive) {
 void SceneBuilder::dynamic_begin(const Directive& directive) {
   const std::string& name = directive.words[0].text;
   open_block(Block::Kind::dynamic, directive, name);
-  FrameInterval frames{0, scene_.moments};
+  MomentInterval moments{Moment(), Moment(scene_.moments)};
   ParamReader reader(directive.params, "DynamicBegin", directive.where, diagnostics_);
   const std::vector<int> limits = reader.integers("frames", "the first and the last frame in which its shapes exist");
   reader.finish();
@@ -102,16 +103,16 @@ void SceneBuilder::dynamic_begin(const Directive& directive) {
     if (limits.size() != 2 || limits[0] < 1 || limits[1] < limits[0])
       reader.error("frames", "expected the first and the last frame, counted from 1");
     else {
-      check_frame(limits[1], reader.where("frames"));
-      frames = {std::min(limits[0] - 1, frames.last), std::min(limits[1], frames.last)};
+      check_key(Moment::numbered(limits[1]), reader.where("frames"));
+      moments = {std::min(Moment::numbered(limits[0]), moments.end), std::min(Moment(limits[1]), moments.end)};
     }
   }
   if (state_.dynamic_block >= 0) {
-    const FrameInterval outer = scene_.dynamic_blocks[static_cast<std::size_t>(state_.dynamic_block)].moments;
-    frames.first = std::clamp(frames.first, outer.first, outer.last);
-    frames.last = std::clamp(frames.last, frames.first, outer.last);
+    const MomentInterval outer = scene_.dynamic_blocks[static_cast<std::size_t>(state_.dynamic_block)].moments;
+    moments.first = std::clamp(moments.first, outer.first, outer.end);
+    moments.end = std::clamp(moments.end, moments.first, outer.end);
   }
-  scene_.dynamic_blocks.push_back({name, frames, directive.where, state_.dynamic_block});
+  scene_.dynamic_blocks.push_back({name, moments, directive.where, state_.dynamic_block});
   state_.dynamic_block = static_cast<int>(scene_.dynamic_blocks.size()) - 1;
 }
 

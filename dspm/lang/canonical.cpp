@@ -28,7 +28,7 @@ class Canonical {
   }
   Canonical& motion(const Motion& motion, int moments) {
     const int states = motion.is_keyed() ? moments : 1;
-    for (Frame moment = 0; moment < states; ++moment) matrix(motion.at(moment));
+    for (int number = 1; number <= states; ++number) matrix(motion.at(Moment::numbered(number)));
     return *this;
   }
   Canonical& use(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {}) {
@@ -48,7 +48,7 @@ class Canonical {
 
  private:
   void param(const Param& param) {
-    text(fmt::format("{} {}@{}", word_of(param.type), param.name, param.key));
+    text(fmt::format("{} {}@{}", word_of(param.type), param.name, param.key ? param.key->frames() + 1 : 0));
     std::visit(
         [&](const auto& values) {
           for (const auto& value : values) this->value(value);
@@ -80,7 +80,7 @@ class Digests {
     for (const ShapeUse& use : scene_.shapes) add(named("shape", use.type), use.where, of_shape(use));
     for (const DynamicBlock& block : scene_.dynamic_blocks)
       add(named("dynamic", block.name), block.where,
-          Canonical().number(block.moments.first).number(block.moments.last).number(block.outer));
+          Canonical().number(block.moments.first.frames()).number(block.moments.end.frames()).number(block.outer));
     add_objects();
     for (const VariationAxis& axis : scene_.axes)
       for (const Variation& variation : axis.variations) add_variation(axis, variation);

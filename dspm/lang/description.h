@@ -77,7 +77,7 @@ struct ShapeUse : PluginUse {
 /// DynamicBegin .. DynamicEnd. In nested blocks, a shape belongs to the innermost.
 struct DynamicBlock {
   std::string name;
-  FrameInterval moments;  // those in which its shapes exist, within the enclosing block's
+  MomentInterval moments;  // those in which its shapes exist, within the enclosing block's
   SourceLocation where;
   int outer = -1;  // the enclosing block, into SceneDescription::dynamic_blocks
 };

@@ -15,10 +15,10 @@ bool any_moves(const Things& things, Moves&& moves) {
 bool shape_moves(const ShapeUse& use) { return use.world_from_object.is_keyed() || use.params.is_keyed(); }
 
 /// All other keyed parameters describe how strongly a light shines, and in which directions.
-bool places_a_light(const Param& param) { return param.key != 0 && (param.name == "from" || param.name == "to"); }
+bool places_a_light(const Param& param) { return param.key && (param.name == "from" || param.name == "to"); }
 
 bool moments_move_paths(const SceneDescription& scene) {
-  const FrameInterval all{0, scene.moments};
+  const MomentInterval all{Moment(), Moment(scene.moments)};
   return (scene.camera && (scene.camera->camera_from_world.is_keyed() || scene.camera->params.is_keyed())) ||
          any_moves(scene.dynamic_blocks, [&](const DynamicBlock& block) { return !(block.moments == all); }) ||
          any_moves(scene.shapes, shape_moves) ||
@@ -41,8 +41,8 @@ std::vector<Factor> factors_of(const SceneDescription& scene) {
   return factors;
 }
 
-int place_along(const Factor& factor, const FileFrames& frames, Frame frame) {
-  return factor.axis == Factor::kMoments ? frames.moment(frame)
+int place_along(const Factor& factor, const FileFrames& frames, FileFrame frame) {
+  return factor.axis == Factor::kMoments ? frames.moment_index(frame)
                                          : frames.choice(frame, static_cast<std::size_t>(factor.axis));
 }
 

@@ -19,6 +19,6 @@ struct Factor {
 std::vector<Factor> factors_of(const SceneDescription& scene);
 
 /// The frame's position along the factor.
-int place_along(const Factor& factor, const FileFrames& frames, Frame frame);
+int place_along(const Factor& factor, const FileFrames& frames, FileFrame frame);
 
 }  // namespace dspm

@@ -27,25 +27,27 @@ class FileFrames {
   int moments() const { return moments_; }
   const std::vector<Combination>& combinations() const { return combinations_; }
 
-  Frame moment(Frame f) const { return first_moment_ + f % moments_; }
-  std::size_t combination_of(Frame f) const { return static_cast<std::size_t>(f / moments_); }
-  const std::string& variation(Frame f) const { return combinations_[combination_of(f)].name; }
+  /// Which of the moments, counted from the first.
+  int moment_index(FileFrame f) const { return f.index() % moments_; }
+  Moment moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
+  std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(f.index() / moments_); }
+  const std::string& variation(FileFrame f) const { return combinations_[combination_of(f)].name; }
   /// "12", "oak-red" or "oak-red 12".
-  std::string label(Frame f) const {
-    const std::string number = std::to_string(moment(f) + 1);
+  std::string label(FileFrame f) const {
+    const std::string number = std::to_string(moment(f).number());
     return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
   }
   /// As if the file had only that frame; its moment keeps its number.
-  FileFrames only(Frame f) const {
+  FileFrames only(FileFrame f) const {
     FileFrames one(1, {combinations_[combination_of(f)]});
     one.first_moment_ = moment(f);
     return one;
   }
   /// Which of the axis's variations frame f has.
-  int choice(Frame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
+  int choice(FileFrame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 
  private:
-  Frame first_moment_ = 0;
+  Moment first_moment_;
   int moments_;
   std::vector<Combination> combinations_;
 };

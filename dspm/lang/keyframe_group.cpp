@@ -32,13 +32,14 @@ bool fits_float(const Matrix4& matrix) {
 
 bool is_regular(const Matrix4& matrix) { return fits_float(matrix) && matrix.inverse().has_value(); }
 
-void KeyframeGroup::begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics) {
-  if (!keys_.empty() && frame <= keys_.back().frame) {
-    diagnostics.error(where, fmt::format("Keyframe {} comes after Keyframe {}", frame + 1, keys_.back().frame + 1),
+void KeyframeGroup::begin_key(Moment moment, Ease ease, const SourceLocation& where, Diagnostics& diagnostics) {
+  if (!keys_.empty() && moment <= keys_.back().moment) {
+    const int last = keys_.back().moment.number();
+    diagnostics.error(where, fmt::format("Keyframe {} comes after Keyframe {}", moment.number(), last),
                       "keys must be in ascending order");
-    frame = keys_.back().frame + 1;
+    moment = Moment::numbered(last + 1);
   }
-  keys_.push_back({frame, ease, {}});
+  keys_.push_back({moment, ease, {}});
   replaces_.push_back(false);
 }
 
@@ -57,7 +58,7 @@ Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
       diagnostics.error(where_, "some of these keys replace the transform before them, others do not",
                         "inside another keyed transform, all or none of them may use Transform or Identity");
     for (std::size_t i = 0; i < keys_.size(); ++i)
-      if (!replaces_[i]) keys_[i].ops.insert(keys_[i].ops.begin(), matrix_op(before.at(0)));
+      if (!replaces_[i]) keys_[i].ops.insert(keys_[i].ops.begin(), matrix_op(before.at(Moment())));
   }
   KeyedTransform keyed(std::move(keys_));
   check_regular(keyed, diagnostics);
@@ -70,9 +71,10 @@ Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
 }
 
 void KeyframeGroup::check_regular(const KeyedTransform& keyed, Diagnostics& diagnostics) const {
-  for (Frame frame = keyed.keys().front().frame; frame <= keyed.keys().back().frame; ++frame) {
-    if (is_regular(keyed.at(frame))) continue;
-    diagnostics.error(where_, fmt::format("the transform between these keys is singular at frame {}", frame + 1));
+  const int last = keyed.keys().back().moment.number();
+  for (int number = keyed.keys().front().moment.number(); number <= last; ++number) {
+    if (is_regular(keyed.at(Moment::numbered(number)))) continue;
+    diagnostics.error(where_, fmt::format("the transform between these keys is singular at frame {}", number));
     return;
   }
 }

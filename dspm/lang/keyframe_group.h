@@ -16,8 +16,8 @@ class KeyframeGroup {
  public:
   explicit KeyframeGroup(const SourceLocation& where) : where_(where) {}
 
-  /// `frame` counts from 0. If it is not after the last key: an error, and the key is put after it.
-  void begin_key(Frame frame, Ease ease, const SourceLocation& where, Diagnostics& diagnostics);
+  /// If `moment` is not after the last key: an error, and the key is put a frame after it.
+  void begin_key(Moment moment, Ease ease, const SourceLocation& where, Diagnostics& diagnostics);
   /// Adds a transform to the last key.
   void multiply(const TransformOp& op);
   /// Replaces the last key's transforms so far, and those before the group.

@@ -172,14 +172,13 @@ Matrix4 TransformOp::matrix() const {
   return Matrix4::from_columns(v);
 }
 
-Matrix4 KeyedTransform::at(Frame frame) const {
-  const auto next = std::upper_bound(keys_.begin(), keys_.end(), frame,
-                                     [](Frame f, const TransformKey& key) { return f < key.frame; });
+Matrix4 KeyedTransform::at(Moment moment) const {
+  const auto next = std::upper_bound(keys_.begin(), keys_.end(), moment,
+                                     [](Moment m, const TransformKey& key) { return m < key.moment; });
   if (next == keys_.begin()) return product(keys_.front().ops);
   const TransformKey& from = *(next - 1);
-  if (next == keys_.end() || from.frame == frame) return product(from.ops);
-  const double t = static_cast<double>(frame - from.frame) / (next->frame - from.frame);
-  return interpolate(from.ops, next->ops, eased(t, from.ease));
+  if (next == keys_.end() || from.moment == moment) return product(from.ops);
+  return interpolate(from.ops, next->ops, eased(fraction(from.moment, next->moment, moment), from.ease));
 }
 
 void Motion::multiply(const Matrix4& matrix) {
@@ -194,12 +193,12 @@ void Motion::multiply(KeyedTransform keyed) {
   parts_.back().keyed = std::make_shared<const KeyedTransform>(std::move(keyed));
 }
 
-Matrix4 Motion::at(Frame frame) const {
+Matrix4 Motion::at(Moment moment) const {
   Matrix4 r;
   for (const Part& part : parts_) {
     r = r * part.fixed;
     if (!part.keyed) continue;
-    const Matrix4 keyed = part.keyed->at(frame);
+    const Matrix4 keyed = part.keyed->at(moment);
     r = r * (part.inverted ? keyed.inverse().value_or(kZero) : keyed);
   }
   return r;

@@ -1,4 +1,4 @@
-// The placement of a thing in each frame: a product of fixed matrices and keyed transforms.
+// The placement of a thing over time: a product of fixed matrices and keyed transforms.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct TransformOp {
 enum class Ease { linear, smooth, step };
 
 struct TransformKey {
-  Frame frame = 0;           // from 0
+  Moment moment;
   Ease ease = Ease::linear;  // from this key to the next
   std::vector<TransformOp> ops;
 };
@@ -33,16 +33,16 @@ struct TransformKey {
 /// rotation (slerp) and stretch (scale and shear). The pose holds before the first key and after the last.
 class KeyedTransform {
  public:
-  /// At least one key, frames strictly ascending.
+  /// At least one key, moments strictly ascending.
   explicit KeyedTransform(std::vector<TransformKey> keys) : keys_(std::move(keys)) {}
-  Matrix4 at(Frame frame) const;
+  Matrix4 at(Moment moment) const;
   const std::vector<TransformKey>& keys() const { return keys_; }
 
  private:
   std::vector<TransformKey> keys_;
 };
 
-/// The placement of a shape, light or camera over all frames of the file.
+/// The placement of a shape, light or camera over the whole animation.
 class Motion {
  public:
   Motion() = default;
@@ -52,12 +52,12 @@ class Motion {
   void multiply(const Matrix4& matrix);
   void multiply(KeyedTransform keyed);
 
-  /// All zeros if no inverse exists in that frame.
-  Matrix4 at(Frame frame) const;
+  /// All zeros if no inverse exists at that moment.
+  Matrix4 at(Moment moment) const;
   bool is_keyed() const;
   /// The number of keyed transforms in the product.
   int keyed_count() const;
-  /// The motion that undoes this one in every frame.
+  /// The motion that undoes this one at every moment.
   Motion inverse() const;
 
  private:

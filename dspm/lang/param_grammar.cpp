@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <tuple>
 
 #include "dspm/lang/directives.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 namespace {
@@ -78,13 +80,13 @@ Declaration split(std::string_view inside, bool accept_old_types) {
   lexer.fail(string.text, fmt::format("unknown parameter type \"{}\"", word), hint);
 }
 
-int read_key(const Lexer& lexer, const Token& string, std::string_view key) {
-  if (key.empty()) return 0;
+std::optional<Moment> read_key(const Lexer& lexer, const Token& string, std::string_view key) {
+  if (key.empty()) return std::nullopt;
   int frame = 0;
   const auto [stop, error] = std::from_chars(key.data() + 1, key.data() + key.size(), frame);
   if (error != std::errc() || stop != key.data() + key.size() || frame < 1)
     lexer.fail(string.text, fmt::format("expected a frame after @, counted from 1, but found \"{}\"", key.substr(1)));
-  return frame;
+  return Moment::numbered(frame);
 }
 
 template <class Value, class ReadOne>
@@ -204,8 +206,8 @@ void check_pair(const Param& a, const Param& b) {
     throw SyntaxError(b.where, fmt::format("parameter \"{}\" {}", b.name, what),
                       fmt::format("first on line {}", a.where.line));
   };
-  if (a.key == b.key) fail(a.key == 0 ? "is given twice" : fmt::format("has two values for frame {}", a.key));
-  if (a.key == 0 || b.key == 0) fail("is given both with and without a frame");
+  if (a.key == b.key) fail(a.key ? fmt::format("has two values for frame {}", a.key->number()) : "is given twice");
+  if (!a.key || !b.key) fail("is given both with and without a frame");
 }
 
 /// No parameter twice, unless for different frames; sorts, so that a long list does not take quadratic time.

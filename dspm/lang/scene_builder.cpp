@@ -71,9 +71,9 @@ bool SceneBuilder::check_section(const Directive& directive) {
 
 void SceneBuilder::check_keys(const Directive& directive) {
   for (const Param& param : directive.params.params) {
-    if (param.key == 0) continue;
+    if (!param.key) continue;
     if (takes_keys(directive.info->kind))
-      check_frame(param.key, param.where);
+      check_key(*param.key, param.where);
     else
       diagnostics_.error(param.where,
                          fmt::format("parameters of {} cannot change between frames", directive.info->name),
@@ -81,12 +81,12 @@ void SceneBuilder::check_keys(const Directive& directive) {
   }
 }
 
-void SceneBuilder::check_frame(int key, const SourceLocation& where) {
+void SceneBuilder::check_key(Moment key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
-  else if (key > scene_.moments)
-    diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {} frame{}", key,
-                                            scene_.moments, scene_.moments == 1 ? "" : "s"));
+  else if (key >= Moment(scene_.moments))
+    diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {} frame{}",
+                                            key.number(), scene_.moments, scene_.moments == 1 ? "" : "s"));
 }
 
 void SceneBuilder::world_begin(const SourceLocation& where) {
@@ -99,7 +99,7 @@ void SceneBuilder::world_begin(const SourceLocation& where) {
   state_.active = GraphicsState::Active::both;
   scene_.coordinate_systems["world"] = {};
   scene_.coordinate_systems.try_emplace("camera");  // a scene without Camera has one at the origin
-  for (const auto& [key, place] : keys_before_world_) check_frame(key, place);
+  for (const auto& [key, place] : keys_before_world_) check_key(key, place);
 }
 
 void SceneBuilder::begin_import(const Directive& directive) {

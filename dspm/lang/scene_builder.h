@@ -12,6 +12,7 @@
 #include "dspm/lang/directive.h"
 #include "dspm/lang/graphics_state.h"
 #include "dspm/lang/keyframe_group.h"
+#include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -35,7 +36,7 @@ class SceneBuilder {
   void close_forgotten_group(const Directive& directive);
   bool check_section(const Directive& directive);
   void check_keys(const Directive& directive);
-  void check_frame(int key, const SourceLocation& where);
+  void check_key(Moment key, const SourceLocation& where);
 
   // Each applies the directive if it is one of its own (build_variations.cpp, build_options.cpp, ...).
   bool apply_variation(const Directive& directive);
@@ -106,7 +107,7 @@ class SceneBuilder {
   std::optional<KeyframeGroup> group_;         // the keys being read
   bool options_have_keys_ = false;
   bool blur_told_ = false;                                               // since the last ActiveTransform
-  std::vector<std::pair<int, SourceLocation>> keys_before_world_;        // checked when the number of frames is known
+  std::vector<std::pair<Moment, SourceLocation>> keys_before_world_;     // checked when the number of frames is known
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {

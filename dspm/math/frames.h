@@ -1,23 +1,69 @@
-// Frames and sets of frames: the central idea of dspm. Inside the program, frames count from 0.
+// Frames, moments and sets of frames: the central idea of dspm. A frame of the file, a frame of the interval and a
+// moment do not convert into one another. Inside the program, all count from 0.
 #pragma once
 
 #include <bit>
+#include <cmath>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 
 namespace dspm {
 
-/// One state of the scene: a moment of an animation or a variation of a product.
+/// A frame of the interval that is rendered together: a place in FrameSet.
 using Frame = int;
 
 /// The maximum number of frames rendered together, one bit each.
 inline constexpr int kMaxFrames = 64;
 
-/// Contiguous frames first .. last - 1.
-struct FrameInterval {
-  Frame first = 0, last = 0;
-  int count() const { return last - first; }
-  bool contains(Frame f) const { return first <= f && f < last; }
-  friend bool operator==(const FrameInterval&, const FrameInterval&) = default;
+/// A frame of the file: a variation of the product at a moment of the animation.
+class FileFrame {
+ public:
+  constexpr FileFrame() = default;
+  constexpr explicit FileFrame(int index) : index_(index) {}
+
+  constexpr int index() const { return index_; }
+  /// The same, for lists by frame of the file.
+  constexpr std::size_t slot() const { return static_cast<std::size_t>(index_); }
+
+  constexpr FileFrame& operator++() {
+    ++index_;
+    return *this;
+  }
+  friend constexpr auto operator<=>(FileFrame, FileFrame) = default;
+
+ private:
+  int index_ = 0;
+};
+
+/// A time of the animation, in frames from the first; between whole frames as well.
+class Moment {
+ public:
+  constexpr Moment() = default;
+  constexpr explicit Moment(double frames) : frames_(frames) {}
+  /// The whole moment that texts call `number`: they count from 1.
+  static constexpr Moment numbered(int number) { return Moment(static_cast<double>(number) - 1); }
+
+  constexpr double frames() const { return frames_; }
+  /// What texts call it; between whole frames, the number of the one before.
+  int number() const { return static_cast<int>(std::floor(frames_)) + 1; }
+
+  friend constexpr auto operator<=>(Moment, Moment) = default;
+
+ private:
+  double frames_ = 0;
+};
+
+/// Where `at` lies between two others: 0 at `from`, 1 at `to`.
+constexpr double fraction(Moment from, Moment to, Moment at) {
+  return (at.frames() - from.frames()) / (to.frames() - from.frames());
+}
+
+/// The moments from `first` on and before `end`.
+struct MomentInterval {
+  Moment first, end;
+  constexpr bool contains(Moment moment) const { return first <= moment && moment < end; }
+  friend constexpr bool operator==(const MomentInterval&, const MomentInterval&) = default;
 };
 
 /// The frames in which a path, a photon or a hit point exists, relative to the interval that is rendered together.

@@ -33,20 +33,20 @@ std::optional<NumberPlace> find_hashes(const std::string& name) {
 
 }  // namespace
 
-std::filesystem::path image_name(const std::filesystem::path& pattern, std::optional<Frame> frame,
+std::filesystem::path image_name(const std::filesystem::path& pattern, std::optional<Moment> moment,
                                  std::string_view label) {
   std::string name = pattern.filename().string();
   const std::size_t stem = pattern.stem().string().size();
   std::optional<NumberPlace> place = find_percent(name);
   if (!place) place = find_hashes(name);
-  if (!place && frame) place = find_hashes(name.insert(stem, ".####"));
+  if (!place && moment) place = find_hashes(name.insert(stem, ".####"));
 
   if (!place) {
     if (!label.empty()) name.insert(stem, fmt::format(".{}", label));
     return pattern.parent_path() / name;
   }
   name = fmt::format("{}{}{}{:0{}}{}", name.substr(0, place->begin), label, label.empty() ? "" : ".",
-                     frame.value_or(0) + 1, place->digits, name.substr(place->begin + place->length));
+                     moment.value_or(Moment()).number(), place->digits, name.substr(place->begin + place->length));
   return pattern.parent_path() / name;
 }
 

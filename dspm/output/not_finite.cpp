@@ -40,12 +40,12 @@ void report_rejections(const Rejections& rejections, const World& world, const F
     diagnostics.warning(use.where,
                         fmt::format("{} gave values that are not finite, first {} of frame {}; they are left out",
                                     in_words(kind_of(entry.part, job), use.type), place,
-                                    interval[static_cast<std::size_t>(entry.frame)] + 1));
+                                    interval[static_cast<std::size_t>(entry.frame)].index() + 1));
   }
   messages.show(diagnostics);
 }
 
-void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& messages) {
+void black_out_invalid(Image& image, FileFrame frame, const Job& job, Messages& messages) {
   const auto invalid = [](const Rgb& c) { return !is_finite(c); };
   const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
   if (first == image.pixels.end()) return;
@@ -53,7 +53,7 @@ void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& mess
   const auto count = std::count_if(first, image.pixels.end(), invalid);
   std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
   messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written as black",
-                            in_words("integrator", job.integrator), count, frame + 1,
+                            in_words("integrator", job.integrator), count, frame.index() + 1,
                             pixel_in_words(at, job.settings.crop)));
 }
 

@@ -17,6 +17,6 @@ void report_rejections(const Rejections& rejections, const World& world, const F
                        Messages& messages);
 
 /// Those that an integrator lets through become black, with a warning. `frame` is one of the file.
-void black_out_invalid(Image& image, Frame frame, const Job& job, Messages& messages);
+void black_out_invalid(Image& image, FileFrame frame, const Job& job, Messages& messages);
 
 }  // namespace dspm

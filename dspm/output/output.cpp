@@ -69,7 +69,7 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
 
 std::vector<NamedFile> Output::files(const OutputSettings& settings, const OtherFiles& others) const {
   std::vector<NamedFile> files;
-  for (const Frame frame : job_.frames) {
+  for (const FileFrame frame : job_.frames) {
     const std::string whose =
         job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
     const char* what = "image";
@@ -82,7 +82,7 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
   return files;
 }
 
-std::vector<std::filesystem::path> Output::image_files(Frame frame) const {
+std::vector<std::filesystem::path> Output::image_files(FileFrame frame) const {
   std::filesystem::path image = name(frame), png = image;
   png.replace_extension(".png");
   if (png_ && png != image) return {image, png};
@@ -97,7 +97,7 @@ std::uint64_t Output::bytes_on_disk() const {
   return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
 }
 
-std::filesystem::path Output::name(Frame frame) const {
+std::filesystem::path Output::name(FileFrame frame) const {
   return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
                     job_.variation(frame));
 }
@@ -110,11 +110,11 @@ std::size_t Output::bytes_while_writing() const {
   return (images * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
 }
 
-ExrHeader Output::header(Frame frame) const {
+ExrHeader Output::header(FileFrame frame) const {
   ExrHeader header;
   header.texts = {
       {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", fmt::format("dspm {}", kVersion)}};
-  header.integers = {{"frame", job_.moment(frame) + 1}};
+  header.integers = {{"frame", job_.moment(frame).number()}};
   if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
   for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {
     const VariationAxis& axis = job_.description->axes[i];
@@ -131,7 +131,7 @@ Image Output::developed(Image image) const {
   return image;
 }
 
-void Output::write(Frame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
+void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
                    std::uint64_t photons, double seconds) {
   const Image image = developed(std::move(radiance));
   ExrHeader header = this->header(frame);

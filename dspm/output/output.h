@@ -43,13 +43,13 @@ class Output {
          Video::EndWanted end_wanted);
 
   /// The path of the image of a frame of the file.
-  std::filesystem::path name(Frame frame) const;
+  std::filesystem::path name(FileFrame frame) const;
   /// The most memory that writing takes.
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
   /// WriteError, but tries its PNG anyway.
-  void write(Frame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations, std::uint64_t photons,
-             double seconds);
+  void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
+             std::uint64_t photons, double seconds);
   /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.
@@ -61,10 +61,10 @@ class Output {
   /// All files that the run writes, except the video.
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
   /// A frame's image, and its PNG if that is another file.
-  std::vector<std::filesystem::path> image_files(Frame frame) const;
+  std::vector<std::filesystem::path> image_files(FileFrame frame) const;
   /// Of all images, uncompressed.
   std::uint64_t bytes_on_disk() const;
-  ExrHeader header(Frame frame) const;
+  ExrHeader header(FileFrame frame) const;
   /// From radiance to the values in files: exposed, then limited as the film says.
   Image developed(Image image) const;
 

@@ -57,7 +57,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   faults_.retry();
   const std::vector<OutputInfo> outputs = asked_outputs(integrator, job_);
   for (std::size_t j = 0; j < interval.size(); ++j) {
-    const Frame frame = interval[j];
+    const FileFrame frame = interval[j];
     const std::filesystem::path name = output_.name(frame);
     const auto image = std::make_shared<Image>();
     const auto layers = std::make_shared<std::vector<OutputLayer>>();

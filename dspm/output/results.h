@@ -43,7 +43,7 @@ class Results {
   Messages& messages_;
   WriteFaults faults_;
   Output output_;
-  std::set<Frame> written_;  // frames that have images, unless their files cannot be written
+  std::set<FileFrame> written_;  // frames that have images, unless their files cannot be written
 };
 
 }  // namespace dspm

@@ -66,11 +66,11 @@ void write_job(JsonWriter& json, const Job& job) {
   for (const int edge : {crop.x0, crop.x1, crop.y0, crop.y1}) json.value(edge);
   json.end_array();
   json.key("frames").begin_array();
-  for (const Frame frame : job.frames) json.value(job.moment(frame) + 1);
+  for (const FileFrame frame : job.frames) json.value(job.moment(frame).number());
   json.end_array();
   if (!job.description->axes.empty()) {
     json.key("variations").begin_array();  // one per frame
-    for (const Frame frame : job.frames) json.value(job.variation(frame));
+    for (const FileFrame frame : job.frames) json.value(job.variation(frame));
     json.end_array();
   }
 }
@@ -96,7 +96,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
 
 /// Frame by frame of the job, those that were rendered.
 void write_energy(JsonWriter& json, const RunReport& report) {
-  std::map<Frame, const EnergyBalance*> of_frame;
+  std::map<FileFrame, const EnergyBalance*> of_frame;
   for (std::size_t i = 0; i < report.frames.size(); ++i) of_frame[report.frames[i]] = &report.statistics.energy[i];
   json.key("energy").begin_array();
   for (const auto& [frame, energy] : of_frame) {
@@ -113,7 +113,7 @@ void write_energy(JsonWriter& json, const RunReport& report) {
 
 }  // namespace
 
-void RunReport::add(const Statistics& interval, const std::vector<Frame>& of_interval) {
+void RunReport::add(const Statistics& interval, const std::vector<FileFrame>& of_interval) {
   Statistics& sum = statistics;
   iterations.push_back(interval.iterations);
   sum.iterations += interval.iterations;

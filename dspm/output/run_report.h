@@ -18,11 +18,11 @@ struct RunReport {
   int threads = 0;
   std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
-  Statistics statistics;      // all intervals together
-  std::vector<Frame> frames;  // of the energy balances, in their order
+  Statistics statistics;          // all intervals together
+  std::vector<FileFrame> frames;  // of the energy balances, in their order
 
   /// Adds the work of the integrator of an interval of these frames.
-  void add(const Statistics& interval, const std::vector<Frame>& of_interval);
+  void add(const Statistics& interval, const std::vector<FileFrame>& of_interval);
 };
 
 std::string table_of(const Job& job, const RunReport& report);

@@ -12,10 +12,10 @@ namespace {
 using Key = std::vector<int>;
 
 /// The keys that decide a frame's row and column.
-std::pair<Key, Key> row_and_column(const Job& job, Frame frame, bool moments_in_columns, std::size_t last_axis) {
+std::pair<Key, Key> row_and_column(const Job& job, FileFrame frame, bool moments_in_columns, std::size_t last_axis) {
   const FileFrames& file = job.description->frames;
   Key row = file.combinations()[file.combination_of(frame)].choices;
-  if (moments_in_columns) return {row, {file.moment(frame)}};
+  if (moments_in_columns) return {row, {file.moment_index(frame)}};
   const int column = std::exchange(row[last_axis], 0);
   return {row, {column}};
 }
@@ -32,11 +32,11 @@ std::map<Key, int> numbered(const std::set<Key>& keys) {
 SheetPlaces::SheetPlaces(const Job& job) {
   const FileFrames& file = job.description->frames;
   std::set<std::size_t> variations;
-  std::set<Frame> moments;
+  std::set<int> moments;
   std::vector<std::set<int>> choices(job.description->axes.size());
-  for (const Frame frame : job.frames) {
+  for (const FileFrame frame : job.frames) {
     variations.insert(file.combination_of(frame));
-    moments.insert(file.moment(frame));
+    moments.insert(file.moment_index(frame));
     for (std::size_t axis = 0; axis < choices.size(); ++axis) choices[axis].insert(file.choice(frame, axis));
   }
   std::vector<std::size_t> axes;  // along which the job's frames differ
@@ -45,17 +45,17 @@ SheetPlaces::SheetPlaces(const Job& job) {
 
   const bool moments_in_columns = moments.size() > 1;
   if (variations.size() < 2 || (!moments_in_columns && axes.size() < 2)) {
-    for (const Frame frame : job.frames) places_.emplace(frame, static_cast<int>(places_.size()));
+    for (const FileFrame frame : job.frames) places_.emplace(frame, static_cast<int>(places_.size()));
     return;
   }
   std::set<Key> row_keys, column_keys;
-  for (const Frame frame : job.frames) {
+  for (const FileFrame frame : job.frames) {
     const auto [row, column] = row_and_column(job, frame, moments_in_columns, axes.back());
     row_keys.insert(row), column_keys.insert(column);
   }
   const std::map<Key, int> rows = numbered(row_keys), columns = numbered(column_keys);
   rows_ = static_cast<int>(rows.size()), columns_ = static_cast<int>(columns.size());
-  for (const Frame frame : job.frames) {
+  for (const FileFrame frame : job.frames) {
     const auto [row, column] = row_and_column(job, frame, moments_in_columns, axes.back());
     places_.emplace(frame, rows.at(row) * columns_ + columns.at(column));
   }

@@ -16,11 +16,11 @@ class SheetPlaces {
 
   SheetLayout layout(int width, int height) const;
   /// Counted row by row.
-  int of(Frame frame) const { return places_.at(frame); }
+  int of(FileFrame frame) const { return places_.at(frame); }
 
  private:
   int columns_ = 0, rows_ = 0;  // 0: as SheetLayout chooses
-  std::map<Frame, int> places_;
+  std::map<FileFrame, int> places_;
 };
 
 }  // namespace dspm

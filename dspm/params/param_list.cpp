@@ -1,4 +1,4 @@
-// Parameters as plain data: the words for their types, and the values of keys and numbered files at one frame.
+// Parameters as plain data: the words for their types, and the values of keys and numbered files at one moment.
 #include <algorithm>
 #include <array>
 #include <cinttypes>
@@ -73,19 +73,19 @@ Param between(const Param& a, const Param& b, double t) {
   return result;
 }
 
-/// The value at `key` (a frame counted from 1) of a parameter whose keys are given in any order.
-Param at_key(std::vector<const Param*> keys, int key) {
+/// The value of a parameter whose keys are given in any order.
+Param value_at(Moment moment, std::vector<const Param*> keys) {
   std::stable_sort(keys.begin(), keys.end(), [](const Param* a, const Param* b) { return a->key < b->key; });
-  const auto after = std::find_if(keys.begin(), keys.end(), [&](const Param* p) { return p->key > key; });
+  const auto after = std::find_if(keys.begin(), keys.end(), [&](const Param* p) { return *p->key > moment; });
   Param result;
   if (after == keys.begin()) {
     result = *keys.front();
-  } else if (const Param& before = **(after - 1); after == keys.end() || before.key == key) {
+  } else if (const Param& before = **(after - 1); after == keys.end() || before.key == moment) {
     result = before;
   } else {
-    result = between(before, **after, static_cast<double>(key - before.key) / ((*after)->key - before.key));
+    result = between(before, **after, fraction(*before.key, *(*after)->key, moment));
   }
-  result.key = 0;
+  result.key.reset();
   return result;
 }
 
@@ -101,13 +101,14 @@ std::int64_t take_integer(std::vector<Param>& params, std::string_view name, int
   return value;
 }
 
-/// Fills in the number of the frame's file.
-void number_files(std::vector<Param>& params, Frame frame) {
+/// Fills in the number of the moment's file.
+void number_files(std::vector<Param>& params, Moment moment) {
   const auto is_named = [](const Param& p) { return numbered_file_name(p) != nullptr; };
   if (std::none_of(params.begin(), params.end(), is_named)) return;
   const std::int64_t first = take_integer(params, "first", 1), step = take_integer(params, "step", 1);
+  const std::int64_t number = first + (moment.number() - 1) * step;
   Param& named = *std::find_if(params.begin(), params.end(), is_named);
-  named.values = std::vector<std::string>{with_number(*numbered_file_name(named), first + frame * step)};
+  named.values = std::vector<std::string>{with_number(*numbered_file_name(named), number)};
 }
 
 }  // namespace
@@ -133,22 +134,22 @@ const Param* ParamList::find(std::string_view name) const {
 }
 
 bool ParamList::is_keyed() const {
-  return std::any_of(params.begin(), params.end(), [](const Param& p) { return p.key != 0 || numbered_file_name(p); });
+  return std::any_of(params.begin(), params.end(), [](const Param& p) { return p.key || numbered_file_name(p); });
 }
 
-ParamList ParamList::at(Frame frame) const {
+ParamList ParamList::at(Moment moment) const {
   ParamList result;
   for (const Param& param : params) {
-    if (param.key == 0) {
+    if (!param.key) {
       result.params.push_back(param);
       continue;
     }
     std::vector<const Param*> keys;
     for (const Param& other : params)
-      if (other.name == param.name && other.key != 0) keys.push_back(&other);
-    if (keys.front() == &param) result.params.push_back(at_key(std::move(keys), frame + 1));
+      if (other.name == param.name && other.key) keys.push_back(&other);
+    if (keys.front() == &param) result.params.push_back(value_at(moment, std::move(keys)));
   }
-  number_files(result.params, frame);
+  number_files(result.params, moment);
   return result;
 }
 

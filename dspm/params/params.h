@@ -45,7 +45,7 @@ struct Param {
 
   ParamType type = ParamType::number;
   std::string name;
-  int key = 0;  // the frame after `@`, counted from 1; 0: not keyed
+  std::optional<Moment> key;  // after `@`; none: not keyed
   Values values;
   SourceLocation where;         // of the quoted "type name"
   SourceLocation values_where;  // of the first value
@@ -62,10 +62,10 @@ struct ParamList {
   const Param* find(std::string_view name) const;  // the first of that name, keyed or not
   /// Has keyed parameters, or a file name with a frame number in it.
   bool is_keyed() const;
-  /// The list without keys: its values at frame `frame` (from 0). Numbers, points and colours are interpolated
-  /// linearly, everything else holds until the next key; `%03d` in a "filename" becomes the file's number ("first" +
-  /// frame * "step", both 1 by default).
-  ParamList at(Frame frame) const;
+  /// The list without keys: its values at that moment. Numbers, points and colours are interpolated linearly,
+  /// everything else holds until the next key; `%03d` in a "filename" becomes the file's number ("first" + frame *
+  /// "step", both 1 by default), which holds until the next whole frame.
+  ParamList at(Moment moment) const;
   /// Equal types, names, keys and values, in any order.
   bool same_values(const ParamList& other) const;
 };

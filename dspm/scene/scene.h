@@ -78,8 +78,8 @@ struct ScenePart {
 
 class Scene {
  public:
-  std::vector<Frame> file_frames;  // frame j here is frame file_frames[j] of the file; ascending, at most kMaxFrames
-  Vec3 center;                     // bounding sphere over all frames of the file
+  std::vector<FileFrame> file_frames;  // by frame: which of the file it is; ascending, at most kMaxFrames
+  Vec3 center;                         // bounding sphere over all frames of the file
   float radius = 1;
 
   std::vector<PlacedShape> shapes;

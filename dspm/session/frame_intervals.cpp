@@ -7,11 +7,11 @@
 namespace dspm {
 namespace {
 
-using Parts = std::span<const std::span<const Frame>>;
+using Parts = std::span<const std::span<const FileFrame>>;
 
 std::size_t frames_in(Parts parts) {
   std::size_t sum = 0;
-  for (const std::span<const Frame> part : parts) sum += part.size();
+  for (const std::span<const FileFrame> part : parts) sum += part.size();
   return sum;
 }
 
@@ -39,7 +39,7 @@ std::vector<Parts> evened(Parts parts, std::size_t packs) {
 
 FrameList ascending(Parts parts) {
   FrameList frames;
-  for (const std::span<const Frame> part : parts) frames.insert(frames.end(), part.begin(), part.end());
+  for (const std::span<const FileFrame> part : parts) frames.insert(frames.end(), part.begin(), part.end());
   std::sort(frames.begin(), frames.end());
   return frames;
 }
@@ -51,14 +51,14 @@ FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& f
   std::vector<std::pair<Factor, std::size_t>> factors;  // with the number of places that occur
   for (const Factor& factor : factors_of(scene)) {
     std::set<int> places;
-    for (const Frame frame : frames) places.insert(place_along(factor, file_, frame));
+    for (const FileFrame frame : frames) places.insert(place_along(factor, file_, frame));
     factors.emplace_back(factor, places.size());
   }
   std::stable_sort(factors.begin(), factors.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first.moves_paths, a.second) > std::pair(b.first.moves_paths, b.second);
   });
   for (const auto& [factor, places] : factors) factors_.push_back(factor);
-  std::stable_sort(sorted_.begin(), sorted_.end(), [&](Frame a, Frame b) {
+  std::stable_sort(sorted_.begin(), sorted_.end(), [&](FileFrame a, FileFrame b) {
     for (const Factor& factor : factors_)
       if (const int x = place_along(factor, file_, a), y = place_along(factor, file_, b); x != y) return x < y;
     return false;

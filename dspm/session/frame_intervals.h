@@ -11,7 +11,7 @@
 namespace dspm {
 
 /// Frames of the file that are rendered together, ascending.
-using FrameList = std::vector<Frame>;
+using FrameList = std::vector<FileFrame>;
 
 class FrameIntervals {
  public:
@@ -24,7 +24,7 @@ class FrameIntervals {
   std::vector<FrameList> cut(int together) const;
 
  private:
-  using Part = std::span<const Frame>;
+  using Part = std::span<const FileFrame>;
 
   std::vector<Part> blocks(Part part, std::size_t factor) const;
   void cut(Part part, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const;

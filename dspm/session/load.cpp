@@ -26,7 +26,7 @@ ParseOptions parse_options_of(const Choices& choices) {
 }  // namespace
 
 LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
-                         std::optional<Frame> only) {
+                         std::optional<FileFrame> only) {
   Diagnostics diagnostics(choices.lenient);
   SceneDescription read = parse_files(files, parse_options_of(choices), diagnostics);
   if (only) read.frames = read.frames.only(*only);
@@ -64,7 +64,7 @@ std::string variation_names(const std::vector<std::string>& files, const Choices
   diagnostics.throw_if_errors();
   std::string names;
   std::size_t last = description.frames.combinations().size();
-  for (const Frame frame : chosen_frames(description, choices)) {
+  for (const FileFrame frame : chosen_frames(description, choices)) {
     const std::size_t combination = description.frames.combination_of(frame);
     if (combination != last && !description.axes.empty()) names += description.frames.variation(frame) + "\n";
     last = combination;

@@ -15,7 +15,7 @@ namespace dspm {
 struct LoadedScene {
   /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone.
   LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
-              std::optional<Frame> only = std::nullopt);
+              std::optional<FileFrame> only = std::nullopt);
   /// The same from a text in memory; files that it names are looked for next to `name`.
   LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics);
 

@@ -4,6 +4,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -53,7 +54,7 @@ Verdict check_open_furnace(const std::string& material, const std::string& integ
                            const Tolerance& tolerance) {
   const std::string text = open_furnace(integrator, material);
   const TestScene furnace(text);
-  const auto scene = furnace.scene({0});
+  const auto scene = furnace.scene({FileFrame(0)});
   const RenderSettings& settings = furnace.job().settings;
   std::vector<std::vector<Image>> expected;
   for (std::uint64_t seed = 1; seed <= 16; ++seed)

@@ -76,7 +76,7 @@ Verdict check_threads(const std::string& scene, int iterations) {
 Verdict check_resume(const std::string& scene, int iterations) {
   TestScene test(scene);
   Verdict verdict;
-  for (const std::vector<Frame>& frames : test.intervals()) {
+  for (const std::vector<FileFrame>& frames : test.intervals()) {
     const auto interval = test.scene(frames);
     const auto calm = test.integrator(*interval);
     iterate(*calm, *interval, 0, iterations);
@@ -94,11 +94,11 @@ Verdict check_joint(const std::string& scene, int iterations) {
   Verdict verdict;
   if (test.frame_count() < 2) verdict.fail("the scene has only one frame");
   const std::vector<Image> joint = test.render_all(iterations);
-  for (const Frame frame : test.all_frames()) {
-    const Image &a = joint[static_cast<std::size_t>(frame)], b = test.render(frame, iterations);
+  for (const FileFrame frame : test.all_frames()) {
+    const Image &a = joint[frame.slot()], b = test.render(frame, iterations);
     for (std::size_t i = 0; i < b.pixels.size(); ++i)
       if (!near(a.pixels[i], b.pixels[i]))
-        verdict.fail(fmt::format("frame {} of the joint render has {} in pixel {}, alone {}", frame + 1,
+        verdict.fail(fmt::format("frame {} of the joint render has {} in pixel {}, alone {}", frame.index() + 1,
                                  in_words(a.pixels[i]), i, in_words(b.pixels[i])));
   }
   return verdict;

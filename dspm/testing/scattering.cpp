@@ -6,6 +6,7 @@
 #include <array>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/testing/chi2.h"
 #include "dspm/testing/scattering_cases.h"
@@ -100,7 +101,7 @@ std::string fault(const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo, T
 
 std::shared_ptr<const Material> material_of(const std::string& words) {
   const TestScene scene("WorldBegin\nMaterial " + words + "\nShape \"disk\"");
-  const auto made = scene.scene({0});
+  const auto made = scene.scene({FileFrame(0)});
   return made->materials[static_cast<std::size_t>(made->shapes[0].material)].states[0].object;
 }
 

@@ -27,20 +27,20 @@ const World& TestScene::world() const { return *parts_->loaded.world; }
 
 int TestScene::frame_count() const { return world().frame_count(); }
 
-std::vector<Frame> TestScene::all_frames() const {
-  std::vector<Frame> frames(static_cast<std::size_t>(frame_count()));
-  std::iota(frames.begin(), frames.end(), 0);
+std::vector<FileFrame> TestScene::all_frames() const {
+  std::vector<FileFrame> frames(static_cast<std::size_t>(frame_count()));
+  std::iota(frames.begin(), frames.end(), FileFrame(0));
   return frames;
 }
 
-std::vector<std::vector<Frame>> TestScene::intervals() const {
+std::vector<std::vector<FileFrame>> TestScene::intervals() const {
   if (job().plugin->frames_together > 1) return {all_frames()};
-  std::vector<std::vector<Frame>> alone;
-  for (const Frame frame : all_frames()) alone.push_back({frame});
+  std::vector<std::vector<FileFrame>> alone;
+  for (const FileFrame frame : all_frames()) alone.push_back({frame});
   return alone;
 }
 
-std::unique_ptr<Scene> TestScene::scene(const std::vector<Frame>& frames) const { return world().scene(frames); }
+std::unique_ptr<Scene> TestScene::scene(const std::vector<FileFrame>& frames) const { return world().scene(frames); }
 
 std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std::string& name, std::size_t memory) {
   Job job = this->job();
@@ -50,7 +50,7 @@ std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std:
   return made;
 }
 
-Image TestScene::render(Frame frame, int iterations, const std::string& name) {
+Image TestScene::render(FileFrame frame, int iterations, const std::string& name) {
   const auto alone = scene({frame});
   const auto made = integrator(*alone, name);
   for (int i = 0; i < iterations; ++i) made->iterate(i, *alone);
@@ -59,7 +59,7 @@ Image TestScene::render(Frame frame, int iterations, const std::string& name) {
 
 std::vector<Image> TestScene::render_all(int iterations) {
   std::vector<Image> images;
-  for (const std::vector<Frame>& frames : intervals()) {
+  for (const std::vector<FileFrame>& frames : intervals()) {
     const auto together = scene(frames);
     const auto made = integrator(*together);
     for (int i = 0; i < iterations; ++i) made->iterate(i, *together);

@@ -28,16 +28,16 @@ class TestScene {
   ~TestScene();
 
   int frame_count() const;
-  std::vector<Frame> all_frames() const;
+  std::vector<FileFrame> all_frames() const;
   /// Those that the integrator renders together: all, or each alone.
-  std::vector<std::vector<Frame>> intervals() const;
+  std::vector<std::vector<FileFrame>> intervals() const;
 
-  std::unique_ptr<Scene> scene(const std::vector<Frame>& frames) const;
+  std::unique_ptr<Scene> scene(const std::vector<FileFrame>& frames) const;
   /// The scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
   std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0);
 
   /// One frame alone after that many iterations.
-  Image render(Frame frame, int iterations, const std::string& name = {});
+  Image render(FileFrame frame, int iterations, const std::string& name = {});
   /// All frames, interval by interval.
   std::vector<Image> render_all(int iterations);
 

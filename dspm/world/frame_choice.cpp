@@ -42,14 +42,14 @@ std::vector<bool> chosen_variations(const SceneDescription& description, const s
 
 }  // namespace
 
-std::vector<Frame> chosen_frames(const SceneDescription& description, const Choices& choices) {
+std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices) {
   const FileFrames& file = description.frames;
-  if (!choices.frames.empty() && choices.frames.back() >= file.moments())
-    throw UsageError(
-        fmt::format("--frames: there is no frame {}, the last one is {}", choices.frames.back() + 1, file.moments()));
+  if (!choices.frames.empty() && choices.frames.back() >= Moment(file.moments()))
+    throw UsageError(fmt::format("--frames: there is no frame {}, the last one is {}", choices.frames.back().number(),
+                                 file.moments()));
   const std::vector<bool> chosen = chosen_variations(description, choices.variations);
-  std::vector<Frame> frames;
-  for (Frame f = 0; f < file.count(); ++f) {
+  std::vector<FileFrame> frames;
+  for (FileFrame f(0); f.index() < file.count(); ++f) {
     const bool in_time =
         choices.frames.empty() || std::binary_search(choices.frames.begin(), choices.frames.end(), file.moment(f));
     if (in_time && chosen[file.combination_of(f)]) frames.push_back(f);

@@ -10,6 +10,6 @@
 namespace dspm {
 
 /// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.
-std::vector<Frame> chosen_frames(const SceneDescription& description, const Choices& choices);
+std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices);
 
 }  // namespace dspm

@@ -22,7 +22,7 @@ using ShapeParts = std::vector<ShapePart>;
 Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
   const bool keyed = params.is_keyed();
   return Timeline<ParamList>::of_moments(
-      frames, present, [&](Frame moment) { return keyed ? params.at(moment) : params; },
+      frames, present, [&](Moment moment) { return keyed ? params.at(moment) : params; },
       [&](const ParamList& a, const ParamList& b) { return !keyed || a.same_values(b); });
 }
 
@@ -30,7 +30,7 @@ Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, con
                              const std::vector<bool>& present) {
   return Timeline<Matrix4>::of_moments(
       frames, present,
-      [&](Frame moment) {
+      [&](Moment moment) {
         const Matrix4 own = use.world_from_object.at(moment);
         return instance ? instance->world_from_instance.at(moment) * own : own;
       },
@@ -160,8 +160,8 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   using Place = std::pair<int, int>;
   const auto places = Timeline<Place>::of(
       static_cast<int>(present.size()),
-      [&](Frame f) -> std::optional<Place> {
-        if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
+      [&](FileFrame f) -> std::optional<Place> {
+        if (!present[f.slot()]) return std::nullopt;
         return Place{source.params.at(f), matrices.at(f)};
       },
       [](const Place& a, const Place& b) { return a == b; });

@@ -102,7 +102,7 @@ float number_of(const ParamList& list, std::string_view name, float fallback) {
 /// The camera's shutter is open from shutteropen to shutterclose.
 float shutter_seconds(const SceneDescription& description) {
   if (!description.camera) return 1;
-  const ParamList params = description.camera->params.at(0);
+  const ParamList params = description.camera->params.at(Moment());
   const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
   return seconds > 0 ? seconds : 1;
 }
@@ -167,7 +167,7 @@ void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<st
 
 std::string Job::frames_in_words() const {
   std::set<std::size_t> variations;
-  for (const Frame frame : frames) variations.insert(description->frames.combination_of(frame));
+  for (const FileFrame frame : frames) variations.insert(description->frames.combination_of(frame));
   if (description->axes.empty()) return counted(frames.size(), "frame");
   const std::string in_words = counted(variations.size(), "variation");
   return numbered ? fmt::format("{} ({})", counted(frames.size(), "frame"), in_words) : in_words;

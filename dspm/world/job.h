@@ -23,7 +23,7 @@ inline constexpr const char* kUsualPixelFilter = "gaussian";
 struct Job {
   std::string scene_file;
   const SceneDescription* description = nullptr;  // outlives the job
-  std::vector<Frame> frames;                      // of the file, ascending
+  std::vector<FileFrame> frames;                  // ascending
   bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
   FilmSettings film;
@@ -37,9 +37,9 @@ struct Job {
   std::optional<int> chosen_iterations;
   bool quick = false;  // a quarter of the iterations
 
-  /// The file's frame without its variation, counted from 0, and the variation's name; empty: none.
-  Frame moment(Frame frame) const { return description->frames.moment(frame); }
-  const std::string& variation(Frame frame) const { return description->frames.variation(frame); }
+  /// The frame's moment, and the name of its variation; empty: none.
+  Moment moment(FileFrame frame) const { return description->frames.moment(frame); }
+  const std::string& variation(FileFrame frame) const { return description->frames.variation(frame); }
   /// "25 frames", "8 variations" or "200 frames (8 variations)".
   std::string frames_in_words() const;
 

@@ -34,8 +34,8 @@ class LightMaker {
     const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
     const std::vector<bool> present = presence(description_, use.dynamic_block);
-    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
-      if (!present[static_cast<std::size_t>(f)]) return std::nullopt;
+    const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
+      if (!present[f.slot()]) return std::nullopt;
       return LightState{light_params(description_, use, use.name, f),
                         use.world_from_light.at(description_.frames.moment(f))};
     });
@@ -50,9 +50,9 @@ class LightMaker {
     const AreaLightUse& use = *emitter.use;
     const auto* plugin = area_light_plugins().find(use.type, use.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
-    const auto states = timeline([&](Frame f) -> std::optional<LightState> {
+    const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
       for (const int shape : emitter.shapes)
-        if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[static_cast<std::size_t>(f)])
+        if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[f.slot()])
           return LightState{light_params(description_, use, use.name, f), {}, shape};
       return std::nullopt;
     });
@@ -139,7 +139,7 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   return lights;
 }
 
-std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames) {
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<FileFrame>& frames) {
   std::vector<SceneLight::Alike> all;
   for (const std::vector<int>& group : light.alike) {
     const auto state_of = [&](int s) { return light.states.states[static_cast<std::size_t>(s)]; };

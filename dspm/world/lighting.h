@@ -26,6 +26,6 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
                                     const BoundingSphere& sphere, Diagnostics& diagnostics);
 
 /// See SceneLight::alike; of a light that exists in these frames of the file.
-std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<Frame>& frames);
+std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<FileFrame>& frames);
 
 }  // namespace dspm

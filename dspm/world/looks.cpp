@@ -31,7 +31,7 @@ std::vector<std::string> named_textures(const ParamList& params) {
 /// A recipe before its parameters are evaluated.
 struct Source {
   Definition::Use use;
-  Frame moment;
+  Moment moment;
   std::vector<Ingredient<float>> numbers;
   std::vector<Ingredient<Rgb>> colours;
 
@@ -70,7 +70,7 @@ Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
 }
 
 template <class T>
-void Looks::add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const {
+void Looks::add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, FileFrame frame) const {
   for (const std::string& name : named_textures(params))
     if (const auto found = textures<T>().by_name.find(name); found != textures<T>().by_name.end())
       list.push_back({name, found->second, found->second->recipes.at(frame)});
@@ -81,9 +81,9 @@ Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
   // Compared before parameters are evaluated, as most frames repeat an earlier recipe.
   const auto sources = Timeline<Source>::of(
       frames.count(),
-      [&](Frame f) {
+      [&](FileFrame f) {
         const Definition::Use& use = definition.uses[definition.use_of[frames.combination_of(f)]];
-        Source source{use, use.is_keyed() ? frames.moment(f) : 0, {}, {}};
+        Source source{use, use.is_keyed() ? frames.moment(f) : Moment(), {}, {}};
         add_ingredients(source.numbers, use.plugin->params, f);
         add_ingredients(source.colours, use.plugin->params, f);
         return std::optional(std::move(source));
@@ -206,7 +206,7 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
   return plugin->make(reader, MaterialContext{textures});
 }
 
-std::vector<FrameStates<Material>> Looks::materials_in(const std::vector<Frame>& frames) const {
+std::vector<FrameStates<Material>> Looks::materials_in(const std::vector<FileFrame>& frames) const {
   std::vector<FrameStates<Material>> materials;
   Diagnostics diagnostics(true);
   for (const MaterialLook& look : materials_) {

@@ -31,7 +31,7 @@ class Looks {
   int add(const FileMaterial& material, const SourceLocation& where);
 
   /// By index, in these frames of the file. Throws SceneError if a file has changed since the first time.
-  std::vector<FrameStates<Material>> materials_in(const std::vector<Frame>& frames) const;
+  std::vector<FrameStates<Material>> materials_in(const std::vector<FileFrame>& frames) const;
 
   /// How many pictures are in memory for textures.
   int pictures_held() const { return images_.alive(); }
@@ -42,7 +42,7 @@ class Looks {
   /// Whether light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
   /// Its definition in a frame of the file.
-  const PluginUse& use_of(int material, Frame frame) const {
+  const PluginUse& use_of(int material, FileFrame frame) const {
     const Timeline<Recipe>& recipes = look(material).recipes;
     return *recipes.states[static_cast<std::size_t>(recipes.at(frame))].use;
   }
@@ -76,7 +76,7 @@ class Looks {
 
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>
-  void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, Frame frame) const;
+  void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, FileFrame frame) const;
   /// Whether a state, once made, is held as long as the world exists.
   bool is_kept(const std::vector<int>& state_of, int state) const;
   /// Makes every state by `make(recipe, textures)` to find errors, and holds those with is_kept().

@@ -48,10 +48,9 @@ std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vecto
   for (const WorldLight& light : lights) of_states.push_back(powers(light, sphere.center));
   const std::vector<BoundingSphere> own = spheres(geometry, sphere, frames);
   std::vector<PhotonWorth> worth(static_cast<std::size_t>(frames));
-  for (Frame f = 0; f < frames; ++f) {
-    PhotonWorth& of_frame = worth[static_cast<std::size_t>(f)];
-    const double radius =
-        static_cast<double>(own[static_cast<std::size_t>(f)].radius) / static_cast<double>(sphere.radius);
+  for (FileFrame f(0); f.index() < frames; ++f) {
+    PhotonWorth& of_frame = worth[f.slot()];
+    const double radius = static_cast<double>(own[f.slot()].radius) / static_cast<double>(sphere.radius);
     double flux = 0, variance = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const int state = lights[i].states.at(f);

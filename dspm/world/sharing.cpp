@@ -14,9 +14,9 @@ namespace {
 std::string counted(std::size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
 
 /// How many of a thing's states occur in the frames; "not there" is one of them.
-std::size_t states_in(const std::vector<int>& state_of, std::span<const Frame> frames) {
+std::size_t states_in(const std::vector<int>& state_of, std::span<const FileFrame> frames) {
   std::set<int> seen;
-  for (const Frame f : frames) seen.insert(state_of[static_cast<std::size_t>(f)]);
+  for (const FileFrame f : frames) seen.insert(state_of[f.slot()]);
   return seen.size();
 }
 
@@ -28,14 +28,14 @@ struct Summary {
   std::set<const Shape*> geometries;
 };
 
-Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Frame> frames) {
+Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const FileFrame> frames) {
   Summary s;
   std::set<std::vector<const WorldShape*>> states;
   std::set<const WorldShape*> places;
-  for (const Frame f : frames) {
+  for (const FileFrame f : frames) {
     std::vector<const WorldShape*> there;
     for (const WorldShape* shape : shapes)
-      if (shape->present[static_cast<std::size_t>(f)]) there.push_back(shape);
+      if (shape->present[f.slot()]) there.push_back(shape);
     s.frames_present += !there.empty();
     places.insert(there.begin(), there.end());
     states.insert(std::move(there));
@@ -67,7 +67,7 @@ std::string explain_block(const DynamicBlock& block, const Summary& s, std::size
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
                                          const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
-                                         std::span<const Frame> frames) {
+                                         std::span<const FileFrame> frames) {
   std::vector<std::string> lines;
   const FileFrames& file = description.frames;
   const std::string names = description.axes.empty() || frames.empty()
@@ -109,12 +109,12 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
 }
 
 std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
-                                       std::span<const Frame> frames) {
+                                       std::span<const FileFrame> frames) {
   constexpr double kWorthTelling = 0.9;
-  const auto of = [&](Frame f, double PhotonWorth::*share) { return worth[static_cast<std::size_t>(f)].*share; };
-  const auto worst = [&](double PhotonWorth::*share) -> std::optional<Frame> {
-    const auto least =
-        std::min_element(frames.begin(), frames.end(), [&](Frame a, Frame b) { return of(a, share) < of(b, share); });
+  const auto of = [&](FileFrame f, double PhotonWorth::*share) { return worth[f.slot()].*share; };
+  const auto worst = [&](double PhotonWorth::*share) -> std::optional<FileFrame> {
+    const auto least = std::min_element(frames.begin(), frames.end(),
+                                        [&](FileFrame a, FileFrame b) { return of(a, share) < of(b, share); });
     return least != frames.end() && of(*least, share) < kWorthTelling ? std::optional(*least) : std::nullopt;
   };
   const std::string all = counted(static_cast<std::size_t>(file.count()), "frame");

@@ -18,10 +18,10 @@ namespace dspm {
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
                                          const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
-                                         std::span<const Frame> frames);
+                                         std::span<const FileFrame> frames);
 
 /// If photons are worth less to some of these frames than in files of their own: how much, and why.
 std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
-                                       std::span<const Frame> frames);
+                                       std::span<const FileFrame> frames);
 
 }  // namespace dspm

@@ -20,9 +20,8 @@ struct Timeline {
   static Timeline of(int frames, At&& at, Same&& same) {
     Timeline line;
     line.state_of.assign(static_cast<std::size_t>(frames), -1);
-    for (Frame f = 0; f < frames; ++f)
-      if (std::optional<State> state = at(f))
-        line.state_of[static_cast<std::size_t>(f)] = line.place(std::move(*state), same);
+    for (FileFrame f(0); f.index() < frames; ++f)
+      if (std::optional<State> state = at(f)) line.state_of[f.slot()] = line.place(std::move(*state), same);
     return line;
   }
 
@@ -34,12 +33,11 @@ struct Timeline {
     Timeline line;
     line.state_of.assign(present.size(), -1);
     std::vector<int> of_moment(static_cast<std::size_t>(frames.moments()), kUnknown);
-    for (std::size_t f = 0; f < present.size(); ++f) {
-      if (!present[f]) continue;
-      const Frame moment = frames.moment(static_cast<Frame>(f));
-      int& state = of_moment[static_cast<std::size_t>(moment - frames.moment(0))];
-      if (state == kUnknown) state = line.place(at(moment), same);
-      line.state_of[f] = state;
+    for (FileFrame f(0); f.index() < frames.count(); ++f) {
+      if (!present[f.slot()]) continue;
+      int& state = of_moment[static_cast<std::size_t>(frames.moment_index(f))];
+      if (state == kUnknown) state = line.place(at(frames.moment(f)), same);
+      line.state_of[f.slot()] = state;
     }
     return line;
   }
@@ -54,12 +52,12 @@ struct Timeline {
     return static_cast<int>(states.size()) - 1;
   }
 
-  int at(Frame f) const { return state_of[static_cast<std::size_t>(f)]; }
+  int at(FileFrame f) const { return state_of[f.slot()]; }
 };
 
 /// The frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered ones.
 template <class State>
-FrameSet frames_in_state(const Timeline<State>& line, int state, const std::vector<Frame>& rendered) {
+FrameSet frames_in_state(const Timeline<State>& line, int state, const std::vector<FileFrame>& rendered) {
   FrameSet set;
   for (std::size_t j = 0; j < rendered.size(); ++j)
     if (line.at(rendered[j]) == state) set |= FrameSet::single(static_cast<Frame>(j));

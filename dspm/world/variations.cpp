@@ -28,14 +28,14 @@ std::vector<bool> shown_along(const VariationAxis& axis, const std::string& part
   return shown;
 }
 
-ParamList at_moment(const ParamList& params, Frame moment) { return params.is_keyed() ? params.at(moment) : params; }
+ParamList at_moment(const ParamList& params, Moment moment) { return params.is_keyed() ? params.at(moment) : params; }
 
-float scale_of(const LightScale& scale, Frame moment) {
+float scale_of(const LightScale& scale, Moment moment) {
   return numbers_of(*scale.params.at(moment).find("scale")).front();
 }
 
 /// Of the frame's variations, for lights of that name.
-float factor_of(const SceneDescription& scene, const std::string& light, Frame frame) {
+float factor_of(const SceneDescription& scene, const std::string& light, FileFrame frame) {
   float factor = 1;
   for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
     const auto choice = static_cast<std::size_t>(scene.frames.choice(frame, axis));
@@ -52,19 +52,19 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
   std::vector<bool> present(static_cast<std::size_t>(frames.count()), true);
   for (int b = dynamic_block; b >= 0; b = scene.dynamic_blocks[static_cast<std::size_t>(b)].outer) {
     const DynamicBlock& block = scene.dynamic_blocks[static_cast<std::size_t>(b)];
-    for (Frame f = 0; f < frames.count(); ++f)
-      if (!block.moments.contains(frames.moment(f))) present[static_cast<std::size_t>(f)] = false;
+    for (FileFrame f(0); f.index() < frames.count(); ++f)
+      if (!block.moments.contains(frames.moment(f))) present[f.slot()] = false;
     for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
       const std::vector<bool> shown = shown_along(scene.axes[axis], block.name);
-      for (Frame f = 0; f < frames.count(); ++f)
-        if (!shown[static_cast<std::size_t>(frames.choice(f, axis))]) present[static_cast<std::size_t>(f)] = false;
+      for (FileFrame f(0); f.index() < frames.count(); ++f)
+        if (!shown[static_cast<std::size_t>(frames.choice(f, axis))]) present[f.slot()] = false;
     }
   }
   return present;
 }
 
-ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, Frame frame) {
-  const Frame moment = scene.frames.moment(frame);
+ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, FileFrame frame) {
+  const Moment moment = scene.frames.moment(frame);
   ParamList params = at_moment(use.params, moment);
   const float factor = name.empty() ? 1 : factor_of(scene, name, frame);
   if (factor == 1) return params;

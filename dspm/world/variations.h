@@ -18,6 +18,6 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block);
 
 /// A light's parameters in a frame of the file; `scale` is multiplied by the factors that the frame's variations give
 /// to lights of that name.
-ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, Frame frame);
+ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, FileFrame frame);
 
 }  // namespace dspm

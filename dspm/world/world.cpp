@@ -15,7 +15,7 @@ const CameraUse& camera_use(const SceneDescription& description) {
   return description.camera ? *description.camera : fallback;
 }
 
-Transform camera_to_world(const SceneDescription& description, Frame frame) {
+Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
   const Matrix4 camera_from_world = camera_use(description).camera_from_world.at(description.frames.moment(frame));
   return Transform(camera_from_world.inverse().value_or(Matrix4()));
 }
@@ -33,7 +33,7 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   const bool keyed = use.params.is_keyed();
   const auto states = Timeline<State>::of_moments(
       description.frames, presence(description, kAlwaysThere),
-      [&](Frame moment) {
+      [&](Moment moment) {
         return State{keyed ? use.params.at(moment) : use.params, use.camera_from_world.at(moment)};
       },
       [](const State& a, const State& b) {
@@ -61,7 +61,7 @@ void refuse_media(const SceneDescription& description, Diagnostics& diagnostics)
 }
 
 template <class T>
-FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<Frame>& frames) {
+FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::vector<FileFrame>& frames) {
   FrameStates<T> result;
   for (std::size_t s = 0; s < line.states.size(); ++s)
     if (const FrameSet set = frames_in_state(line, static_cast<int>(s), frames); !set.empty())
@@ -69,10 +69,10 @@ FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::ve
   return result;
 }
 
-FrameSet present_in(const WorldShape& shape, const std::vector<Frame>& frames) {
+FrameSet present_in(const WorldShape& shape, const std::vector<FileFrame>& frames) {
   FrameSet set;
   for (std::size_t j = 0; j < frames.size(); ++j)
-    if (shape.present[static_cast<std::size_t>(frames[j])]) set |= FrameSet::single(static_cast<Frame>(j));
+    if (shape.present[frames[j].slot()]) set |= FrameSet::single(static_cast<Frame>(j));
   return set;
 }
 
@@ -93,7 +93,7 @@ struct World::Parts {
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
   }
 
-  std::vector<PlacedShape> shapes_in(const std::vector<Frame>& frames) const {
+  std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames) const {
     std::vector<PlacedShape> shapes;
     const auto directives = static_cast<int>(description.lights.size());
     for (const WorldShape* shape : shapes_there(frames)) {
@@ -103,7 +103,7 @@ struct World::Parts {
     }
     return shapes;
   }
-  std::vector<const WorldShape*> shapes_there(const std::vector<Frame>& frames) const {
+  std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames) const {
     std::vector<const WorldShape*> there;
     for (const WorldShape& shape : geometry.shapes())
       if (!present_in(shape, frames).empty()) there.push_back(&shape);
@@ -125,7 +125,7 @@ World::~World() = default;
 
 int World::frame_count() const { return parts_->description.frames.count(); }
 
-std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
+std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   auto scene = std::make_unique<Scene>();
   scene->file_frames.assign(frames.begin(), frames.end());
   scene->center = parts_->sphere.center, scene->radius = parts_->sphere.radius;
@@ -139,7 +139,7 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
                              alike_in(light, scene->file_frames), light.is_delta});
   }
   scene->camera = cut(parts_->camera, scene->file_frames);
-  for (const Frame frame : frames) scene->camera_to_world.push_back(camera_to_world(parts_->description, frame));
+  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(parts_->description, frame));
   Diagnostics ignored;
   const ParamList none;
   ParamReader reader(none, "accelerator", {}, ignored);
@@ -147,7 +147,7 @@ std::unique_ptr<Scene> World::scene(std::span<const Frame> frames) const {
   return scene;
 }
 
-const PluginUse& World::use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const {
+const PluginUse& World::use_of(const ScenePart& part, std::span<const FileFrame> frames, Frame j) const {
   switch (part.kind) {
     case ScenePart::Kind::camera: break;
     case ScenePart::Kind::material: return parts_->looks.use_of(part.index, frames[static_cast<std::size_t>(j)]);
@@ -160,12 +160,12 @@ const PluginUse& World::use_of(const ScenePart& part, std::span<const Frame> fra
 
 int World::pictures_held() const { return parts_->looks.pictures_held(); }
 
-std::size_t World::tree_bytes_at_most(std::span<const Frame> frames) const {
+std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
   return parts_->accel->bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
                                       FrameSet::first(static_cast<int>(frames.size())));
 }
 
-std::vector<std::string> World::explain(std::span<const Frame> frames) const {
+std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {
   std::vector<std::string> lines =
       explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
   const auto worth = photon_worth(parts_->geometry, parts_->lights, parts_->sphere, frame_count());

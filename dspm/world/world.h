@@ -30,15 +30,15 @@ class World {
   int frame_count() const;
   /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
   /// a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
-  std::unique_ptr<Scene> scene(std::span<const Frame> frames) const;
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
   /// The directive that an element of scene(frames) comes from, in its frame j.
-  const PluginUse& use_of(const ScenePart& part, std::span<const Frame> frames, Frame j) const;
+  const PluginUse& use_of(const ScenePart& part, std::span<const FileFrame> frames, Frame j) const;
   /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
   /// An upper estimate of the bytes that the trees of that scene take while it is made, without making it.
-  std::size_t tree_bytes_at_most(std::span<const Frame> frames) const;
+  std::size_t tree_bytes_at_most(std::span<const FileFrame> frames) const;
   /// What is shared between frames and what is not, and why: one sentence per line, for --explain.
-  std::vector<std::string> explain(std::span<const Frame> frames) const;
+  std::vector<std::string> explain(std::span<const FileFrame> frames) const;
 
  private:
   struct Parts;

@@ -108,7 +108,7 @@ class RandomScene {
   const Shape& round() {
     Diagnostics diagnostics;
     const ParamList list{
-        {{ParamType::number, "radius", 0, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
+        {{ParamType::number, "radius", {}, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
     ParamReader reader(list, "shape", {}, diagnostics);
     auto parts = shape_plugins().find(random_.below(2) == 0 ? "sphere" : "disk")->make(reader);
     shapes_.push_back(std::move(parts.front().shape));

@@ -5,16 +5,22 @@
 namespace dspm {
 namespace {
 
-TEST(ParseFrames, CountsFromZeroInOrderWithoutRepetition) {
-  EXPECT_EQ(parse_frames("7"), (std::vector<Frame>{6}));
-  EXPECT_EQ(parse_frames("1-3,12"), (std::vector<Frame>{0, 1, 2, 11}));
-  EXPECT_EQ(parse_frames("5,2-3,3,1"), (std::vector<Frame>{0, 1, 2, 4}));
+std::vector<int> numbers(std::string_view text) {
+  std::vector<int> all;
+  for (const Moment moment : parse_frames(text)) all.push_back(moment.number());
+  return all;
+}
+
+TEST(ParseFrames, AreInOrderWithoutRepetition) {
+  EXPECT_EQ(numbers("7"), (std::vector<int>{7}));
+  EXPECT_EQ(numbers("1-3,12"), (std::vector<int>{1, 2, 3, 12}));
+  EXPECT_EQ(numbers("5,2-3,3,1"), (std::vector<int>{1, 2, 3, 5}));
 }
 
 TEST(ParseFrames, ARangeMayHaveAStep) {
-  EXPECT_EQ(parse_frames("1-32:8"), (std::vector<Frame>{0, 8, 16, 24}));
-  EXPECT_EQ(parse_frames("2-6:2,3"), (std::vector<Frame>{1, 2, 3, 5}));
-  EXPECT_EQ(parse_frames("5-7:2000000000"), (std::vector<Frame>{4}));
+  EXPECT_EQ(numbers("1-32:8"), (std::vector<int>{1, 9, 17, 25}));
+  EXPECT_EQ(numbers("2-6:2,3"), (std::vector<int>{2, 3, 4, 6}));
+  EXPECT_EQ(numbers("5-7:2000000000"), (std::vector<int>{5}));
 }
 
 TEST(ParseFrames, RefusesWhatIsNoListOfFrames) {

@@ -20,7 +20,7 @@ TEST(Options, ReadsTheUsualOnes) {
   EXPECT_EQ(o.integrator, "sppm");
   EXPECT_EQ(o.iterations, 50);
   EXPECT_EQ(o.photons, 1000);
-  EXPECT_EQ(o.frames, (std::vector<Frame>{0, 1}));
+  EXPECT_EQ(o.frames, (std::vector<Moment>{Moment(0), Moment(1)}));
   EXPECT_EQ(o.time_limit, 60);
   EXPECT_EQ(o.memory, 2'000'000'000u);
   EXPECT_EQ(o.video, "a.mp4");

@@ -13,13 +13,13 @@ namespace {
 Images image_of(std::initializer_list<float> greys) { return {grey_image(greys)}; }
 
 TEST(SpreadFrames, LeavesSomeOutEvenly) {
-  std::vector<Frame> frames(32);
-  std::iota(frames.begin(), frames.end(), 0);
-  EXPECT_EQ(spread_frames(frames, 4), (std::vector<Frame>{0, 8, 16, 24}));
+  std::vector<FileFrame> frames(32);
+  std::iota(frames.begin(), frames.end(), FileFrame(0));
+  EXPECT_EQ(spread_frames(frames, 4), (std::vector{FileFrame(0), FileFrame(8), FileFrame(16), FileFrame(24)}));
   EXPECT_EQ(spread_frames(frames, 99), frames);
-  const std::vector<Frame> most = spread_frames(frames, 24);
+  const std::vector<FileFrame> most = spread_frames(frames, 24);
   ASSERT_EQ(most.size(), 24u);
-  for (std::size_t i = 1; i < most.size(); ++i) EXPECT_LE(most[i] - most[i - 1], 2);
+  for (std::size_t i = 1; i < most.size(); ++i) EXPECT_LE(most[i].index() - most[i - 1].index(), 2);
 }
 
 // Of three kinds of work a, b, c that take 1, 2 and 3 seconds a piece, 4 separate runs do 10, 20, 30 each and all
@@ -37,9 +37,9 @@ TEST(OwnFile, ChoosesTheLampThatIsOn) {
     return all;
   };
   EXPECT_EQ(chances(load(file)), std::vector<float>(8, 0.125f));
-  const LoadedScene own = load(file, Choices{}, 2);
-  EXPECT_EQ(own.job.frames, (std::vector<Frame>{0}));
-  EXPECT_EQ(own.job.variation(0), "c");
+  const LoadedScene own = load(file, Choices{}, FileFrame(2));
+  EXPECT_EQ(own.job.frames, std::vector{FileFrame(0)});
+  EXPECT_EQ(own.job.variation(FileFrame(0)), "c");
   EXPECT_EQ(chances(own), std::vector<float>{1}) << "it has no other lamp";
 }
 
@@ -48,8 +48,8 @@ TEST(OwnFile, HasTheSphereOfItsFrame) {
   const std::filesystem::path file = std::filesystem::path(DSPM_SOURCE_DIR) / "bench/rising_ball.dsc";
   const auto radius = [](const LoadedScene& loaded) { return loaded.world->scene(loaded.job.frames)->radius; };
   EXPECT_NEAR(radius(load(file)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
-  EXPECT_NEAR(radius(load(file, Choices{}, 0)), 3, 1e-3f);
-  EXPECT_NEAR(radius(load(file, Choices{}, 23)), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
+  EXPECT_NEAR(radius(load(file, Choices{}, FileFrame(0))), 3, 1e-3f);
+  EXPECT_NEAR(radius(load(file, Choices{}, FileFrame(23))), std::sqrt(4 + 4 + 10.3f * 10.3f), 1e-3f);
 }
 
 TEST(Median, IsTheMiddleOrTheMeanOfTwo) {

@@ -27,12 +27,17 @@ class Numbers final : public IdleIntegrator {
   std::vector<double> numbers_;
 };
 
+FrameList frames_of(std::size_t interval) {
+  const auto first = static_cast<int>(interval);
+  return {FileFrame(first), FileFrame(first + 100)};
+}
+
 /// A file, and what it must hold.
 class Saved {
  public:
   explicit Saved(std::size_t intervals) : model_(intervals) {
     std::vector<IntervalState> states(intervals);
-    for (std::size_t i = 0; i < intervals; ++i) states[i].frames = {static_cast<Frame>(i), static_cast<Frame>(i + 100)};
+    for (std::size_t i = 0; i < intervals; ++i) states[i].frames = frames_of(i);
     file_ = CheckpointFile::write(path_, {{"scene", "a b c"}, {"seed", "7", true}}, states, nullptr, nullptr);
   }
 
@@ -55,7 +60,7 @@ class Saved {
       EXPECT_EQ(file->facts()[0].text, "a b c");
       EXPECT_TRUE(file->facts()[1].is_digest);
       for (std::size_t i = 0; i < model_.size(); ++i) {
-        EXPECT_EQ(file->intervals()[i].frames, (FrameList{static_cast<Frame>(i), static_cast<Frame>(i + 100)}));
+        EXPECT_EQ(file->intervals()[i].frames, frames_of(i));
         EXPECT_EQ(file->intervals()[i].iterations, model_[i].iterations);
         EXPECT_EQ(file->intervals()[i].seconds, model_[i].seconds);
         if (model_[i].iterations == 0) continue;
@@ -99,7 +104,7 @@ TEST(CheckpointFile, IsNotReplacedByWhatCannotBeCopied) {
   const TemporaryDirectory directory;
   const std::filesystem::path path = directory / "cut.ck";
   std::vector<IntervalState> states(2);
-  states[0].frames = {0}, states[1].frames = {1};
+  states[0].frames = {FileFrame(0)}, states[1].frames = {FileFrame(1)};
   auto file = CheckpointFile::write(path, {}, states, nullptr, nullptr);
   Numbers many(std::vector<double>(100'000, 0.5)), one({1});
   const auto save = [&](std::size_t interval, Numbers& numbers) {
@@ -118,7 +123,7 @@ TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   const TemporaryDirectory directory;
   Numbers integrator({1, 2, 3});
   const CheckpointFile::NewState state{0, integrator};
-  IntervalState interval{{0}};
+  IntervalState interval{{FileFrame(0)}};
   interval.iterations = 1;
   CheckpointFile::write(directory / "a", {{"scene", "a b c"}}, {interval}, &state, nullptr);
   const std::string whole = contents(directory / "a");

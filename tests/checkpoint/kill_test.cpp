@@ -34,9 +34,10 @@ void expect_whole_images(const TinyDirectory& directory) {
 void expect_no_image_ahead(const TinyDirectory& directory) {
   const CheckpointFile checkpoint(directory / "a");
   for (const IntervalState& interval : checkpoint.intervals())
-    for (const Frame frame : interval.frames)
-      if (directory.has(kTinyImages[frame])) {
-        EXPECT_LE(read_exr_header(directory / kTinyImages[frame]).integers.at("iterations"), interval.iterations);
+    for (const FileFrame frame : interval.frames)
+      if (directory.has(kTinyImages[frame.slot()])) {
+        EXPECT_LE(read_exr_header(directory / kTinyImages[frame.slot()]).integers.at("iterations"),
+                  interval.iterations);
       }
 }
 

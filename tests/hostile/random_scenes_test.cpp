@@ -67,7 +67,7 @@ Seen render(const std::string& text, int iterations = 2) {
   TestScene scene(text, "random.dsc");
   Seen seen;
   std::size_t pixels = 0;
-  for (const std::vector<Frame>& interval : scene.intervals()) {
+  for (const std::vector<FileFrame>& interval : scene.intervals()) {
     const auto part = scene.scene(interval);
     const auto integrator = scene.integrator(*part);
     for (int iteration = 0; iteration < iterations; ++iteration) integrator->iterate(iteration, *part);
@@ -78,7 +78,7 @@ Seen render(const std::string& text, int iterations = 2) {
     for (std::size_t frame = 0; frame < interval.size(); ++frame)
       for (const Rgb& pixel : integrator->estimate(static_cast<Frame>(frame)).pixels) {
         EXPECT_TRUE(is_finite(pixel) && pixel.r >= 0 && pixel.g >= 0 && pixel.b >= 0)
-            << fmt::format("{} {} {} in frame {}", pixel.r, pixel.g, pixel.b, interval[frame] + 1);
+            << fmt::format("{} {} {} in frame {}", pixel.r, pixel.g, pixel.b, interval[frame].index() + 1);
         seen.mean += luminance(pixel), ++pixels;
       }
   }

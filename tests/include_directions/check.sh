@@ -12,7 +12,7 @@ BEGIN {
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 
   # Who names one of these includes its header, or leaves that to a header of its own name.
-  home["FrameSet"] = home["Frame"] = home["kMaxFrames"] = "dspm/math/frames.h"
+  home["FrameSet"] = home["Frame"] = home["FileFrame"] = home["Moment"] = home["kMaxFrames"] = "dspm/math/frames.h"
   home["Vec2"] = home["Vec3"] = "dspm/math/vec.h"
   home["Ray"] = "dspm/math/ray.h"
   home["Rgb"] = "dspm/colour/rgb.h"

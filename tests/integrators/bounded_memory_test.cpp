@@ -74,7 +74,7 @@ TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
     choices.outputs = {"photons", "radius"};
     TestScene test(text, choices);
     const bool alone = test.job().plugin->frames_together == 1;
-    const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+    const auto scene = test.scene(alone ? std::vector{FileFrame(1)} : test.all_frames());
     const auto whole = test.integrator(*scene), batches = with_least_memory(test, *scene);
     EXPECT_EQ(whole->statistics().photon_batches, 1);
     EXPECT_GT(batches->statistics().photon_batches, 1);
@@ -88,7 +88,7 @@ TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
 TEST_P(Progressive, BatchesHaveTheSameBitsWithAnyNumberOfThreads) {
   TestScene test(RandomScene(77, kFrames).text(fmt::format(R"(Integrator {} "integer photons" 20000)", GetParam())));
   const bool alone = test.job().plugin->frames_together == 1;
-  const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+  const auto scene = test.scene(alone ? std::vector{FileFrame(1)} : test.all_frames());
   std::vector<Image> images;
   for (const int threads : {1, 2, 5}) {
     const ThreadLimit limit(threads);
@@ -105,7 +105,7 @@ TEST_P(Progressive, BatchesHaveTheSameBitsWithAnyNumberOfThreads) {
 TEST_P(Progressive, BatchesAreNotTooSmall) {
   for (const auto& [photons, batches] : {std::pair(8192, 2), std::pair(8190, 1)}) {
     TestScene test(RandomScene(77, 1).text(fmt::format(R"(Integrator {} "integer photons" {})", GetParam(), photons)));
-    const auto scene = test.scene({0});
+    const auto scene = test.scene({FileFrame(0)});
     EXPECT_EQ(with_least_memory(test, *scene)->statistics().photon_batches, batches);
   }
 }
@@ -113,7 +113,7 @@ TEST_P(Progressive, BatchesAreNotTooSmall) {
 // Working buffers, and a copy of what the state of the pixels takes.
 TEST(MemoryNeeds, OfBatchesHaveRoomForACopy) {
   TestScene test(RandomScene(77, 1).text(R"(Integrator "sppm" "string estimator" "hj09" "integer photons" 20000)"));
-  const auto scene = test.scene({0});
+  const auto scene = test.scene({FileFrame(0)});
   const auto pixels = static_cast<std::size_t>(test.job().settings.crop.count());
   EXPECT_EQ(needs_within(test, *scene, 1)->pixels, pixels * (2 * sizeof(PixelStatistics) + sizeof(PassSums)));
 }
@@ -148,7 +148,7 @@ Material "conductor" "float roughness" 0.5
 Translate 1.5 0.5 0
 Shape "sphere" "float radius" 0.7
 )");
-  const auto scene = test.scene({0});
+  const auto scene = test.scene({FileFrame(0)});
   for (const bool keep_bsdf : {false, true}) {
     const HitPointSettings settings{.sample_direct = true, .keep_bsdf = keep_bsdf};
     const RenderSettings& render = test.job().settings;
@@ -169,7 +169,7 @@ TEST_P(BoundedMemory, HoldsWhatItSays) {
     SCOPED_TRACE(text);
     TestScene test(text);
     const bool alone = test.job().plugin->frames_together == 1;
-    const auto scene = test.scene(alone ? std::vector<Frame>{1} : test.all_frames());
+    const auto scene = test.scene(alone ? std::vector{FileFrame(1)} : test.all_frames());
     const std::size_t least = needs_within(test, *scene, 1)->total();
     EXPECT_TRUE(needs_within(test, *scene, least - 1));
     EXPECT_FALSE(needs_within(test, *scene, kPlenty));

@@ -54,18 +54,18 @@ Comparison compare(TestScene& test) {
   const auto dsppm = test.integrator(*together, "dsppm");
   std::vector<std::unique_ptr<Scene>> scenes;
   std::vector<std::unique_ptr<Integrator>> sppm;
-  for (const Frame f : test.all_frames()) {
+  for (const FileFrame f : test.all_frames()) {
     scenes.push_back(test.scene({f}));
     sppm.push_back(test.integrator(*scenes.back(), "sppm"));
   }
   for (int i = 0; i < kIterations; ++i) {
     dsppm->iterate(i, *together);
-    for (const Frame f : test.all_frames()) {
-      Integrator& alone = *sppm[static_cast<std::size_t>(f)];
-      alone.iterate(i, *scenes[static_cast<std::size_t>(f)]);
-      const Image a = dsppm->estimate(f), b = alone.estimate(0);
-      const Image found = dsppm->estimate(f, "photons"), found_alone = alone.estimate(0, "photons");
-      const Image radius = dsppm->estimate(f, "radius"), radius_alone = alone.estimate(0, "radius");
+    for (const FileFrame f : test.all_frames()) {
+      Integrator& alone = *sppm[f.slot()];
+      alone.iterate(i, *scenes[f.slot()]);
+      const Image a = dsppm->estimate(f.index()), b = alone.estimate(0);
+      const Image found = dsppm->estimate(f.index(), "photons"), found_alone = alone.estimate(0, "photons");
+      const Image radius = dsppm->estimate(f.index(), "radius"), radius_alone = alone.estimate(0, "radius");
       for (int p = 0; p < static_cast<int>(a.pixels.size()); ++p) {
         const auto at = static_cast<std::size_t>(p);
         ++result.pixels;
@@ -124,8 +124,8 @@ TEST(Kz11, FramesEqualTheirOwnRuns) {
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
     for (int i = 0; i < kIterations; ++i) together->iterate(i, *scene);
-    for (const Frame f : test.all_frames()) {
-      const Image a = together->estimate(f), b = test.render(f, kIterations);
+    for (const FileFrame f : test.all_frames()) {
+      const Image a = together->estimate(f.index()), b = test.render(f, kIterations);
       for (std::size_t p = 0; p < a.pixels.size(); ++p) EXPECT_TRUE(same(a.pixels[p], b.pixels[p]));
     }
   }
@@ -140,7 +140,7 @@ TEST(Path, FramesEqualTheirOwnRuns) {
     const auto scene = test.scene(test.all_frames());
     const auto together = test.integrator(*scene);
     for (int i = 0; i < kIterations; ++i) together->iterate(i, *scene);
-    for (const Frame f : test.all_frames()) EXPECT_EQ(together->estimate(f), test.render(f, kIterations));
+    for (const FileFrame f : test.all_frames()) EXPECT_EQ(together->estimate(f.index()), test.render(f, kIterations));
   }
 }
 

@@ -74,7 +74,7 @@ class FilmPoint : public testing::TestWithParam<const char*> {};
 TEST_P(FilmPoint, FollowsTheFilter) {
   constexpr int kPaths = 4096;
   for (const Filter& filter : kFilters) {
-    const Image image = TestScene(rectangle(GetParam(), filter.directive)).render(0, kPaths);
+    const Image image = TestScene(rectangle(GetParam(), filter.directive)).render(FileFrame(0), kPaths);
     int between = 0;
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
@@ -90,7 +90,7 @@ TEST_P(FilmPoint, FollowsTheFilter) {
 
 TEST_P(FilmPoint, IsThePixelsMiddleWithoutJitter) {
   const std::string options = GetParam() + std::string("\nOption \"disablepixeljitter\" true");
-  const Image image = TestScene(rectangle(options, R"(PixelFilter "box" "float xradius" 3)")).render(0, 16);
+  const Image image = TestScene(rectangle(options, R"(PixelFilter "box" "float xradius" 3)")).render(FileFrame(0), 16);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       const bool is_lit = x == 4 && y == 3;  // its middle, 4.5, 3.5, alone lies on the rectangle

@@ -129,7 +129,7 @@ TEST(FinalGatherRays, AreThoseOfAsManyIterations) {
     const std::string options = fmt::format(R"(Option "disablepixeljitter" true
 Integrator "photonmap" "integer finalgather" {} "integer photons" 5000 "integer causticphotons" 1)",
                                             rays);
-    return TestScene(lit_sphere(options)).render(0, iterations);
+    return TestScene(lit_sphere(options)).render(FileFrame(0), iterations);
   };
   const Image together = render(4, 1), apart = render(1, 4), fewer = render(1, 3);
   for (std::size_t i = 0; i < together.pixels.size(); ++i) {

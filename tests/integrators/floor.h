@@ -49,7 +49,7 @@ using Irradiance = std::function<double(double x, double y)>;
 inline Image floor_picture(const Floor& floor, const Irradiance& irradiance) {
   constexpr int kGrid = 4;  // points of a pixel, along each side
   const TestScene test(floor.text("\"path\""));
-  const auto scene = test.scene({0});
+  const auto scene = test.scene({FileFrame(0)});
   Image image(kFloorSide, kFloorSide);
   for (int y = 0; y < kFloorSide * kGrid; ++y)
     for (int x = 0; x < kFloorSide * kGrid; ++x) {
@@ -79,8 +79,8 @@ inline constexpr FloorIntegrator kFloorIntegrators[] = {
 enum class By { all, photons };  // photons alone find points and directions by way of glass and mirrors
 
 inline void expect_picture(const Floor& floor, const Image& expected, By by = By::all) {
-  constexpr int kComparisons = 120;          // all of them together fail right integrators with a chance of 1%
-  constexpr int kQuarters = 2;  // many seeds and few figures make a sharp t-test
+  constexpr int kComparisons = 120;  // all of them together fail right integrators with a chance of 1%
+  constexpr int kQuarters = 2;       // many seeds and few figures make a sharp t-test
   const Tiles exact = tiles_of({{expected}}, kQuarters);
   for (const FloorIntegrator& integrator : kFloorIntegrators) {
     if (by == By::photons && std::string_view(integrator.words) == R"("path")") continue;

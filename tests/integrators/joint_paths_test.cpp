@@ -85,19 +85,19 @@ TEST(JointPaths, AnOpeningConeKeepsItsLight) {
   const auto integrator = test.integrator(*all);
   constexpr int kIterations = 20;
   for (int i = 0; i < kIterations; ++i) integrator->iterate(i, *all);
-  for (const Frame f : test.all_frames()) {
+  for (const FileFrame f : test.all_frames()) {
     const auto one = test.scene({f});
     const auto alone = test.integrator(*one, "sppm");
     for (int i = 0; i < kIterations; ++i) alone->iterate(i, *one);
     const double emitted = alone->statistics().energy[0].emitted;
-    EXPECT_NEAR(integrator->statistics().energy[static_cast<std::size_t>(f)].emitted, emitted, 0.01 * emitted);
-    const Image joint = integrator->estimate(f), own = alone->estimate(0);
+    EXPECT_NEAR(integrator->statistics().energy[f.slot()].emitted, emitted, 0.01 * emitted);
+    const Image joint = integrator->estimate(f.index()), own = alone->estimate(0);
     double sum = 0, difference = 0;
     for (std::size_t p = 0; p < own.pixels.size(); ++p) {
       sum += static_cast<double>(luminance(own.pixels[p]));
       difference += static_cast<double>(luminance(joint.pixels[p] - own.pixels[p]));
     }
-    EXPECT_LT(std::abs(difference), 0.01 * sum) << "frame " << f;
+    EXPECT_LT(std::abs(difference), 0.01 * sum) << "frame " << f.index();
   }
 }
 

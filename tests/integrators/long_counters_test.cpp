@@ -27,7 +27,7 @@ class LongCounters : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(LongCounters, GoBeyond32Bits) {
   TestScene test(std::string("Integrator ") + GetParam() + kScene);
-  const auto scene = test.scene({0});
+  const auto scene = test.scene({FileFrame(0)});
   const auto young = test.integrator(*scene), old = test.integrator(*scene);
   young->iterate(0, *scene);
 

@@ -131,17 +131,17 @@ void expect_radii(const Settings& s) {
                                   s.photons, s.parameters)),
                  choices);
   SCOPED_TRACE(s.integrator + " " + s.estimator + " " + s.parameters);
-  for (const std::vector<Frame>& frames : test.intervals()) {
+  for (const std::vector<FileFrame>& frames : test.intervals()) {
     const auto scene = test.scene(frames);
     const auto integrator = integrator_of(test, *scene, s.in_batches);
-    if (frames.front() == 0) {  // in frame 2 alone there are no photons to save memory with
+    if (frames.front() == FileFrame(0)) {  // in frame 2 alone there are no photons to save memory with
       EXPECT_EQ(integrator->statistics().photon_batches > 1, s.in_batches);
     }
     for (int n = 1; n <= 30; ++n) {
       integrator->iterate(n - 1, *scene);
       if (n > 3 && n != 10 && n != 30) continue;
       for (Frame j = 0; j < scene->frame_count(); ++j)
-        expect_pixels(*integrator, j, frames[static_cast<std::size_t>(j)] == 0, n, s);
+        expect_pixels(*integrator, j, frames[static_cast<std::size_t>(j)] == FileFrame(0), n, s);
     }
   }
 }
@@ -199,7 +199,7 @@ LightSource "spot" "point3 from" [0 2 0] "point3 to" [0 3 0] "float coneangle" .
 template <class Fn>
 void for_each_first_radius2(const std::string& integrator, double fov, const std::string& contents, Fn&& fn) {
   TestScene test(dark(integrator, fov, contents));
-  const auto scene = test.scene({0});
+  const auto scene = test.scene({FileFrame(0)});
   const auto made = test.integrator(*scene);
   made->iterate(0, *scene);
   const Image radii = made->estimate(0, "radius");

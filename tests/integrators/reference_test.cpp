@@ -56,7 +56,7 @@ std::vector<Block> render_blocks(const Settings& settings) {
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   test::TestScene scene(with_settings(text, settings), file.string());
-  const Image image = scene.render(0, settings.iterations);
+  const Image image = scene.render(FileFrame(0), settings.iterations);
   const Image reference = read_image(kData / settings.scene / "TungstenRender.exr");
 
   std::vector<Block> blocks;

@@ -35,7 +35,8 @@ class Reference {
   }
   Tiles light_traced(std::int64_t paths, int seeds) const {
     return tiles(seeds, [&](TestScene& scene, std::uint64_t seed) {
-      return LightTracer(*scene.scene({0}), kReferenceSide, kReferenceSide, kReferenceDepth).picture(paths, seed);
+      return LightTracer(*scene.scene({FileFrame(0)}), kReferenceSide, kReferenceSide, kReferenceDepth)
+          .picture(paths, seed);
     });
   }
 

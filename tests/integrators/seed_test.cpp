@@ -18,7 +18,7 @@ LightSource "point"
 Translate 0 0 2 Shape "disk" "float radius" 2
 Translate 0 0 -3 Shape "disk" "float radius" 2
 )");
-  return test.render(0, 1);
+  return test.render(FileFrame(0), 1);
 }
 
 TEST(Seed, IsThatOfPhotons) {

@@ -22,7 +22,7 @@ Translate 0 0 2
 Shape "disk"
 )",
                              integrator, lamp_in_front ? 1 : 3, surface));
-  return test.render(0, 10);
+  return test.render(FileFrame(0), 10);
 }
 
 double mean(const Image& image) {

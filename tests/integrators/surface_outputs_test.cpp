@@ -131,12 +131,12 @@ TEST_P(SurfaceOutputs, LeaveRadianceAsItIs) {
 TEST_P(SurfaceOutputs, OfAllFramesAreThoseOfEachAlone) {
   TestScene test(text(), asking_for(kAll));
   const auto together = outputs_of(test);
-  for (const Frame f : test.all_frames()) {
+  for (const FileFrame f : test.all_frames()) {
     const auto alone = test.scene({f});
     const auto integrator = test.integrator(*alone);
     for (int i = 0; i < 4; ++i) integrator->iterate(i, *alone);
     for (const std::string& output : kAll)
-      EXPECT_EQ(together.at(output)[static_cast<std::size_t>(f)], integrator->estimate(0, output)) << output;
+      EXPECT_EQ(together.at(output)[f.slot()], integrator->estimate(0, output)) << output;
   }
 }
 

@@ -7,7 +7,7 @@ namespace {
 Matrix4 at(const std::string& directives, int key) {
   const SceneDescription scene =
       good("Frames 25\nWorldBegin\nDynamicBegin \"a\"\n" + directives + "\nShape \"s\" DynamicEnd");
-  return scene.shapes.at(0).world_from_object.at(key - 1);
+  return scene.shapes.at(0).world_from_object.at(Moment::numbered(key));
 }
 
 TEST(Animation, CountsFrames) {
@@ -31,8 +31,8 @@ TEST(Animation, DynamicBlocksHoldShapesLightsAndInstances) {
     Shape "static")");
   ASSERT_EQ(scene.dynamic_blocks.size(), 2u);
   EXPECT_EQ(scene.dynamic_blocks[0].name, "a");
-  EXPECT_EQ(scene.dynamic_blocks[0].moments, (FrameInterval{2, 9}));
-  EXPECT_EQ(scene.dynamic_blocks[1].moments, (FrameInterval{2, 4}));
+  EXPECT_EQ(scene.dynamic_blocks[0].moments, (MomentInterval{Moment(2), Moment(9)}));
+  EXPECT_EQ(scene.dynamic_blocks[1].moments, (MomentInterval{Moment(2), Moment(4)}));
   EXPECT_EQ(scene.shapes[0].dynamic_block, -1);
   EXPECT_EQ(scene.shapes[1].dynamic_block, 0);
   EXPECT_EQ(scene.shapes[2].dynamic_block, 1);
@@ -42,13 +42,15 @@ TEST(Animation, DynamicBlocksHoldShapesLightsAndInstances) {
   const SceneDescription late = good(R"(Frames 10
     WorldBegin
     DynamicBegin "a" "integer frames" [3 9] DynamicBegin "b" "integer frames" [8 10] DynamicEnd DynamicEnd)");
-  EXPECT_EQ(late.dynamic_blocks[1].moments, (FrameInterval{7, 9})) << "no longer than the block around it";
-  EXPECT_EQ(good("Frames 4 WorldBegin DynamicBegin \"a\" DynamicEnd").dynamic_blocks[0].moments, (FrameInterval{0, 4}));
+  EXPECT_EQ(late.dynamic_blocks[1].moments, (MomentInterval{Moment(7), Moment(9)}))
+      << "no longer than the block around it";
+  EXPECT_EQ(good("Frames 4 WorldBegin DynamicBegin \"a\" DynamicEnd").dynamic_blocks[0].moments,
+            (MomentInterval{Moment(0), Moment(4)}));
 }
 
 TEST(Animation, ABlockBeyondTheLastFrameIsAWarning) {
   const Parsed parsed = parse("Frames 4\nWorldBegin\nDynamicBegin \"a\" \"integer frames\" [3 9]\nDynamicEnd");
-  EXPECT_EQ(parsed.scene.dynamic_blocks[0].moments, (FrameInterval{2, 4}));
+  EXPECT_EQ(parsed.scene.dynamic_blocks[0].moments, (MomentInterval{Moment(2), Moment(4)}));
   EXPECT_EQ(parsed.messages(),
             "scene.dsc:3:18: warning: this key for frame 9 is out of range: the scene has 4 frames\n"
             "    3 | DynamicBegin \"a\" \"integer frames\" [3 9]\n"
@@ -118,9 +120,9 @@ TEST(Animation, TheCameraMoves) {
     CoordSysTransform "camera"
     LightSource "point")");
   EXPECT_TRUE(scene.camera->camera_from_world.is_keyed());
-  expect_near(scene.camera->camera_from_world.at(1), Matrix4::translate(0, 0, 6));
-  expect_near(scene.lights.at(0).world_from_light.at(1), Matrix4::translate(0, 0, -6));
-  EXPECT_EQ(floats(scene.camera->params.at(1), "fov"), std::vector<float>{35});
+  expect_near(scene.camera->camera_from_world.at(Moment(1)), Matrix4::translate(0, 0, 6));
+  expect_near(scene.lights.at(0).world_from_light.at(Moment(1)), Matrix4::translate(0, 0, -6));
+  EXPECT_EQ(floats(scene.camera->params.at(Moment(1)), "fov"), std::vector<float>{35});
 }
 
 TEST(Animation, KeyedParametersKeepTheirKeys) {
@@ -131,8 +133,8 @@ TEST(Animation, KeyedParametersKeepTheirKeys) {
     AreaLightSource "diffuse" "rgb L@1" [1 1 1]
     DynamicBegin "a" Shape "sphere" "float radius@1" 1 "float radius@16" 2.5 DynamicEnd)");
   EXPECT_EQ(scene.materials[0].params.params[1].name, "reflectance");
-  EXPECT_EQ(scene.materials[0].params.params[1].key, 16);
-  EXPECT_EQ(floats(scene.shapes[0].params.at(5), "radius"), std::vector<float>{1.5f});
+  EXPECT_EQ(scene.materials[0].params.params[1].key, Moment::numbered(16));
+  EXPECT_EQ(floats(scene.shapes[0].params.at(Moment(5)), "radius"), std::vector<float>{1.5f});
 }
 
 TEST(Animation, KeysOutsideAreWarnings) {

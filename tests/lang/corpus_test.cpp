@@ -48,7 +48,7 @@ void expect_same_lists(const std::vector<Use>& a, const std::vector<Use>& b, Com
 
 void expect_same_shapes(const ShapeUse& a, const ShapeUse& b) {
   expect_same(a, b);
-  EXPECT_EQ(a.world_from_object.at(0), b.world_from_object.at(0));
+  EXPECT_EQ(a.world_from_object.at(Moment()), b.world_from_object.at(Moment()));
   EXPECT_EQ(a.reverse_orientation, b.reverse_orientation);
   EXPECT_EQ(a.material.index, b.material.index);
   EXPECT_EQ(a.material.name, b.material.name);
@@ -66,7 +66,7 @@ void expect_same_scenes(const SceneDescription& a, const SceneDescription& b) {
   same_option(a.integrator, b.integrator);
   same_option(a.camera, b.camera);
   if (a.camera) {
-    EXPECT_EQ(a.camera->camera_from_world.at(0), b.camera->camera_from_world.at(0));
+    EXPECT_EQ(a.camera->camera_from_world.at(Moment()), b.camera->camera_from_world.at(Moment()));
   }
   expect_same_lists(a.materials, b.materials, [](const MaterialUse& x, const MaterialUse& y) {
     expect_same(x, y);
@@ -75,7 +75,7 @@ void expect_same_scenes(const SceneDescription& a, const SceneDescription& b) {
   expect_same_lists(a.textures, b.textures, expect_same);
   expect_same_lists(a.lights, b.lights, [](const LightUse& x, const LightUse& y) {
     expect_same(x, y);
-    EXPECT_EQ(x.world_from_light.at(0), y.world_from_light.at(0));
+    EXPECT_EQ(x.world_from_light.at(Moment()), y.world_from_light.at(Moment()));
   });
   expect_same_lists(a.area_lights, b.area_lights, expect_same);
   expect_same_lists(a.shapes, b.shapes, expect_same_shapes);

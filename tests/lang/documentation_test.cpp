@@ -63,9 +63,10 @@ TEST(Documentation, ExamplesSurviveFormatting) {
     EXPECT_EQ(format_scene({"scene.dsc", once}, diagnostics).value(), once);
     const SceneDescription a = good(fence.text), b = good(once);
     ASSERT_EQ(a.shapes.size(), b.shapes.size());
-    for (Frame frame = 0; frame < a.moments; ++frame)
+    for (int number = 1; number <= a.moments; ++number)
       for (std::size_t i = 0; i < a.shapes.size(); ++i)
-        EXPECT_EQ(a.shapes[i].world_from_object.at(frame), b.shapes[i].world_from_object.at(frame));
+        EXPECT_EQ(a.shapes[i].world_from_object.at(Moment::numbered(number)),
+                  b.shapes[i].world_from_object.at(Moment::numbered(number)));
   }
 }
 

@@ -52,7 +52,7 @@ TEST_F(Files, IncludeIsTextual) {
   put("parts/b.dsc", "Shape \"in b\"");
   EXPECT_EQ(parse({"main.dsc"}), "");
   ASSERT_EQ(scene.shapes.size(), 2u);
-  expect_near(scene.shapes[1].world_from_object.at(0), Matrix4::translate(1, 0, 0));
+  expect_near(scene.shapes[1].world_from_object.at(Moment()), Matrix4::translate(1, 0, 0));
   EXPECT_EQ(scene.shapes[0].where.file->name, (directory / "parts/b.dsc").string());
 }
 
@@ -84,7 +84,7 @@ TEST_F(Files, ImportLeavesNothingInForce) {
   EXPECT_EQ(scene.shapes[0].material.index, 0);
   EXPECT_EQ(scene.shapes[1].material.index, 1);
   EXPECT_EQ(scene.shapes[2].material.index, 0);
-  expect_near(scene.shapes[2].world_from_object.at(0), Matrix4::translate(1, 0, 0));
+  expect_near(scene.shapes[2].world_from_object.at(Moment()), Matrix4::translate(1, 0, 0));
   EXPECT_EQ(scene.materials.size(), 3u);
 }
 
@@ -155,7 +155,7 @@ TEST_F(Files, SeveralAreReadAsOne) {
   put("shapes.pbrt", "Shape \"a\" AttributeEnd");
   EXPECT_EQ(parse({"camera.dsc", "shapes.pbrt"}), "");
   EXPECT_EQ(scene.dialect, Dialect::dsc);
-  expect_near(scene.shapes.at(0).world_from_object.at(0), Matrix4::translate(1, 0, 0));
+  expect_near(scene.shapes.at(0).world_from_object.at(Moment()), Matrix4::translate(1, 0, 0));
 }
 
 TEST_F(Files, GzipIsExpanded) {

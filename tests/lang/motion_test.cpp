@@ -26,16 +26,18 @@ TransformOp matrix(const Matrix4& m) {
   return op;
 }
 
-Matrix4 between(std::vector<TransformOp> a, std::vector<TransformOp> b, Frame frame, Frame last,
+Matrix4 between(std::vector<TransformOp> a, std::vector<TransformOp> b, double frames, double last,
                 Ease ease = Ease::linear) {
-  return KeyedTransform({{0, ease, std::move(a)}, {last, Ease::linear, std::move(b)}}).at(frame);
+  return KeyedTransform({{Moment(), ease, std::move(a)}, {Moment(last), Ease::linear, std::move(b)}})
+      .at(Moment(frames));
 }
 
 TEST(KeyedTransform, FirstAndLastKeyHold) {
-  const KeyedTransform keyed({{3, Ease::linear, {translate(1, 0, 0)}}, {5, Ease::linear, {translate(2, 0, 0)}}});
-  for (const Frame frame : {0, 3}) expect_near(keyed.at(frame), Matrix4::translate(1, 0, 0), 0);
-  expect_near(keyed.at(4), Matrix4::translate(1.5, 0, 0), 0);
-  for (const Frame frame : {5, 6, 100}) expect_near(keyed.at(frame), Matrix4::translate(2, 0, 0), 0);
+  const KeyedTransform keyed(
+      {{Moment(3), Ease::linear, {translate(1, 0, 0)}}, {Moment(5), Ease::linear, {translate(2, 0, 0)}}});
+  for (const double frames : {0., 2.5, 3.}) expect_near(keyed.at(Moment(frames)), Matrix4::translate(1, 0, 0), 0);
+  expect_near(keyed.at(Moment(4)), Matrix4::translate(1.5, 0, 0), 0);
+  for (const double frames : {5., 5.5, 6., 100.}) expect_near(keyed.at(Moment(frames)), Matrix4::translate(2, 0, 0), 0);
 }
 
 TEST(KeyedTransform, EqualKeysAreOneState) {
@@ -44,12 +46,12 @@ TEST(KeyedTransform, EqualKeysAreOneState) {
       turned, {matrix(turned[0].matrix())}, {TransformOp{Kind::look_at, {0.1, 1.3, -4.7, 0.3, 0.7, 0.1, 0, 1, 0}}}};
   for (const auto& stand : stands) {
     const Matrix4 first = between(stand, stand, 0, 24);
-    for (Frame f = 1; f <= 24; ++f) EXPECT_EQ(between(stand, stand, f, 24), first);
+    for (int f = 1; f <= 24; ++f) EXPECT_EQ(between(stand, stand, f, 24), first);
   }
 }
 
 TEST(KeyedTransform, EqualSequencesGoArgumentByArgument) {
-  for (Frame f = 0; f <= 16; ++f) {
+  for (int f = 0; f <= 16; ++f) {
     expect_near(between({rotate(0, 0, 1, 0)}, {rotate(360, 0, 1, 0)}, f, 16), Matrix4::rotate(22.5 * f, 0, 1, 0));
     const double t = f / 16.0;
     expect_near(
@@ -68,7 +70,7 @@ TEST(KeyedTransform, OthersAreDecomposed) {
   // 90 degrees apart: slerp's angle grows evenly; translation and scale are linear.
   const Matrix4 from = Matrix4::translate(1, 0, 0) * Matrix4::rotate(10, 1, 2, 3) * Matrix4::scale(1, 1, 2);
   const Matrix4 to = Matrix4::translate(3, 4, 0) * Matrix4::rotate(100, 1, 2, 3) * Matrix4::scale(3, 1, 1);
-  for (Frame f = 0; f <= 9; ++f) {
+  for (int f = 0; f <= 9; ++f) {
     const double t = f / 9.0;
     const Matrix4 expected = Matrix4::translate(1 + 2 * t, 4 * t, 0) * Matrix4::rotate(10 + 90 * t, 1, 2, 3) *
                              Matrix4::scale(1 + 2 * t, 1, 2 - t);
@@ -113,7 +115,7 @@ TEST(KeyedTransform, KeysAreMetExactlyAndRotationsStayRigid) {
 }
 
 TEST(KeyedTransform, IsEased) {
-  const auto x = [](Ease ease, Frame f) {
+  const auto x = [](Ease ease, double f) {
     return between({translate(0, 0, 0)}, {translate(1, 0, 0)}, f, 4, ease).m[0][3];
   };
   EXPECT_DOUBLE_EQ(x(Ease::linear, 1), .25);
@@ -121,6 +123,18 @@ TEST(KeyedTransform, IsEased) {
   EXPECT_DOUBLE_EQ(x(Ease::smooth, 2), .5);
   EXPECT_DOUBLE_EQ(x(Ease::step, 3), 0);
   EXPECT_DOUBLE_EQ(x(Ease::step, 4), 1);
+}
+
+TEST(KeyedTransform, HasTimesBetweenWholeFrames) {
+  const KeyedTransform keyed({{Moment(1), Ease::linear, {translate(1, 0, 0), rotate(0, 0, 0, 1)}},
+                              {Moment(2), Ease::smooth, {translate(2, 0, 0), rotate(90, 0, 0, 1)}},
+                              {Moment(3), Ease::step, {translate(4, 0, 0), rotate(0, 0, 0, 1)}},
+                              {Moment(3.5), Ease::linear, {translate(8, 0, 0), rotate(0, 0, 0, 1)}}});
+  expect_near(keyed.at(Moment(1.5)), Matrix4::translate(1.5, 0, 0) * Matrix4::rotate(45, 0, 0, 1));
+  expect_near(keyed.at(Moment(1.25)), Matrix4::translate(1.25, 0, 0) * Matrix4::rotate(22.5, 0, 0, 1));
+  expect_near(keyed.at(Moment(2.25)), Matrix4::translate(2.3125, 0, 0) * Matrix4::rotate(90 - 14.0625, 0, 0, 1));
+  expect_near(keyed.at(Moment(3.49)), Matrix4::translate(4, 0, 0), 0);
+  expect_near(keyed.at(Moment(3.5)), Matrix4::translate(8, 0, 0), 0);
 }
 
 TEST(TransformOp, WithoutMeaningIsZero) {
@@ -131,19 +145,23 @@ TEST(TransformOp, WithoutMeaningIsZero) {
 
 TEST(Motion, MultipliesFromTheRight) {
   Motion motion;
-  EXPECT_EQ(motion.at(3), Matrix4{});
+  EXPECT_EQ(motion.at(Moment(3)), Matrix4{});
   EXPECT_FALSE(motion.is_keyed());
   motion.multiply(Matrix4::translate(1, 0, 0));
   motion.multiply(Matrix4::scale(2, 2, 2));
-  motion.multiply(KeyedTransform({{0, Ease::linear, {rotate(0, 0, 0, 1)}}, {9, Ease::linear, {rotate(90, 0, 0, 1)}}}));
-  motion.multiply(KeyedTransform({{0, Ease::linear, {translate(0, 0, 0)}}, {9, Ease::linear, {translate(9, 0, 0)}}}));
+  motion.multiply(KeyedTransform(
+      {{Moment(0), Ease::linear, {rotate(0, 0, 0, 1)}}, {Moment(9), Ease::linear, {rotate(90, 0, 0, 1)}}}));
+  motion.multiply(KeyedTransform(
+      {{Moment(0), Ease::linear, {translate(0, 0, 0)}}, {Moment(9), Ease::linear, {translate(9, 0, 0)}}}));
   motion.multiply(Matrix4::translate(0, 0, 5));
   EXPECT_TRUE(motion.is_keyed());
   const Matrix4 expected = Matrix4::translate(1, 0, 0) * Matrix4::scale(2, 2, 2) * Matrix4::rotate(30, 0, 0, 1) *
                            Matrix4::translate(3, 0, 5);
-  expect_near(motion.at(3), expected);
-  expect_near(motion.inverse().at(3), *expected.inverse());
-  expect_near(motion.inverse().inverse().at(3), expected);
+  expect_near(motion.at(Moment(3)), expected);
+  expect_near(motion.at(Moment(1.5)), Matrix4::translate(1, 0, 0) * Matrix4::scale(2, 2, 2) *
+                                          Matrix4::rotate(15, 0, 0, 1) * Matrix4::translate(1.5, 0, 5));
+  expect_near(motion.inverse().at(Moment(3)), *expected.inverse());
+  expect_near(motion.inverse().inverse().at(Moment(3)), expected);
   EXPECT_TRUE(motion.inverse().is_keyed());
 }
 

@@ -4,7 +4,7 @@
 namespace dspm::test {
 namespace {
 
-Matrix4 placement(const ShapeUse& shape) { return shape.world_from_object.at(0); }
+Matrix4 placement(const ShapeUse& shape) { return shape.world_from_object.at(Moment()); }
 
 TEST(Scene, KeepsTheOptionsBlock) {
   const SceneDescription scene = good(R"(
@@ -24,7 +24,7 @@ TEST(Scene, KeepsTheOptionsBlock) {
   EXPECT_TRUE(scene.options.disable_pixel_jitter);
   EXPECT_EQ(scene.camera->type, "perspective");
   EXPECT_EQ(floats(scene.camera->params, "fov"), std::vector<float>{38});
-  expect_near(scene.camera->camera_from_world.at(0), Matrix4::scale(-1, 1, 1));
+  expect_near(scene.camera->camera_from_world.at(Moment()), Matrix4::scale(-1, 1, 1));
   EXPECT_EQ(scene.moments, 1);
 }
 
@@ -171,11 +171,11 @@ TEST(Scene, NamesMaterialsTexturesAndLights) {
   EXPECT_EQ(scene.textures.at(0).name, "grain");
   EXPECT_EQ(scene.textures[0].type, "imagemap");
   EXPECT_FALSE(scene.textures[0].is_spectrum);
-  expect_near(scene.textures[0].world_from_texture.at(0), Matrix4::scale(2, 2, 2));
+  expect_near(scene.textures[0].world_from_texture.at(Moment()), Matrix4::scale(2, 2, 2));
   EXPECT_TRUE(scene.textures.at(1).is_spectrum);
   EXPECT_EQ(scene.lights.at(0).name, "key");
   EXPECT_EQ(scene.lights[0].params.params.size(), 1u);
-  expect_near(scene.lights[0].world_from_light.at(0), Matrix4::scale(2, 2, 2));
+  expect_near(scene.lights[0].world_from_light.at(Moment()), Matrix4::scale(2, 2, 2));
 }
 
 TEST(Scene, KeepsObjectsApart) {
@@ -197,7 +197,8 @@ TEST(Scene, KeepsObjectsApart) {
   expect_near(placement(scene.shapes[0]), Matrix4::translate(1, 0, 0));
   ASSERT_EQ(scene.instances.size(), 1u);
   EXPECT_EQ(scene.instances[0].name, "leg");
-  expect_near(scene.instances[0].world_from_instance.at(0), Matrix4::translate(1, 0, 0) * Matrix4::rotate(30, 0, 1, 0));
+  expect_near(scene.instances[0].world_from_instance.at(Moment()),
+              Matrix4::translate(1, 0, 0) * Matrix4::rotate(30, 0, 1, 0));
 }
 
 TEST(Scene, KeepsMedia) {

@@ -61,7 +61,7 @@ AxisEnd)");
   EXPECT_EQ(red.textures[1].name, "bumps");
   ASSERT_EQ(red.lights.size(), 2u);
   EXPECT_EQ(floats(red.lights[0].params, "scale"), (std::vector<float>{.5f}));
-  EXPECT_EQ(floats(red.lights[1].params.at(1), "scale"), (std::vector<float>{3}));
+  EXPECT_EQ(floats(red.lights[1].params.at(Moment(1)), "scale"), (std::vector<float>{3}));
   ASSERT_EQ(bare.parts.size(), 1u);
   EXPECT_FALSE(bare.parts[0].shown);
   // The scene's own are what they were.
@@ -73,34 +73,34 @@ TEST(Variations, MultiplyInTheOrderOfTheText) {
   const SceneDescription scene = good(kChair + axis("legs", {"oak", "steel"}) + axis("seat", {"red", "blue", "glass"}));
   EXPECT_EQ(names(scene), (Names{"oak-red", "oak-blue", "oak-glass", "steel-red", "steel-blue", "steel-glass"}));
   EXPECT_EQ(scene.frames.count(), 6);
-  EXPECT_EQ(scene.frames.choice(4, 0), 1);
-  EXPECT_EQ(scene.frames.choice(4, 1), 1);
+  EXPECT_EQ(scene.frames.choice(FileFrame(4), 0), 1);
+  EXPECT_EQ(scene.frames.choice(FileFrame(4), 1), 1);
 }
 
 TEST(Variations, AndMomentsAreInTheLabelsOfFrames) {
-  EXPECT_EQ(FileFrames(3, {{"", {}}}).label(2), "3");
+  EXPECT_EQ(FileFrames(3, {{"", {}}}).label(FileFrame(2)), "3");
   const std::vector<Combination> woods{{"oak", {0}}, {"ash", {1}}};
-  EXPECT_EQ(FileFrames(1, woods).label(1), "ash");
-  EXPECT_EQ(FileFrames(2, woods).label(0), "oak 1");
-  EXPECT_EQ(FileFrames(2, woods).label(3), "ash 2");
+  EXPECT_EQ(FileFrames(1, woods).label(FileFrame(1)), "ash");
+  EXPECT_EQ(FileFrames(2, woods).label(FileFrame(0)), "oak 1");
+  EXPECT_EQ(FileFrames(2, woods).label(FileFrame(3)), "ash 2");
 }
 
 TEST(Variations, MultiplyWithFrames) {
   const SceneDescription scene = good(std::string("Frames 10\n") + kChair + axis("seat", {"red", "blue"}));
   EXPECT_EQ(scene.frames.count(), 20);
   EXPECT_EQ(scene.frames.moments(), 10);
-  EXPECT_EQ(scene.frames.moment(13), 3);
-  EXPECT_EQ(scene.frames.variation(13), "blue");
+  EXPECT_EQ(scene.frames.moment(FileFrame(13)), Moment(3));
+  EXPECT_EQ(scene.frames.variation(FileFrame(13)), "blue");
 }
 
 TEST(Variations, OfAFileOfOneFrameKeepItsNumberAndName) {
   const SceneDescription scene = good(std::string("Frames 10\n") + kChair + axis("seat", {"red", "blue"}));
-  const FileFrames one = scene.frames.only(13);
+  const FileFrames one = scene.frames.only(FileFrame(13));
   EXPECT_EQ(one.count(), 1);
-  EXPECT_EQ(one.moment(0), 3);
-  EXPECT_EQ(one.variation(0), "blue");
-  EXPECT_EQ(one.choice(0, 0), 1);
-  EXPECT_EQ(one.only(0).moment(0), 3);
+  EXPECT_EQ(one.moment(FileFrame(0)), Moment(3));
+  EXPECT_EQ(one.variation(FileFrame(0)), "blue");
+  EXPECT_EQ(one.choice(FileFrame(0), 0), 1);
+  EXPECT_EQ(one.only(FileFrame(0)).moment(FileFrame(0)), Moment(3));
 }
 
 TEST(Variations, OutsideOfAxesFormOneWithoutName) {
@@ -136,7 +136,7 @@ VariationBegin "red"
 VariationEnd)");
   const Variation& red = scene.axes[0].variations[0];
   EXPECT_NE(red.materials[0].params.find("roughness"), nullptr);
-  EXPECT_EQ(red.textures[0].world_from_texture.at(0).m[0][3], 1);
+  EXPECT_EQ(red.textures[0].world_from_texture.at(Moment()).m[0][3], 1);
 }
 
 std::vector<VariationAxis> axes(const std::vector<Names>& names) {
@@ -183,8 +183,8 @@ TEST(Patterns, MakeTheChosenOfTooMany) {
   const auto scene = parse_text("scene.dsc", text, {{}, {"1-2-3-4-*", "0-0-0-0-0"}}, diagnostics);
   EXPECT_EQ(diagnostics.error_count(), 0);
   EXPECT_EQ(scene.frames.count(), 11);
-  EXPECT_EQ(scene.frames.variation(0), "0-0-0-0-0");
-  EXPECT_EQ(scene.frames.choice(10, 4), 9);
+  EXPECT_EQ(scene.frames.variation(FileFrame(0)), "0-0-0-0-0");
+  EXPECT_EQ(scene.frames.choice(FileFrame(10), 4), 9);
 }
 
 // Sampling must not depend on what is chosen.

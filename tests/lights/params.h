@@ -12,22 +12,22 @@
 namespace dspm::test {
 
 inline Param number(std::string name, float value) {
-  return {ParamType::number, std::move(name), 0, std::vector<float>{value}, {}, {}};
+  return {ParamType::number, std::move(name), {}, std::vector<float>{value}, {}, {}};
 }
 inline Param numbers(std::string name, std::vector<float> values) {
-  return {ParamType::number, std::move(name), 0, std::move(values), {}, {}};
+  return {ParamType::number, std::move(name), {}, std::move(values), {}, {}};
 }
 inline Param rgb(std::string name, const Rgb& c) {
-  return {ParamType::rgb, std::move(name), 0, std::vector<float>{c.r, c.g, c.b}, {}, {}};
+  return {ParamType::rgb, std::move(name), {}, std::vector<float>{c.r, c.g, c.b}, {}, {}};
 }
 inline Param point(std::string name, const Vec3& p) {
-  return {ParamType::point3, std::move(name), 0, std::vector<float>{p.x, p.y, p.z}, {}, {}};
+  return {ParamType::point3, std::move(name), {}, std::vector<float>{p.x, p.y, p.z}, {}, {}};
 }
 inline Param text(std::string name, std::string value) {
-  return {ParamType::text, std::move(name), 0, std::vector<std::string>{std::move(value)}, {}, {}};
+  return {ParamType::text, std::move(name), {}, std::vector<std::string>{std::move(value)}, {}, {}};
 }
 inline Param flag(std::string name, bool value) {
-  return {ParamType::boolean, std::move(name), 0, std::vector<bool>{value}, {}, {}};
+  return {ParamType::boolean, std::move(name), {}, std::vector<bool>{value}, {}, {}};
 }
 
 /// What a plugin makes of parameters; `diagnostics` gets its errors.

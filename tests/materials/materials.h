@@ -14,13 +14,13 @@
 namespace dspm::test {
 
 inline Param number(std::string name, float value) {
-  return {ParamType::number, std::move(name), 0, std::vector<float>{value}, {}, {}};
+  return {ParamType::number, std::move(name), {}, std::vector<float>{value}, {}, {}};
 }
 inline Param rgb(std::string name, Rgb c) {
-  return {ParamType::rgb, std::move(name), 0, std::vector<float>{c.r, c.g, c.b}, {}, {}};
+  return {ParamType::rgb, std::move(name), {}, std::vector<float>{c.r, c.g, c.b}, {}, {}};
 }
 inline Param flag(std::string name, bool value) {
-  return {ParamType::boolean, std::move(name), 0, std::vector<bool>{value}, {}, {}};
+  return {ParamType::boolean, std::move(name), {}, std::vector<bool>{value}, {}, {}};
 }
 inline Param alpha(float value) { return number("roughness", value * value); }  // remapped: alpha = sqrt(roughness)
 

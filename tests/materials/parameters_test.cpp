@@ -80,7 +80,7 @@ TEST(Parameters, TexturesAreLookedUp) {
   TextureSet textures;
   textures.add<Rgb>("red", std::make_shared<ConstantTexture<Rgb>>(Rgb(2, 0.5f, 0)));
   Diagnostics diagnostics;
-  const ParamList list{{{ParamType::texture, "reflectance", 0, std::vector<std::string>{"red"}, {}, {}}}};
+  const ParamList list{{{ParamType::texture, "reflectance", {}, std::vector<std::string>{"red"}, {}, {}}}};
   ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
   const auto material = material_plugins().find("diffuse")->make(reader, MaterialContext{textures});
   BsdfSlot slot;
@@ -90,7 +90,7 @@ TEST(Parameters, TexturesAreLookedUp) {
 
 TEST(Parameters, EtaIsOneNumber) {
   EXPECT_EQ(said("dielectric", {number("eta", 1.33f)}), "");
-  const Param bk7{ParamType::spectrum, "eta", 0, std::vector<std::string>{"glass-BK7"}, {}, {}};
+  const Param bk7{ParamType::spectrum, "eta", {}, std::vector<std::string>{"glass-BK7"}, {}, {}};
   EXPECT_TRUE(contains(said("dielectric", {bk7}), "note: dispersion is not supported: eta is 1.52"))
       << said("dielectric", {bk7});
   EXPECT_TRUE(contains(said("thindielectric", {number("eta", 0)}), "error: "));
@@ -103,8 +103,8 @@ TEST(Parameters, ConductorsTakeReflectanceOrEtaAndK) {
 
 TEST(Parameters, WhatIsNotBuiltIsNamed) {
   for (const Plugin<MakeMaterial>& plugin : material_plugins()) {
-    const Param normals{ParamType::text, "normalmap", 0, std::vector<std::string>{"n.png"}, {}, {}};
-    const Param bumps{ParamType::texture, "displacement", 0, std::vector<std::string>{"bumps"}, {}, {}};
+    const Param normals{ParamType::text, "normalmap", {}, std::vector<std::string>{"n.png"}, {}, {}};
+    const Param bumps{ParamType::texture, "displacement", {}, std::vector<std::string>{"bumps"}, {}, {}};
     EXPECT_TRUE(contains(said(plugin.name, {normals}), "error: parameter \"normalmap\"")) << plugin.name;
     EXPECT_TRUE(contains(said(plugin.name, {bumps}), "error: parameter \"displacement\"")) << plugin.name;
     EXPECT_TRUE(contains(said(plugin.name, {number("shine", 1)}), "error: unknown parameter \"shine\"")) << plugin.name;
@@ -117,7 +117,7 @@ TEST(Parameters, CoatsHaveNoRandomWalk) {
   EXPECT_TRUE(contains(said("coateddiffuse", {number("g", 0.5f)}), "error: "));
   EXPECT_TRUE(contains(said("coateddiffuse", {rgb("albedo", Rgb(0.1f))}), "error: "));
   EXPECT_EQ(said("coateddiffuse", {number("g", 0), rgb("albedo", Rgb(0))}), "");
-  const Param samples{ParamType::integer, "nsamples", 0, std::vector<int>{4}, {}, {}};
+  const Param samples{ParamType::integer, "nsamples", {}, std::vector<int>{4}, {}, {}};
   const std::string warned = said("coateddiffuse", {number("thickness", 0.1f), samples});
   EXPECT_EQ(warned, "warning: parameter \"thickness\" of material \"coateddiffuse\" has no effect in dspm\n");
 }

@@ -6,9 +6,9 @@ namespace dspm {
 namespace {
 
 TEST(ImageName, FramesAreNumberedFromOne) {
-  EXPECT_EQ(image_name("water.exr", 0), "water.0001.exr");
-  EXPECT_EQ(image_name("out/water.exr", 24), "out/water.0025.exr");
-  EXPECT_EQ(image_name("water.exr", 12344), "water.12345.exr");
+  EXPECT_EQ(image_name("water.exr", Moment(0)), "water.0001.exr");
+  EXPECT_EQ(image_name("out/water.exr", Moment(24)), "out/water.0025.exr");
+  EXPECT_EQ(image_name("water.exr", Moment(12344)), "water.12345.exr");
 }
 
 TEST(ImageName, AStillHasNoNumber) {
@@ -17,26 +17,26 @@ TEST(ImageName, AStillHasNoNumber) {
 }
 
 TEST(ImageName, ThePatternSaysWhereTheNumberGoes) {
-  EXPECT_EQ(image_name("shot-%04d.final.exr", 6), "shot-0007.final.exr");
-  EXPECT_EQ(image_name("shot%d.exr", 6), "shot7.exr");
-  EXPECT_EQ(image_name("%2d.exr", 6), "07.exr");
-  EXPECT_EQ(image_name("a.####.exr", 6), "a.0007.exr");
-  EXPECT_EQ(image_name("a_##.exr", 122), "a_123.exr");
+  EXPECT_EQ(image_name("shot-%04d.final.exr", Moment(6)), "shot-0007.final.exr");
+  EXPECT_EQ(image_name("shot%d.exr", Moment(6)), "shot7.exr");
+  EXPECT_EQ(image_name("%2d.exr", Moment(6)), "07.exr");
+  EXPECT_EQ(image_name("a.####.exr", Moment(6)), "a.0007.exr");
+  EXPECT_EQ(image_name("a_##.exr", Moment(122)), "a_123.exr");
   EXPECT_EQ(image_name("a.###.exr", std::nullopt), "a.001.exr");
 }
 
 TEST(ImageName, OtherMarksAreKept) {
-  EXPECT_EQ(image_name("50%.exr", 0), "50%.0001.exr");
-  EXPECT_EQ(image_name("50%-%03d.exr", 0), "50%-001.exr");
-  EXPECT_EQ(image_name("no#1.exr", 0), "no#1.0001.exr");
-  EXPECT_EQ(image_name("%999d.exr", 0), "%999d.0001.exr") << "no name has that many digits";
-  EXPECT_EQ(image_name("d####/a.exr", 0), "d####/a.0001.exr") << "directories are not numbered";
+  EXPECT_EQ(image_name("50%.exr", Moment(0)), "50%.0001.exr");
+  EXPECT_EQ(image_name("50%-%03d.exr", Moment(0)), "50%-001.exr");
+  EXPECT_EQ(image_name("no#1.exr", Moment(0)), "no#1.0001.exr");
+  EXPECT_EQ(image_name("%999d.exr", Moment(0)), "%999d.0001.exr") << "no name has that many digits";
+  EXPECT_EQ(image_name("d####/a.exr", Moment(0)), "d####/a.0001.exr") << "directories are not numbered";
 }
 
 TEST(ImageName, LabelsComeBeforeTheNumber) {
   EXPECT_EQ(image_name("chair.exr", std::nullopt, "oak-red"), "chair.oak-red.exr");
-  EXPECT_EQ(image_name("chair.exr", 0, "oak-red"), "chair.oak-red.0001.exr");
-  EXPECT_EQ(image_name("chair.####.exr", 0, "oak-red"), "chair.oak-red.0001.exr");
+  EXPECT_EQ(image_name("chair.exr", Moment(0), "oak-red"), "chair.oak-red.0001.exr");
+  EXPECT_EQ(image_name("chair.####.exr", Moment(0), "oak-red"), "chair.oak-red.0001.exr");
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ Statistics interval(int iterations, double seconds) {
 
 TEST(RunReport, AddsIntervals) {
   RunReport report;
-  report.add(interval(2, 1), {2});
+  report.add(interval(2, 1), {FileFrame(2)});
   Statistics second = interval(3, 10);
   second.counters.add("a count of its own", 7);
-  report.add(second, {0});
+  report.add(second, {FileFrame(0)});
   const Statistics& s = report.statistics;
   EXPECT_EQ(report.iterations, (std::vector<int>{2, 3}));
   EXPECT_EQ(s.iterations, 5);
@@ -47,14 +47,14 @@ TEST(RunReport, AddsIntervals) {
 
 TEST(RunReport, TableAndJsonHoldTheSharingFactors) {
   RunReport report;
-  report.add(interval(2, 1), {0});
+  report.add(interval(2, 1), {FileFrame(0)});
   report.seconds = 4;
   SceneDescription description;
   description.frames = FileFrames(3, {{}});
   Job job;
   job.description = &description;
   job.scene_file = "a \"quoted\" name.dsc";
-  job.frames = {0, 2};
+  job.frames = {FileFrame(0), FileFrame(2)};
   const std::string table = table_of(job, report), json = json_of(job, report);
   EXPECT_NE(table.find("camera path segments                  10                40      4.00"), std::string::npos)
       << table;

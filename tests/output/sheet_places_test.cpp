@@ -33,7 +33,7 @@ struct Sheet {
   std::vector<int> places;
 };
 
-Sheet sheet(int frames, const std::string& axes, std::vector<Frame> chosen = {}) {
+Sheet sheet(int frames, const std::string& axes, const std::vector<int>& chosen = {}) {
   Diagnostics diagnostics;
   const SceneDescription scene = parse_text(
       "scene.dsc", "Frames " + std::to_string(frames) + " WorldBegin DynamicBegin \"cushion\" DynamicEnd\n" + axes, {},
@@ -41,15 +41,15 @@ Sheet sheet(int frames, const std::string& axes, std::vector<Frame> chosen = {})
   diagnostics.throw_if_errors();
   Job job;
   job.description = &scene;
-  job.frames = std::move(chosen);
+  for (const int index : chosen) job.frames.emplace_back(index);
   if (job.frames.empty()) {
     job.frames.resize(static_cast<std::size_t>(scene.frames.count()));
-    std::iota(job.frames.begin(), job.frames.end(), 0);
+    std::iota(job.frames.begin(), job.frames.end(), FileFrame(0));
   }
   const SheetPlaces places(job);
   const SheetLayout layout = places.layout(64, 48);
   Sheet result{layout.columns, layout.rows, {}};
-  for (const Frame frame : job.frames) result.places.push_back(places.of(frame));
+  for (const FileFrame frame : job.frames) result.places.push_back(places.of(frame));
   return result;
 }
 

@@ -11,7 +11,8 @@ namespace dspm {
 namespace {
 
 Param param(ParamType type, std::string name, Param::Values values, int key = 0) {
-  return {type, std::move(name), key, std::move(values), {}, {}};
+  return {type, std::move(name), key == 0 ? std::nullopt : std::optional(Moment::numbered(key)), std::move(values), {},
+          {}};
 }
 Param number(std::string name, float value, int key = 0) {
   return param(ParamType::number, std::move(name), std::vector<float>{value}, key);
@@ -20,11 +21,11 @@ Param text(std::string name, std::string value, int key = 0) {
   return param(ParamType::text, std::move(name), std::vector<std::string>{std::move(value)}, key);
 }
 
-float number_at(const ParamList& list, std::string_view name, Frame frame) {
-  return numbers_of(*list.at(frame).find(name)).front();
+float number_at(const ParamList& list, std::string_view name, double frames) {
+  return numbers_of(*list.at(Moment(frames)).find(name)).front();
 }
-std::string text_at(const ParamList& list, std::string_view name, Frame frame) {
-  return std::get<std::vector<std::string>>(list.at(frame).find(name)->values).front();
+std::string text_at(const ParamList& list, std::string_view name, double frames) {
+  return std::get<std::vector<std::string>>(list.at(Moment(frames)).find(name)->values).front();
 }
 
 /// A reader over `list` and the first message it causes.
@@ -54,12 +55,27 @@ TEST(ParamList, NumbersAreInterpolatedBetweenKeysAndHeldOutside) {
   const ParamList list{{number("scale", 10, 3), number("scale", 20, 7), number("fixed", 5)}};
   EXPECT_TRUE(list.is_keyed());
   EXPECT_EQ(number_at(list, "scale", 0), 10);
-  EXPECT_EQ(number_at(list, "scale", 2), 10);  // frame 2 counts from 0, key 3 from 1
+  EXPECT_EQ(number_at(list, "scale", 2), 10);  // moment 2 counts from 0, key 3 from 1
   EXPECT_EQ(number_at(list, "scale", 3), 12.5f);
   EXPECT_EQ(number_at(list, "scale", 6), 20);
   EXPECT_EQ(number_at(list, "scale", 60), 20);
   EXPECT_EQ(number_at(list, "fixed", 6), 5);
-  EXPECT_FALSE(list.at(4).is_keyed());
+  EXPECT_FALSE(list.at(Moment(4)).is_keyed());
+}
+
+TEST(ParamList, HasTimesBetweenWholeFrames) {
+  Param between = number("scale", 30);
+  between.key = Moment(6.5);
+  const ParamList list{{number("scale", 10, 3), number("scale", 20, 7), between, text("mapping", "uv", 1),
+                        text("mapping", "planar", 3), text("filename", "w%d.ply")}};
+  EXPECT_EQ(number_at(list, "scale", 1.5), 10);
+  EXPECT_EQ(number_at(list, "scale", 2.5), 11.25f);
+  EXPECT_EQ(number_at(list, "scale", 4.5), 16.25f);
+  EXPECT_EQ(number_at(list, "scale", 6.25), 25);
+  EXPECT_EQ(number_at(list, "scale", 6.5), 30);
+  EXPECT_EQ(text_at(list, "mapping", 1.5), "uv");
+  EXPECT_EQ(text_at(list, "mapping", 2.5), "planar");
+  EXPECT_EQ(text_at(list, "filename", 2.5), "w3.ply") << "the file holds until the next frame";
 }
 
 TEST(ParamList, KeysMayStandInAnyOrderAndIntegersAreRounded) {
@@ -80,8 +96,8 @@ TEST(ParamList, WhatIsNoNumberHoldsUntilTheNextKey) {
 TEST(ParamList, KeysOfDifferentKindHold) {
   const ParamList list{{param(ParamType::rgb, "L", std::vector<float>{1, 1, 1}, 1),
                         param(ParamType::blackbody, "L", std::vector<float>{6500}, 3)}};
-  EXPECT_EQ(list.at(1).find("L")->type, ParamType::rgb);
-  EXPECT_EQ(list.at(2).find("L")->type, ParamType::blackbody);
+  EXPECT_EQ(list.at(Moment(1)).find("L")->type, ParamType::rgb);
+  EXPECT_EQ(list.at(Moment(2)).find("L")->type, ParamType::blackbody);
 }
 
 TEST(ParamList, FileNamesAreNumberedAsTheFrames) {
@@ -93,7 +109,7 @@ TEST(ParamList, FileNamesAreNumberedAsTheFrames) {
 
   const ParamList shifted{{text("filename", "w%d.ply"), param(ParamType::integer, "first", std::vector<int>{0})}};
   EXPECT_EQ(text_at(shifted, "filename", 11), "w11.ply");
-  EXPECT_EQ(shifted.at(0).find("first"), nullptr);
+  EXPECT_EQ(shifted.at(Moment(0)).find("first"), nullptr);
 
   const auto stepped = [](int first, int step) {
     return ParamList{{text("filename", "w%02d.ply"), param(ParamType::integer, "step", std::vector<int>{step}),
@@ -103,7 +119,7 @@ TEST(ParamList, FileNamesAreNumberedAsTheFrames) {
   EXPECT_EQ(text_at(stepped(0, 24), "filename", 3), "w72.ply");
   EXPECT_EQ(text_at(stepped(9, -2), "filename", 3), "w03.ply");
   EXPECT_EQ(text_at(stepped(1, 2000000000), "filename", 2), "w4000000001.ply");
-  EXPECT_EQ(stepped(0, 24).at(0).params.size(), 1u);
+  EXPECT_EQ(stepped(0, 24).at(Moment(0)).params.size(), 1u);
 
   for (const char* plain : {"water.ply", "100%.ply", "%s.ply", "%3d.ply", "%"})
     EXPECT_FALSE((ParamList{{text("filename", plain)}}.is_keyed())) << plain;

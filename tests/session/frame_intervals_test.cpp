@@ -37,7 +37,7 @@ struct Product {
   }
   FrameList all() const {
     FrameList frames(static_cast<std::size_t>(scene.frames.count()));
-    std::iota(frames.begin(), frames.end(), 0);
+    std::iota(frames.begin(), frames.end(), FileFrame(0));
     return frames;
   }
   std::vector<FrameList> cut(int together) const { return cut(all(), together); }
@@ -58,7 +58,7 @@ struct Product {
     Lengths counts;
     for (const FrameList& interval : intervals) {
       std::set<int> places;
-      for (const Frame frame : interval) places.insert(place_along({axis, false}, scene.frames, frame));
+      for (const FileFrame frame : interval) places.insert(place_along({axis, false}, scene.frames, frame));
       counts.push_back(places.size());
     }
     return counts;
@@ -80,7 +80,7 @@ TEST(FrameIntervals, OfAnAnimationAreConsecutiveAndOfNearlyEqualLength) {
   EXPECT_EQ(lengths(Product("", 129).cut(64)), (Lengths{43, 43, 43}));
   EXPECT_EQ(lengths(Product("", 3).cut(1)), (Lengths{1, 1, 1}));
   for (const FrameList& interval : Product("", 129).cut(64))
-    EXPECT_EQ(interval.back() - interval.front() + 1, static_cast<Frame>(interval.size()));
+    EXPECT_EQ(interval.back().slot() - interval.front().slot() + 1, interval.size());
 }
 
 TEST(FrameIntervals, HoldWholeInnerProducts) {
@@ -121,8 +121,8 @@ TEST(FrameIntervals, KeepMomentsTogetherThatMoveNothing) {
 TEST(FrameIntervals, OfChosenFramesFitAsWell) {
   const Product product(axis("shade", 5, kPart) + axis("finish", 30, kFinish));
   FrameList some;
-  for (const Frame frame : product.all())
-    if (frame % 7 != 0 && frame < 100) some.push_back(frame);
+  for (const FileFrame frame : product.all())
+    if (frame.index() % 7 != 0 && frame.index() < 100) some.push_back(frame);
   for (const int together : {64, 40, 20, 7, 1}) product.cut(some, together);
 }
 

@@ -29,7 +29,7 @@ class Even : public IdleIntegrator {
 
 struct OfItsFrame {
   float operator()(const Scene& scene, const RenderSettings&, Frame frame) const {
-    return static_cast<float>(scene.file_frames[static_cast<std::size_t>(frame)]);
+    return static_cast<float>(scene.file_frames[static_cast<std::size_t>(frame)].index());
   }
 };
 struct OfAllFrames {

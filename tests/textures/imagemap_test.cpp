@@ -104,8 +104,8 @@ TEST_F(Imagemap, OneFileAFrame) {
   picture("w.001.exr", 1, 1, {Rgb(.5f)});
   picture("w.002.exr", 1, 1, {Rgb(1)});
   const ParamList keyed{{text_param("filename", (directory / "w.%03d.exr").string())}};
-  EXPECT_NEAR(at(workshop.make<float>("imagemap", keyed.at(0).params), 0), .5f, kTight);
-  EXPECT_NEAR(at(workshop.make<float>("imagemap", keyed.at(1).params), 0), 1, kTight);
+  EXPECT_NEAR(at(workshop.make<float>("imagemap", keyed.at(Moment(0)).params), 0), .5f, kTight);
+  EXPECT_NEAR(at(workshop.make<float>("imagemap", keyed.at(Moment(1)).params), 0), 1, kTight);
 }
 
 TEST_F(Imagemap, WhatIsWrongIsSaid) {

@@ -11,22 +11,22 @@
 namespace dspm {
 
 inline Param number_param(std::string name, float value) {
-  return {ParamType::number, std::move(name), 0, std::vector<float>{value}, {}, {}};
+  return {ParamType::number, std::move(name), {}, std::vector<float>{value}, {}, {}};
 }
 inline Param integer_param(std::string name, int value) {
-  return {ParamType::integer, std::move(name), 0, std::vector<int>{value}, {}, {}};
+  return {ParamType::integer, std::move(name), {}, std::vector<int>{value}, {}, {}};
 }
 inline Param text_param(std::string name, std::string value) {
-  return {ParamType::text, std::move(name), 0, std::vector<std::string>{std::move(value)}, {}, {}};
+  return {ParamType::text, std::move(name), {}, std::vector<std::string>{std::move(value)}, {}, {}};
 }
 inline Param flag_param(std::string name, bool value) {
-  return {ParamType::boolean, std::move(name), 0, std::vector<bool>{value}, {}, {}};
+  return {ParamType::boolean, std::move(name), {}, std::vector<bool>{value}, {}, {}};
 }
 inline Param texture_param(std::string name, std::string value) {
-  return {ParamType::texture, std::move(name), 0, std::vector<std::string>{std::move(value)}, {}, {}};
+  return {ParamType::texture, std::move(name), {}, std::vector<std::string>{std::move(value)}, {}, {}};
 }
 inline Param triple_param(ParamType type, std::string name, float x, float y, float z) {
-  return {type, std::move(name), 0, std::vector<float>{x, y, z}, {}, {}};
+  return {type, std::move(name), {}, std::vector<float>{x, y, z}, {}, {}};
 }
 
 /// A scene's textures in the making.

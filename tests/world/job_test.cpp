@@ -49,7 +49,7 @@ TEST(Job, AQuickLookTakesAQuarterOfTheIterationsAndOfEachSide) {
   quick_and_five.iterations = 5;
   const auto iterations_of = [&](const Choices& choices) {
     test::TestScene test(film + integrator + "\n" + kWorld, choices);
-    const auto scene = test.scene({0});
+    const auto scene = test.scene({FileFrame(0)});
     return test.job().iterations(*test.integrator(*scene));
   };
   EXPECT_EQ(iterations_of(quick), 7);

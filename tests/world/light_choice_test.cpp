@@ -82,7 +82,7 @@ std::vector<double> known_probabilities() {
 TEST(LightChoice, GoesByMeanPower) {
   TestScene test(all_lights());
   const std::vector<double> expected = known_probabilities();
-  for (const std::vector<Frame>& frames : {std::vector<Frame>{0, 1, 2, 3}, {0}, {2}}) {
+  for (const std::vector<FileFrame>& frames : {test.all_frames(), {FileFrame(0)}, {FileFrame(2)}}) {
     const auto scene = test.scene(frames);
     ASSERT_EQ(scene->lights.size(), expected.size());
     double sum = 0;
@@ -117,7 +117,7 @@ TEST(LightChoice, NeverEndsAtABlackLight) {
   for (int count = 1; count <= 40; ++count) {
     lights += "LightSource \"point\" \"rgb I\" [1 1 1]\n";
     TestScene test(kBefore + ("WorldBegin " + lights) + R"(LightSource "point" "rgb I" [0 0 0])" + kWalls);
-    const ChosenLight last = test.scene({0})->choose_light(0x0.ffffffp0f);
+    const ChosenLight last = test.scene({FileFrame(0)})->choose_light(0x0.ffffffp0f);
     EXPECT_EQ(last.index, count - 1);
     EXPECT_NEAR(last.probability, 1. / count, 1e-6);
   }
@@ -125,7 +125,7 @@ TEST(LightChoice, NeverEndsAtABlackLight) {
 
 TEST(LightChoice, FindsNothingInTheDark) {
   TestScene test(std::string(kBefore) + R"(WorldBegin LightSource "point" "rgb I" [0 0 0])" + kWalls);
-  EXPECT_EQ(test.scene({0})->choose_light(0.5f).probability, 0);
+  EXPECT_EQ(test.scene({FileFrame(0)})->choose_light(0.5f).probability, 0);
 }
 
 // Three variations and two moments: the first light has the factors 1, 0.25 and 0, the second is always the same.
@@ -139,7 +139,7 @@ VariationBegin "night" Light "key" "float scale" 0 VariationEnd
 )" + kWalls);
   ASSERT_EQ(test.frame_count(), 6);
   const double key = 4 * (1 + 0.25 + 0) / 3;
-  const auto scene = test.scene({1});
+  const auto scene = test.scene({FileFrame(1)});
   EXPECT_NEAR(static_cast<double>(scene->lights[0].probability), key / (key + 1), 1e-6);
   EXPECT_NEAR(static_cast<double>(scene->lights[1].probability), 1 / (key + 1), 1e-6);
 }

@@ -10,7 +10,9 @@ namespace {
 
 using test::TestScene;
 
-std::string explained(TestScene& test, const std::vector<Frame>& frames) {
+std::string explained(TestScene& test, const std::vector<int>& indices) {
+  std::vector<FileFrame> frames;
+  for (const int index : indices) frames.emplace_back(index);
   std::string all;
   for (const std::string& line : test.world().explain(frames)) all += line + "\n";
   return all;
@@ -28,7 +30,7 @@ DynamicBegin "late" "integer frames" [5 6] Shape "sphere" "float radius" 0.1 Dyn
 
 TEST(Sharing, SaysWhatIsSharedAndWhy) {
   TestScene test(test::box("Frames 6\n", kContents));
-  const std::string all = explained(test, test.all_frames());
+  const std::string all = explained(test, {0, 1, 2, 3, 4, 5});
   EXPECT_NE(all.find("dynamic \"still\": the same in all frames"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"moving\": moves rigidly, 3 states"), std::string::npos) << all;
   EXPECT_NE(all.find("dynamic \"growing\": 6 states of its geometry"), std::string::npos) << all;
@@ -97,7 +99,7 @@ DynamicBegin "ball" Keyframe 1 Translate 0 0 0 Keyframe 3 Translate 0 4 0 Keyfra
 
 TEST(World, ScenesOfIntervalsAgreeInWhatSamplingDerives) {
   TestScene test(test::box("Frames 6\n", kContents));
-  const auto all = test.scene(test.all_frames()), some = test.scene({1, 4});
+  const auto all = test.scene(test.all_frames()), some = test.scene({FileFrame(1), FileFrame(4)});
   EXPECT_EQ(all->center, some->center);
   EXPECT_EQ(all->radius, some->radius);
   ASSERT_EQ(all->lights.size(), some->lights.size());

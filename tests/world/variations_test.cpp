@@ -95,16 +95,16 @@ TEST(Presence, AHiddenBlockTakesItsLightsAlong) {
 DynamicBegin "panel" AreaLightSource "diffuse" Shape "sphere" "float radius" .1 DynamicEnd
 )" + variation("a", R"(Hide "lamp")") +
                                    variation("b", R"(Hide "panel")")));
-  const auto scene = test.scene({0, 1});
+  const auto scene = test.scene({FileFrame(0), FileFrame(1)});
   ASSERT_EQ(scene->lights.size(), 3u);  // the point, the box's, the panel
   ASSERT_EQ(scene->lights[0].states.states.size(), 1u);
   EXPECT_EQ(scene->lights[0].states.states[0].frames, FrameSet::single(1));
   EXPECT_EQ(scene->lights[2].states.states[0].frames, FrameSet::single(0));
 }
 
-float scale(const SceneDescription& scene, Frame frame) {
+float scale(const SceneDescription& scene, int frame) {
   const LightUse& use = scene.lights.front();
-  const ParamList params = light_params(scene, use, use.name, frame);
+  const ParamList params = light_params(scene, use, use.name, FileFrame(frame));
   const Param* const found = params.find("scale");
   return found ? numbers_of(*found).front() : 1;
 }
@@ -192,9 +192,9 @@ Shape "sphere" "float radius" .3
   std::string text_;
 };
 
-std::vector<Frame> frames(Frame first, int count) {
-  std::vector<Frame> list(static_cast<std::size_t>(count));
-  std::iota(list.begin(), list.end(), first);
+std::vector<FileFrame> frames(int first, int count) {
+  std::vector<FileFrame> list(static_cast<std::size_t>(count));
+  std::iota(list.begin(), list.end(), FileFrame(first));
   return list;
 }
 
@@ -215,7 +215,7 @@ TEST(Looks, OfOtherIntervalsAreNotHeld) {
   const Fabrics fabrics(200);
   const auto test = fabrics.load();
   EXPECT_EQ(test->world().pictures_held(), 0);
-  for (Frame first = 0; first < 200; first += 50) {
+  for (int first = 0; first < 200; first += 50) {
     const auto scene = test->scene(frames(first, 50));
     EXPECT_EQ(test->world().pictures_held(), 50);
     const auto materials = changing(*scene);
@@ -249,8 +249,8 @@ TEST(Looks, OfAFileThatVanishesMeanwhileAreAnError) {
   const Fabrics fabrics(100);
   const auto test = fabrics.load();
   std::filesystem::remove(fabrics.directory() / "7.png");
-  EXPECT_THROW(test->scene({7}), SceneError);
-  EXPECT_NO_THROW(test->scene({8}));
+  EXPECT_THROW(test->scene({FileFrame(7)}), SceneError);
+  EXPECT_NO_THROW(test->scene({FileFrame(8)}));
 }
 
 }  // namespace
