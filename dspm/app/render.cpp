@@ -41,7 +41,7 @@ class Render final : public SessionObserver {
         watch_(watch),
         last_words_(last_words),
         results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages,
-                 [] { return InterruptRequests::signal() != 0; }),
+                 [this] { return end_wanted(); }),
         checkpoints_(loaded.job, options, messages),
         intervals_(memory.plan(loaded.job, *loaded.world, results_.bytes_while_writing(), checkpoints_.intervals(),
                                messages, *this)) {
@@ -143,9 +143,10 @@ void Render::announce(const Scene& scene, const Integrator& integrator, int iter
   const PixelRect& crop = job.settings.crop;
   const std::string limit =
       options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
-  messages_.say("{}: {} of {} x {} pixels, {}, {} iterations{}, {} threads", job.scene_file, job.frames_in_words(),
-                crop.width(), crop.height(), job.integrator, iterations > 0 ? std::to_string(iterations) : "endless",
-                limit, thread_count());
+  messages_.say("{}: {} of {} x {} pixels, {}, {}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
+                crop.height(), job.integrator,
+                iterations > 0 ? counted(static_cast<std::size_t>(iterations), "iteration") : "endless iterations",
+                limit, counted(static_cast<std::size_t>(thread_count()), "thread"));
   messages_.say("{}: {}", job.integrator, integrator.settings());
   messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
                 readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));

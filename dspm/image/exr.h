@@ -1,4 +1,4 @@
-// OpenEXR files; exr.cpp, exr_check.cpp and write_exr.cpp are the only places that know the library.
+// OpenEXR files; the files named exr* are the only places that know the library.
 #pragma once
 
 #include <filesystem>

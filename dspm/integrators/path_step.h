@@ -123,7 +123,7 @@ inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
 inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vec3& wo, float least_alpha) {
   const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
-  const float rough_chance = bsdf.share(wo, rough);
+  const float rough_chance = bsdf.lobe_probability(wo, rough);
   if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};
   return {smooth, 1 - rough_chance, false};
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "dspm/integrators/integrator.h"
+#include "dspm/scene/scene.h"
 
 namespace dspm {
 

@@ -15,6 +15,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/lights/scene_sphere.h"
 #include "dspm/lights/strength.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 

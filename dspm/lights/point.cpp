@@ -13,6 +13,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/lights/light.h"
 #include "dspm/lights/strength.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"

@@ -44,7 +44,7 @@ class Bsdf {
   /// Samples wi from `lobes`: u.z chooses the lobe, so that coupled frames choose alike. Nullopt: absorbed.
   virtual std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const = 0;
   /// The probability that sampling all lobes would choose one of `lobes`, in [0, 1].
-  virtual float share(const Vec3& wo, LobeSet lobes) const = 0;
+  virtual float lobe_probability(const Vec3& wo, LobeSet lobes) const = 0;
   /// Whether some of `lobes` transmits light through the surface.
   virtual bool transmits(LobeSet) const { return false; }
   /// f if it is the same for all pairs of directions on the outer (ng) or both sides, and black through the surface:

@@ -84,7 +84,7 @@ class CoatedDiffuse final : public Bsdf {
     return BsdfSample{*wi, f(o, i, lobes) * (i.z / pdf), pdf, false};
   }
 
-  float share(const Vec3& wo, LobeSet lobes) const override {
+  float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
     return share_of(share_of_coat(std::max(0.f, frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 

@@ -43,7 +43,7 @@ class SmoothConductor final : public Bsdf {
     if (!wi) return std::nullopt;
     return BsdfSample{*wi, fresnel_conductor(o.z, index_.eta, index_.k), 0, true};
   }
-  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
  private:
   ShadingFrame frame_;
@@ -82,7 +82,7 @@ class RoughConductor final : public Bsdf {
     return BsdfSample{*wi, weight, facets_.reflection_density(o, m), false};
   }
 
-  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
  private:
   ShadingFrame frame_;

@@ -49,7 +49,7 @@ class SmoothDielectric final : public Bsdf {
     return BsdfSample{*wi, Rgb(weight), 0, true, reflected ? 1 : transport_scale(transport, eta)};
   }
 
-  float share(const Vec3& wo, LobeSet lobes) const override {
+  float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
     const float side = frame_.side(wo), cos_o = std::max(0.f, frame_.local(wo, side).z);
     const float fresnel = fresnel_dielectric(cos_o, side > 0 ? eta_ : 1 / eta_);
     return share_of(fresnel, lobes);
@@ -110,7 +110,7 @@ class RoughDielectric final : public Bsdf {
     return BsdfSample{*wi, Rgb(weight * scale), pdf_w, false, scale};
   }
 
-  float share(const Vec3& wo, LobeSet lobes) const override;
+  float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
 
  private:
   /// The facet that sends light from wo to wi, by one of `lobes`.
@@ -142,7 +142,7 @@ class RoughDielectric final : public Bsdf {
 /// The mean Fresnel reflectance of the facets visible from wo, by a midpoint rule (to about 1e-3). The lobes are
 /// equally rough, so no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all
 /// facets, not from those that would have chosen it.)
-float RoughDielectric::share(const Vec3& wo, LobeSet lobes) const {
+float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   if ((lobes & kBothLobes) == kBothLobes) return 1;
   const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
   Vec3 o = frame_.local(wo, side);

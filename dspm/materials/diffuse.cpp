@@ -39,7 +39,7 @@ class Diffuse final : public Bsdf {
     const float cosines = axis(transport) == ns_ ? 1 : std::abs(dot(wi, ns_)) / local.z;
     return BsdfSample{wi, f_ * (kPi * cosines), local.z / kPi, false};
   }
-  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
   std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
 
  private:

@@ -43,7 +43,7 @@ class ThinDielectric final : public Bsdf {
     return BsdfSample{*wi, Rgb(weight), 0, true};
   }
 
-  float share(const Vec3& wo, LobeSet lobes) const override {
+  float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
     return share_of(pane_reflectance(std::max(0.f, frame_.local(wo, frame_.side(wo)).z), eta_), lobes);
   }
 

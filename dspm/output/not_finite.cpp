@@ -8,6 +8,7 @@
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
 #include "dspm/modules/all_plugins.h"
+#include "dspm/system/readable.h"
 
 namespace dspm {
 namespace {
@@ -52,9 +53,9 @@ void black_out_invalid(Image& image, FileFrame frame, const Job& job, Messages& 
   const auto at = static_cast<int>(first - image.pixels.begin());
   const auto count = std::count_if(first, image.pixels.end(), invalid);
   std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
-  messages.warn(fmt::format("{}: {} pixels of frame {} are not finite, the first at {}; they are written as black",
-                            in_words("integrator", job.integrator), count, frame.index() + 1,
-                            pixel_in_words(at, job.settings.crop)));
+  messages.warn(fmt::format("{}: {} of frame {} not finite, the first at {}; written as black",
+                            in_words("integrator", job.integrator), counted(static_cast<std::size_t>(count), "pixel"),
+                            frame.index() + 1, pixel_in_words(at, job.settings.crop)));
 }
 
 }  // namespace dspm

@@ -94,7 +94,7 @@ std::string Results::written() const {
 void Results::say_end(double seconds, bool interrupted) const {
   const std::size_t left = job_.frames.size() - written_.size();
   const std::string what = interrupted ? "interrupted" : "done";
-  const std::string missing = left > 0 ? fmt::format(", {} frames were not begun", left) : "";
+  const std::string missing = left > 0 ? fmt::format(", {} not begun", counted(left, "frame")) : "";
   if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
   if (faults_.any())
     return messages_.say("{} after {}, but not all files could be written{}", what, readable_time(seconds), missing);

@@ -7,6 +7,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/session/load_modules.h"
 #include "dspm/system/read_file.h"
+#include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 
 namespace dspm {
@@ -53,9 +54,9 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
 std::string summary_of(const LoadedScene& loaded) {
   const SceneDescription& d = *loaded.description;
   const RenderSettings& settings = loaded.job.settings;
-  return fmt::format("{}, {} x {} pixels, {} shapes, {} materials, {} lights, {}", loaded.job.frames_in_words(),
-                     settings.width, settings.height, d.shapes.size(), d.materials.size(),
-                     d.lights.size() + d.area_lights.size(), loaded.job.integrator);
+  return fmt::format("{}, {} x {} pixels, {}, {}, {}, {}", loaded.job.frames_in_words(), settings.width,
+                     settings.height, counted(d.shapes.size(), "shape"), counted(d.materials.size(), "material"),
+                     counted(d.lights.size() + d.area_lights.size(), "light"), loaded.job.integrator);
 }
 
 std::string variation_names(const std::vector<std::string>& files, const Choices& choices) {

@@ -152,8 +152,9 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
   };
   if (!given.empty()) {
     if (accepts(given)) return given;
-    throw std::runtime_error(
-        fmt::format("{}: the checkpoint's {} frames together take {}", bound, longest(given), trials.shortage()));
+    throw std::runtime_error(fmt::format("{}: the checkpoint's {} together take {}", bound,
+                                         counted(static_cast<std::size_t>(longest(given)), "frame"),
+                                         trials.shortage()));
   }
   const std::vector<int> lengths = interval_lengths(frames, job.plugin->frames_together);
   auto length = std::partition_point(lengths.begin(), lengths.end(), [&](int candidate) {

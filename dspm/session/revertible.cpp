@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "dspm/scene/scene.h"
 #include "dspm/system/cancellation.h"
 #include "dspm/system/state_in_memory.h"
 

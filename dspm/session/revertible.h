@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dspm/integrators/integrator.h"
+#include "dspm/scene/scene.h"
 
 namespace dspm {
 

@@ -86,7 +86,9 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
     progress.seconds = seconds_before + seconds_since(begin);
     observer_.iteration_done(progress, integrator);
     const bool wanted = observer_.images_wanted();
-    if (wanted) messages_.say("writing the images after {} iterations, as requested", progress.iterations);
+    if (wanted)
+      messages_.say("writing the images after {}, as requested",
+                    counted(static_cast<std::size_t>(progress.iterations), "iteration"));
     if ((schedule.due(progress.iterations) || wanted) && !finished())
       write(progress, integrator, SessionObserver::Images::so_far);
   }

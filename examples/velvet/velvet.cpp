@@ -51,7 +51,7 @@ class Velvet final : public Bsdf {
     return BsdfSample{*wi, f(cos_o, local.z) * (local.z / pdf_w), pdf_w, false};
   }
 
-  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
  private:
   float grazing(float cosine) const { return std::pow(std::max(0.f, 1 - cosine), falloff_); }

@@ -8,7 +8,7 @@ find dspm bench scenes \( -name '*.h' -o -name '*.cpp' \) -print 2>/dev/null | L
 BEGIN {
   # Headers of a library, and the only files that may include them.
   confined["^(oneapi/)?tbb/"] = "^dspm/system/parallel[.]"
-  confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^dspm/image/exr[.]"
+  confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^dspm/image/exr(_[a-z]+)?[.]"
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 
   # Who names one of these includes its header, or leaves that to a header of its own name.

@@ -10,6 +10,7 @@
 
 #include "dspm/image/image.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/system/parallel.h"
 #include "dspm/system/state_in_memory.h"
 #include "dspm/testing/test_scene.h"
 #include "dspm/world/choices.h"
@@ -138,6 +139,32 @@ TEST_P(SurfaceOutputs, OfAllFramesAreThoseOfEachAlone) {
     for (const std::string& output : kAll)
       EXPECT_EQ(together.at(output)[f.slot()], integrator->estimate(0, output)) << output;
   }
+}
+
+TEST_P(SurfaceOutputs, HaveTheSameBitsWithAnyNumberOfThreads) {
+  const auto with = [&](int threads) {
+    const ThreadLimit limit(threads);
+    TestScene test(text(), asking_for(kAll));
+    return outputs_of(test);
+  };
+  EXPECT_EQ(with(1), with(5));
+}
+
+TEST_P(SurfaceOutputs, OfACropAreThoseOfTheWhole) {
+  constexpr int kX = 3, kY = 5;
+  Choices choices = asking_for(kAll);
+  TestScene whole(text(), choices);
+  choices.pixel_bounds = {kX, kSize - 2, kY, kSize - 1};
+  TestScene part(text(), choices);
+  const auto all = outputs_of(whole), crops = outputs_of(part);
+  for (const std::string& output : kAll)
+    for (std::size_t f = 0; f < crops.at(output).size(); ++f) {
+      const Image& crop = crops.at(output)[f];
+      ASSERT_EQ(crop.width, kSize - 2 - kX);
+      for (int y = 0; y < crop.height; ++y)
+        for (int x = 0; x < crop.width; ++x)
+          EXPECT_EQ(crop.at(x, y), all.at(output)[f].at(x + kX, y + kY)) << output << ", " << x << ", " << y;
+    }
 }
 
 TEST_P(SurfaceOutputs, GoOnFromTheirState) {

@@ -69,7 +69,7 @@ TEST(Energy, PanesCountWhatIsReflectedInside) {
   const auto material = make("thindielectric", {});
   BsdfSlot slot;
   const Bsdf& bsdf = material->bsdf(surface(), slot);
-  EXPECT_NEAR(bsdf.share({0, 0, 1}, 1), 2 * 0.04 / 1.04, 1e-6);
+  EXPECT_NEAR(bsdf.lobe_probability({0, 0, 1}, 1), 2 * 0.04 / 1.04, 1e-6);
   const auto through = bsdf.sample(direction(0.3f, 2), {0, 0, 0.9999f}, Transport::radiance, 3);
   ASSERT_TRUE(through);
   EXPECT_EQ(through->wi, -direction(0.3f, 2));
@@ -96,7 +96,9 @@ TEST(Energy, HardlyRoughIsAsGoodAsSmooth) {
   const auto rough = make("dielectric", {alpha(0.0015f)});
   BsdfSlot slot;
   for (const float cos : {1.f, 0.5f})
-    EXPECT_NEAR(rough->bsdf(surface(), slot).share(direction(cos, 1), 1), fresnel_dielectric(cos, 1.5f), 1e-4) << cos;
+    EXPECT_NEAR(rough->bsdf(surface(), slot).lobe_probability(direction(cos, 1), 1), fresnel_dielectric(cos, 1.5f),
+                1e-4)
+        << cos;
 }
 
 struct Loss {

@@ -74,7 +74,7 @@ TEST(Scattering, ADarkBaseLeavesPathsToTheCoat) {
   const auto share_of_coat = [](float reflectance) {
     const auto material = make("coateddiffuse", {rgb("reflectance", Rgb(reflectance))});
     BsdfSlot slot;
-    return material->bsdf(surface(), slot).share({0, 0, 1}, 1);
+    return material->bsdf(surface(), slot).lobe_probability({0, 0, 1}, 1);
   };
   EXPECT_NEAR(share_of_coat(0.8f), 0.04f, 1e-3f);
   EXPECT_EQ(share_of_coat(0.8f), share_of_coat(0.4f));
@@ -95,23 +95,23 @@ TEST(Scattering, LobesAddUp) {
       const LobeSet none = static_cast<LobeSet>(~bsdf.all_lobes());
       EXPECT_FALSE(bsdf.sample(wo, three_numbers(random, n), Transport::flux, none)) << name;
       EXPECT_EQ(bsdf.pdf_w(wo, wi, Transport::flux, none), 0) << name;
-      EXPECT_EQ(bsdf.share(wo, none), 0) << name;
+      EXPECT_EQ(bsdf.lobe_probability(wo, none), 0) << name;
     }
   });
 }
 
-// share() is how often sampling everything would choose a lobe: sampling all lobes with a stratified u.z takes the
-// reflecting (coat) lobe where u.z is below its share.
+// How often sampling everything would choose a lobe: sampling all lobes with a stratified u.z takes the reflecting (coat)
+// lobe where u.z is below its probability.
 TEST(Scattering, SharesAreTheChancesOfLobes) {
   for_each_bsdf([](const std::string& name, const Bsdf& bsdf, const SurfacePoint& point) {
     for (const Vec3& wo : directions()) {
       if (dot(wo, point.ns) * dot(wo, point.ng) <= 0) continue;
       const LobeSet all = bsdf.all_lobes();
-      EXPECT_NEAR(bsdf.share(wo, all), 1, 1e-6f) << name;
+      EXPECT_NEAR(bsdf.lobe_probability(wo, all), 1, 1e-6f) << name;
       if (all != 3) continue;
-      EXPECT_NEAR(bsdf.share(wo, 1) + bsdf.share(wo, 2), 1, 1e-6f) << name;
+      EXPECT_NEAR(bsdf.lobe_probability(wo, 1) + bsdf.lobe_probability(wo, 2), 1, 1e-6f) << name;
       if (is_specular(bsdf)) {
-        const float edge = bsdf.share(wo, 1);
+        const float edge = bsdf.lobe_probability(wo, 1);
         const auto reflected = bsdf.sample(wo, {0.3f, 0.7f, edge - 1e-5f}, Transport::flux, all);
         const auto passed = bsdf.sample(wo, {0.3f, 0.7f, edge + 1e-5f}, Transport::flux, all);
         if (reflected && edge > 1e-5f) {
@@ -125,7 +125,7 @@ TEST(Scattering, SharesAreTheChancesOfLobes) {
   });
 }
 
-// A rough boundary chooses by the Fresnel reflectance of the facet that was sampled; share() is its mean.
+// A rough boundary chooses by the Fresnel reflectance of the facet that was sampled; lobe_probability() is its mean.
 TEST(Scattering, SharesOfRoughGlass) {
   for (const float a : {0.1f, 0.5f, 1.f}) {
     const auto material = make("dielectric", {alpha(a)});
@@ -145,7 +145,7 @@ TEST(Scattering, SharesOfRoughGlass) {
         ++count;
       }
       if (count == 100'000) {
-        EXPECT_NEAR(sum / count, bsdf.share(wo, 1), 3e-3) << a << text(wo);
+        EXPECT_NEAR(sum / count, bsdf.lobe_probability(wo, 1), 3e-3) << a << text(wo);
       }
     }
   }

@@ -38,7 +38,7 @@ class Faulty final : public Bsdf {
     const float pdf_w = density(local.z), weight = value(cos_o) * local.z / pdf_w;
     return BsdfSample{*wi, Rgb(fault_ == Fault::weight ? 0.9f * weight : weight), pdf_w, false};
   }
-  float share(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
+  float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
  private:
   float value(float cos_o) const {

@@ -34,7 +34,7 @@ class HollowBsdf final : public Bsdf {
     const Rgb weight(is(Fault::weight) ? kNan : 0.2f * kPi);
     return BsdfSample{is(Fault::direction) ? *wi * kNan : *wi, weight, cosine_hemisphere_pdf_w(local.z), false};
   }
-  float share(const Vec3&, LobeSet) const override { return 1; }
+  float lobe_probability(const Vec3&, LobeSet) const override { return 1; }
   std::optional<Rgb> lambertian(LobeSet) const override {
     return fault_ == Fault::constant ? std::optional(Rgb(here_ ? kNan : 0.2f)) : std::nullopt;
   }

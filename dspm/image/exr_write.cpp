@@ -20,6 +20,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/exr.h"
+#include "dspm/image/image.h"
 #include "dspm/system/atomic_file.h"
 
 namespace dspm {
