@@ -37,7 +37,7 @@ std::atomic<bool> rendering = false;
 
 void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
 
-/// Only the first thread that ends the process returns from here, and a second time if it fails while it speaks.
+/// True for the first thread; false if that thread fails again while it speaks. Other threads wait here for the end.
 bool first_to_speak() {
   static std::atomic<pid_t> speaker = 0;
   pid_t nobody = 0;

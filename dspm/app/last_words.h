@@ -1,4 +1,4 @@
-// Ends that nobody asked for still end in a message: an exception that cannot be caught, as when a library's thread runs
+// A process that ends abnormally still says why: an exception that cannot be caught, as when a library's thread runs
 // out of memory; a crash; exit() in a module.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace dspm {
 void prepare_last_words();
 
 /// While it lives, a render is under way: exit() is a failure, and last words say what was being done, which module was
-/// at it, and what the render leaves behind. At most one at a time.
+/// running, and what the render leaves behind. At most one at a time.
 class LastWords {
  public:
   LastWords();

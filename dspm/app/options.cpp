@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 #include "dspm/app/option_values.h"
 #include "dspm/params/errors.h"
@@ -105,8 +106,15 @@ void add_output(CLI::App& app, Options& o) {
   app.add_flag("--png", o.png, "also write tone mapped PNGs");
   app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
   app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
-  add_text(app, "--aov", "NAMES", "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,...",
-           [&](const std::string& text) { o.outputs = parse_names("--aov", text); });
+  app.add_option_function<std::vector<std::string>>(
+         "--aov",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts)
+             for (std::string& name : parse_names("--aov", text)) o.outputs.push_back(std::move(name));
+         },
+         "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,radius,photons")
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
       ->check(kNamesAFile)
       ->type_name("FILE");

@@ -87,8 +87,10 @@ class Render final : public SessionObserver {
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   void save(const IntervalProgress& progress, Integrator& integrator) {
     saved_ = progress.iterations;
-    has_checkpoint_ = !checkpoints_.path().empty();
-    results_.attempt(checkpoints_.path(), [&] { checkpoints_.save(progress, integrator); });
+    results_.attempt(checkpoints_.path(), [&] {
+      checkpoints_.save(progress, integrator);
+      has_checkpoint_ = !checkpoints_.path().empty();
+    });
     results_.report_faults();
     last_words_.keep(kept_in_words());
   }

@@ -25,7 +25,8 @@ std::uint64_t bytes_of_all(const std::vector<FrameList>& intervals, std::uint64_
 }
 
 std::string in_words(const Interval& every) {
-  return every.seconds > 0 ? readable_time(every.seconds) : counted(static_cast<std::size_t>(every.iterations), "iteration");
+  return every.seconds > 0 ? readable_time(every.seconds)
+                           : counted(static_cast<std::size_t>(every.iterations), "iteration");
 }
 
 /// A forged file could name frames that do not exist.

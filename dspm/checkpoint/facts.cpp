@@ -35,8 +35,10 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back(
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
-  facts.push_back({"the outputs", s.outputs.empty() ? kRadiance : fmt::format("{}", fmt::join(s.outputs, ","))});
-  if (!s.outputs.empty()) facts.push_back({"the space of outputs", s.in_camera_space ? "camera" : "world"});
+  const std::set<std::string> outputs(s.outputs.begin(), s.outputs.end());
+  const char* space = s.in_camera_space ? "camera" : "world";
+  facts.push_back({"the choice of outputs (--aov)",
+                   outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));
   facts.push_back({"the integrator", job.integrator});

@@ -28,7 +28,7 @@ enum class ExrPixels { half, single };
 /// One to three channels; the pixels' r, g and b are their values.
 struct ExrLayer {
   std::vector<std::string> channels;
-  Image image;
+  const Image* image = nullptr;
   ExrPixels pixels = ExrPixels::half;
 };
 
@@ -40,7 +40,7 @@ Image decode_exr(std::string_view bytes);
 /// to that. Layers of different sizes are an error.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header);
 /// One layer: R, G and B.
-void write_exr(const std::filesystem::path& path, Image image, const ExrHeader& header,
+void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
                ExrPixels pixels = ExrPixels::half);
 /// These channels of a file's first part. Throws std::exception.
 Image read_exr_channels(const std::filesystem::path& path, const std::vector<std::string>& channels);

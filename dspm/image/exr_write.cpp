@@ -48,7 +48,7 @@ class MemoryOutput : public Imf::OStream {
 Imf::PixelType type_of(const ExrLayer& layer) { return layer.pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT; }
 
 Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header) {
-  const Image& image = layers.front().image;
+  const Image& image = *layers.front().image;
   const int width = header.full_width > 0 ? header.full_width : image.width;
   const int height = header.full_height > 0 ? header.full_height : image.height;
   const Imath::Box2i display({0, 0}, {width - 1, height - 1});
@@ -85,7 +85,7 @@ std::vector<half> halves_of(const Image& image) {
 template <class T>
 void insert(Imf::FrameBuffer& buffer, const ExrLayer& layer, const Imath::Box2i& window, const T* first) {
   constexpr std::size_t kStride = 3 * sizeof(T);
-  const auto width = static_cast<std::size_t>(layer.image.width);
+  const auto width = static_cast<std::size_t>(layer.image->width);
   for (const std::string& name : layer.channels)
     buffer.insert(name, Imf::Slice::Make(type_of(layer), first++, window, kStride, kStride * width));
 }
@@ -99,9 +99,9 @@ std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header) {
     std::vector<std::vector<half>> halves;
     for (const ExrLayer& layer : layers)
       if (layer.pixels == ExrPixels::half)
-        insert(buffer, layer, window, halves.emplace_back(halves_of(layer.image)).data());
+        insert(buffer, layer, window, halves.emplace_back(halves_of(*layer.image)).data());
       else
-        insert(buffer, layer, window, &layer.image.pixels.front().r);
+        insert(buffer, layer, window, &layer.image->pixels.front().r);
     file.setFrameBuffer(buffer);
     file.writePixels(window.max.y - window.min.y + 1);
   }  // the file's destructor writes the table of rows
@@ -110,8 +110,8 @@ std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header) {
 
 void check(std::span<const ExrLayer> layers) {
   for (const ExrLayer& layer : layers) {
-    if (layer.image.empty()) throw std::runtime_error("the image has no pixels");
-    if (layer.image.width != layers.front().image.width || layer.image.height != layers.front().image.height)
+    if (layer.image->empty()) throw std::runtime_error("the image has no pixels");
+    if (layer.image->width != layers.front().image->width || layer.image->height != layers.front().image->height)
       throw std::runtime_error("its layers differ in size");
   }
 }
@@ -131,8 +131,8 @@ void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> laye
   write_file(path, bytes);
 }
 
-void write_exr(const std::filesystem::path& path, Image image, const ExrHeader& header, ExrPixels pixels) {
-  const ExrLayer layer{{"R", "G", "B"}, std::move(image), pixels};
+void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header, ExrPixels pixels) {
+  const ExrLayer layer{{"R", "G", "B"}, &image, pixels};
   write_exr(path, {&layer, 1}, header);
 }
 

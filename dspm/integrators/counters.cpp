@@ -6,10 +6,14 @@
 
 namespace dspm {
 
-void Counters::add(std::string_view name, std::uint64_t count) {
+Counters::Entry* Counters::find(std::string_view name) {
   const auto same =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
-  if (same != entries_.end()) {
+  return same == entries_.end() ? nullptr : &*same;
+}
+
+void Counters::add(std::string_view name, std::uint64_t count) {
+  if (Entry* const same = find(name)) {
     same->value += count;
     return;
   }
@@ -21,7 +25,8 @@ void Counters::add(std::string_view name, std::uint64_t count) {
 }
 
 Counters& Counters::operator+=(const Counters& other) {
-  for (const Entry& entry : other.entries_) add(entry.name, entry.value);
+  for (const Entry& entry : other.entries_)
+    if (entries_.size() < kMost || find(entry.name) != nullptr) add(entry.name, entry.value);
   return *this;
 }
 

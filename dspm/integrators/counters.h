@@ -21,7 +21,7 @@ class Counters {
   /// Searches for the name, so it is for the sum of a chunk of work rather than for each ray. Throws std::length_error
   /// beyond kMost names, or if the name is longer than kLongestName.
   void add(std::string_view name, std::uint64_t count);
-  /// Adds those of the same name.
+  /// Adds those of the same name; new names beyond kMost are left out.
   Counters& operator+=(const Counters& other);
   /// Names, too: loading replaces all counters.
   void persist(StateStream& state);
@@ -30,6 +30,8 @@ class Counters {
   auto end() const { return entries_.end(); }
 
  private:
+  Entry* find(std::string_view name);
+
   std::vector<Entry> entries_;
 };
 

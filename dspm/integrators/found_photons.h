@@ -23,7 +23,9 @@ class FoundPhotons {
  public:
   /// Nothing is kept unless one of the outputs is among `asked`.
   FoundPhotons(int pixels, int frames, const std::vector<std::string>& asked)
-      : frames_(static_cast<std::size_t>(frames)), pixels_(bytes(pixels, frames, asked) / sizeof(Pixel)) {}
+      : frames_(static_cast<std::size_t>(frames)),
+        counts_(std::find(asked.begin(), asked.end(), kPhotonsOutput.name) != asked.end()),
+        pixels_(bytes(pixels, frames, asked) / sizeof(Pixel)) {}
   static std::size_t bytes(int pixels, int frames, const std::vector<std::string>& asked) {
     const auto is_ours = [](const std::string& name) {
       return name == kPhotonsOutput.name || name == kRadiusOutput.name;
@@ -43,6 +45,7 @@ class FoundPhotons {
       within2[static_cast<std::size_t>(f)] = radius2(f);
       pixels_[index(hit.pixel, f)].initial_radius = hit.radius;
     });
+    if (!counts_) return;
     GatherCounts not_counted;
     gather(hit, tile.scattering_of(hit), map, widest2, not_counted,
            [&](const Strand*, FrameSet frames, RgbLanes, float distance2) {
@@ -67,6 +70,7 @@ class FoundPhotons {
   }
 
   std::size_t frames_;
+  bool counts_;                // photons; else only the radius is kept
   std::vector<Pixel> pixels_;  // the frames of a pixel lie together
 };
 

@@ -4,7 +4,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/gather.h"
-#include "dspm/integrators/surface_kernel.h"
+#include "dspm/integrators/kernel_size.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {

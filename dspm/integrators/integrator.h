@@ -41,7 +41,8 @@ class Integrator {
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
   /// Advances all frames by one iteration; iterations count from 0 and come in order. `scene`: the one that the
-  /// integrator was made for, or its state in that iteration, with the same frames, shapes, materials and lights. May
+  /// integrator was made for, or its state in that iteration, with the same frames, shapes, materials and lights (what
+  /// an integrator makes once, such as photonmap's maps, it makes from the first). May
   /// throw; persist() can then load the state saved before, which is also how a session undoes a cancelled iteration.
   virtual void iterate(int iteration, const Scene& scene) = 0;
   /// What it gives of every frame: radiance first.

@@ -1,6 +1,7 @@
 // The images that an integrator gives of every frame, by name.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,12 @@ namespace dspm {
 inline constexpr const char* kRadiance = "radiance";
 
 struct OutputInfo {
-  std::string name;                   // as in --aov
-  std::vector<std::string> channels;  // one to three, as EXR files name them; the r, g and b of the image
-  std::string sentence;               // what the values are, and their unit
-  bool single = false;                // in single precision even if the film says half
-  // If the values are ids, the names that they stand for: a value is id_of(name), and 0 stands for none.
-  std::vector<std::string> names = {};
+  std::string name;                         // as in --aov
+  std::vector<std::string> channels;        // one to three, as EXR files name them; the r, g and b of the image
+  std::string sentence;                     // what the values are, and their unit
+  bool single = false;                      // in single precision even if the film says half
+  bool is_id = false;                       // a value is id_of() one of the names, or 0
+  std::span<const std::string> names = {};  // in memory as long as the integrator
 };
 
 inline OutputInfo radiance_output() { return {kRadiance, {"R", "G", "B"}, "radiance in W/(m^2 sr)"}; }

@@ -51,15 +51,9 @@ class Progressive final : public Integrator {
   std::vector<OutputInfo> outputs() const override { return {radiance_output(), kRadiusOutput, kPhotonsOutput}; }
 
   Image estimate(Frame frame, const std::string& output) const override {
-    const auto value = [&](int pixel) {
-      if (output == kRadiusOutput.name) return Rgb(radius(pixel, frame));
-      if (output == kPhotonsOutput.name) return Rgb(found_.photons(pixel, frame));
-      return estimator_->radiance(pixel, frame);
-    };
-    Image image(render_.crop.width(), render_.crop.height());
-    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = value(pixel);
-    return image;
+    if (output == kRadiusOutput.name) return image_of([&](int pixel) { return Rgb(radius(pixel, frame)); });
+    if (output == kPhotonsOutput.name) return image_of([&](int pixel) { return Rgb(found_.photons(pixel, frame)); });
+    return image_of([&](int pixel) { return estimator_->radiance(pixel, frame); });
   }
 
   Statistics statistics() const override { return statistics_; }
@@ -159,6 +153,14 @@ class Progressive final : public Integrator {
     });
     account(counts, statistics_);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
+  }
+
+  template <class Value>
+  Image image_of(Value&& value) const {
+    Image image(render_.crop.width(), render_.crop.height());
+    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
+      image.pixels[static_cast<std::size_t>(pixel)] = value(pixel);
+    return image;
   }
 
   void find_photons(const HitPoint& hit, const HitPointTile& tile) {

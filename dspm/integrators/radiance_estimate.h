@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/gather.h"
+#include "dspm/integrators/kernel_size.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {

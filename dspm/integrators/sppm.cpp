@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/kernel_size.h"
 #include "dspm/integrators/progressive.h"
-#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"

@@ -1,10 +1,9 @@
-// What gathers photons around a point of a surface: a disc, and those that arrive on the right side. All that estimators
-// know of surfaces stands here and in the hit point's scattering; photons in a volume would have a ball.
+// Which photons around a point of a surface count for it. With kernel_size.h and a hit point's scattering, all that
+// estimators know of surfaces.
 #pragma once
 
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/integrators/hit_point.h"
-#include "dspm/integrators/kernel_size.h"
 
 namespace dspm {
 

@@ -1,7 +1,7 @@
 #include "dspm/integrators/surface_outputs.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <utility>
 
 #include "dspm/colour/rgb.h"
@@ -42,11 +42,11 @@ Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
 /// The majority of a row of votes, if there is one, in constant memory. [Boyer and Moore 1981]
 struct Majority {
   int choice = kNone;
-  int lead = 0;
+  std::uint32_t lead = 0;
 
   void vote(int candidate) {
     if (lead == 0) choice = candidate;
-    lead += choice == candidate ? 1 : -1;
+    choice == candidate ? ++lead : --lead;
   }
 };
 
@@ -142,7 +142,7 @@ class SurfaceOutputs final : public Integrator {
     vertex.frames.for_each([&](Frame f) { ++met_[index(path.pixel, f)]; });
     for (Layer& layer : layers_) {
       const auto sum = [&](FrameSet frames, const Rgb& value) {
-        frames.for_each([&](Frame f) { layer.sums[index(path.pixel, f)] += value; });
+        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums[index(path.pixel, f)] += value; });
       };
       switch (layer.kind) {
         case kNormal: sum(vertex.frames, normal(scene, vertex)); break;
@@ -232,11 +232,17 @@ std::vector<Kind> kinds_in(const std::vector<std::string>& names) {
   return kinds;
 }
 
-std::unique_ptr<Integrator> make_within(const MakeWithin& make, std::size_t memory, std::size_t taken) try {
-  return make(memory == 0 ? 0 : memory > taken ? memory - taken : 1);
-} catch (NotEnoughMemory& error) {
-  error.least.pixels += taken;
-  throw;
+/// Leaves `taken` bytes of the memory to the outputs.
+std::unique_ptr<Integrator> make_beside(std::size_t taken, const MakeWithin& make, std::size_t memory) {
+  if (memory == 0) return make(0);
+  try {
+    std::unique_ptr<Integrator> made = make(memory > taken ? memory - taken : 1);
+    if (made == nullptr || taken < memory) return made;
+    throw NotEnoughMemory({.pixels = made->statistics().bytes});  // it does not look at its memory
+  } catch (NotEnoughMemory& error) {
+    error.least.pixels += taken;
+    throw;
+  }
 }
 
 }  // namespace
@@ -248,18 +254,19 @@ const std::vector<OutputInfo>& surface_outputs() {
       {"Z", {"Z"}, "its depth along the camera's axis, in world units; 1e10: no surface", true},
       {"albedo", {"Albedo.R", "Albedo.G", "Albedo.B"}, "the share of light that it scatters"},
       {"uv", {"u", "v"}, "its texture coordinates", true},
-      {"object", {"object"}, "the id of the object that most of the pixel shows", true},
-      {"material", {"material"}, "the id of the material that most of the pixel shows", true},
+      {"object", {"object"}, "the id of the object that most of the pixel shows", true, true},
+      {"material", {"material"}, "the id of the material that most of the pixel shows", true, true},
   };
   return all;
 }
 
+// A bound on memory has room for a copy of the outputs: iterations that are cancelled are reverted to one.
 std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const Scene& scene,
-                                                 const RenderSettings& render) {
+                                                 const RenderSettings& render, std::size_t memory) {
   const std::vector<Kind> asked = kinds_in(render.outputs);
-  if (asked.empty()) return make(render.memory);
-  const std::size_t taken = SurfaceOutputs::bytes(asked, render.crop.count(), scene.frame_count());
-  std::unique_ptr<Integrator> inner = make_within(make, render.memory, taken);
+  if (asked.empty()) return make(memory);
+  const std::size_t bytes = SurfaceOutputs::bytes(asked, render.crop.count(), scene.frame_count());
+  std::unique_ptr<Integrator> inner = make_beside(2 * bytes, make, memory);
   if (inner == nullptr) return nullptr;
   std::vector<Kind> kinds;
   const std::vector<OutputInfo> own = inner->outputs();

@@ -18,8 +18,8 @@ const std::vector<OutputInfo>& surface_outputs();
 using MakeWithin = std::function<std::unique_ptr<Integrator>(std::size_t memory)>;
 
 /// The integrator that `make` returns (null if it failed), together with those of the surface outputs in
-/// `render.outputs` that it does not declare itself. Throws NotEnoughMemory.
+/// `render.outputs` that it does not declare itself. `memory`: bytes for both; 0: no bound. Throws NotEnoughMemory.
 std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const Scene& scene,
-                                                 const RenderSettings& render);
+                                                 const RenderSettings& render, std::size_t memory);
 
 }  // namespace dspm

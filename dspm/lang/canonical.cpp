@@ -111,6 +111,7 @@ class Digests {
   Canonical of_shape(const ShapeUse& use) const {
     return Canonical()
         .use(use)
+        .text(use.name)
         .motion(use.world_from_object, scene_.moments)
         .number(use.reverse_orientation)
         .number(use.material.index)

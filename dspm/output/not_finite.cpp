@@ -46,16 +46,18 @@ void report_rejections(const Rejections& rejections, const World& world, const F
   messages.show(diagnostics);
 }
 
-void black_out_invalid(Image& image, FileFrame frame, const Job& job, Messages& messages) {
+void black_out_invalid(Image& image, const std::string& output, FileFrame frame, const Job& job, Messages& messages) {
   const auto invalid = [](const Rgb& c) { return !is_finite(c); };
   const auto first = std::find_if(image.pixels.begin(), image.pixels.end(), invalid);
   if (first == image.pixels.end()) return;
   const auto at = static_cast<int>(first - image.pixels.begin());
   const auto count = std::count_if(first, image.pixels.end(), invalid);
   std::replace_if(first, image.pixels.end(), invalid, Rgb(0));
-  messages.warn(fmt::format("{}: {} of frame {} not finite, the first at {}; written as black",
-                            in_words("integrator", job.integrator), counted(static_cast<std::size_t>(count), "pixel"),
-                            frame.index() + 1, pixel_in_words(at, job.settings.crop)));
+  messages.warn(
+      fmt::format("{}: {} of frame {} has {} that cannot be shown (NaN or infinite), the first at {}; written "
+                  "as black",
+                  in_words("integrator", job.integrator), output, frame.index() + 1,
+                  counted(static_cast<std::size_t>(count), "pixel"), pixel_in_words(at, job.settings.crop)));
 }
 
 }  // namespace dspm

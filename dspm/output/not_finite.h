@@ -1,6 +1,8 @@
 // NaN and infinity: reports where they come from, and keeps them out of files.
 #pragma once
 
+#include <string>
+
 #include "dspm/image/image.h"
 #include "dspm/integrators/rejections.h"
 #include "dspm/math/frames.h"
@@ -16,7 +18,8 @@ namespace dspm {
 void report_rejections(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
                        Messages& messages);
 
-/// Those that an integrator lets through become black, with a warning. `frame` is one of the file.
-void black_out_invalid(Image& image, FileFrame frame, const Job& job, Messages& messages);
+/// Those that an integrator lets through into one of its outputs become black, with a warning. `frame` is one of the
+/// file.
+void black_out_invalid(Image& image, const std::string& output, FileFrame frame, const Job& job, Messages& messages);
 
 }  // namespace dspm

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <exception>
+#include <set>
 #include <utility>
 
 #include "dspm/colour/rgb.h"
@@ -38,12 +39,16 @@ std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files)
   return paths;
 }
 
-/// Which id stands for which name: {"ball": "3fa2c014"}, in hexadecimal digits as in Cryptomatte's manifests.
-std::string manifest_of(const std::vector<std::string>& names) {
+/// Which id of the image stands for which name: {"ball": "3fa2c014"}, in hexadecimal digits as in Cryptomatte's
+/// manifests.
+std::string manifest_of(const OutputLayer& layer) {
+  std::set<float> shown;
+  for (const Rgb& pixel : layer.image.pixels) shown.insert(pixel.r);
   JsonWriter json;
   json.begin_object();
-  for (const std::string& name : names)
-    json.member(name, fmt::format("{:08x}", std::bit_cast<std::uint32_t>(id_of(name))));
+  for (const std::string& name : layer.info.names)
+    if (const float id = id_of(name); shown.contains(id))
+      json.member(name, fmt::format("{:08x}", std::bit_cast<std::uint32_t>(id)));
   json.end_object();
   return json.text();
 }
@@ -90,10 +95,12 @@ std::vector<std::filesystem::path> Output::image_files(FileFrame frame) const {
 }
 
 std::uint64_t Output::bytes_on_disk() const {
+  constexpr std::uint64_t kMostOfAnOutput = 12;
   constexpr std::uint64_t kBytes = 3;  // per pixel of a PNG; EXR takes two or four for each of them
   std::uint64_t a_pixel = 0;
   for (const std::filesystem::path& file : image_files(job_.frames.front()))
     a_pixel += file.extension() == ".png" ? kBytes : kBytes * (job_.film.save_half ? 2 : 4);
+  a_pixel += kMostOfAnOutput * job_.settings.outputs.size();
   return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
 }
 
@@ -103,7 +110,8 @@ std::filesystem::path Output::name(FileFrame frame) const {
 }
 
 std::size_t Output::bytes_while_writing() const {
-  // The image, two copies, the last one in the file's format, and the growing file; for the sheet only the file.
+  // The image, two copies, the last one in the file's format, and the growing file; of other outputs no copies; for the
+  // sheet only the file.
   constexpr std::size_t kImages = 6, kLayerImages = 5;
   const std::size_t images = kImages + kLayerImages * job_.settings.outputs.size();
   const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
@@ -140,8 +148,8 @@ void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLaye
   header.numbers["seconds"] = seconds;
   std::vector<ExrLayer> more;
   for (const OutputLayer& layer : layers) {
-    more.push_back({layer.info.channels, layer.image, layer.info.single ? ExrPixels::single : pixels_of(job_.film)});
-    if (!layer.info.names.empty()) header.texts[layer.info.name + " manifest"] = manifest_of(layer.info.names);
+    more.push_back({layer.info.channels, &layer.image, layer.info.single ? ExrPixels::single : pixels_of(job_.film)});
+    if (layer.info.is_id) header.texts[layer.info.name + " manifest"] = manifest_of(layer);
   }
   if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
   std::exception_ptr failure;

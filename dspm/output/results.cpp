@@ -68,8 +68,9 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
       for (const OutputInfo& output : outputs) {
         layers->push_back({output, integrator.estimate(static_cast<Frame>(j), output.name)});
         expect_size(layers->back().image, job_);
+        black_out_invalid(layers->back().image, output.name, frame, job_, messages_);
       }
-      black_out_invalid(*image, frame, job_, messages_);
+      black_out_invalid(*image, kRadiance, frame, job_, messages_);
       if (images == Images::last) output_.add_to_video(*image);
     };
     const auto write_image = [this, frame, image, layers, seconds, iterations = statistics.iterations,
@@ -86,7 +87,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
 }
 
 std::string Results::written() const {
-  if (written_.empty() || faults_.any()) return {};
+  if (written_.empty()) return {};
   const std::string first = output_.name(*written_.begin()).string();
   return written_.size() > 1 ? fmt::format("{} to {}", first, output_.name(*written_.rbegin()).string()) : first;
 }

@@ -16,7 +16,7 @@ void write_image(const std::filesystem::path& path, Image image, const FilmSetti
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;
   header.full_width = film.width, header.full_height = film.height;
-  std::vector<ExrLayer> layers = {{{"R", "G", "B"}, std::move(image), pixels_of(film)}};
+  std::vector<ExrLayer> layers = {{{"R", "G", "B"}, &image, pixels_of(film)}};
   layers.insert(layers.end(), more.begin(), more.end());
   write_exr(path, layers, header);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -83,9 +84,10 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
-  std::vector<std::string> object_names;  // of what the scene file calls one thing, perhaps several shapes; distinct
+  std::span<const std::string>
+      object_names;  // of what the scene file calls one thing, perhaps several shapes; distinct
   std::vector<FrameStates<Material>> materials;
-  std::vector<std::string> material_names;  // distinct
+  std::span<const std::string> material_names;  // distinct
   std::vector<SceneLight> lights;
   std::vector<int> infinite_lights;  // those that implement escaped()
   FrameStates<Camera> camera;

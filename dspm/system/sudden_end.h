@@ -12,8 +12,8 @@ void remove_leftovers();
 /// Does that, and ends the process with this exit code. For signal handlers.
 [[noreturn]] void end_suddenly(int code);
 
-/// While it lives, remove_leftovers() removes the file, or kills the program. There is room for a few at a time; any others
-/// are left over.
+/// While it lives, remove_leftovers() removes the file, or kills the program. There is room for a few at a time; any
+/// others are left over.
 class Leftover {
  public:
   explicit Leftover(const std::filesystem::path& file);

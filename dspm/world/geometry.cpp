@@ -133,7 +133,7 @@ void Geometry::check(const ShapeUse& use, Source& source) {
   }
 }
 
-/// What the scene gives a name is one object: an instance, or all blocks of that name. Other shapes are one each.
+/// An instance is one object, and so are all dynamic blocks of one name; any other shape is an object of its own.
 int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
   const auto once = [&](auto& known, const auto& key, const std::string& name) {
     const auto [at, is_new] = known.try_emplace(key);

@@ -156,7 +156,8 @@ void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<st
       continue;
     }
     bool good = !found->channels.empty() && found->channels.size() <= 3;
-    for (const std::string& channel : found->channels) good = channels.insert(channel).second && good;
+    for (const std::string& channel : found->channels)
+      good = good && !channel.empty() && channels.insert(channel).second;
     if (!good)
       diagnostics.error({}, fmt::format("output \"{}\" of integrator \"{}\" needs one to three channels of its own",
                                         name, integrator));
@@ -181,15 +182,13 @@ int Job::iterations(const Integrator& made) const {
 
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory) const {
-  RenderSettings bounded = settings;
   const auto make = [&](std::size_t bytes) {
+    RenderSettings bounded = settings;
     ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
     bounded.memory = bytes;
     return plugin->make(reader, scene, bounded);
   };
-  RenderSettings whole = settings;
-  whole.memory = memory;
-  std::unique_ptr<Integrator> made = with_surface_outputs(make, scene, whole);
+  std::unique_ptr<Integrator> made = with_surface_outputs(make, scene, settings, memory);
   if (made == nullptr && diagnostics.error_count() == 0)
     diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
   if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
@@ -222,8 +221,9 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
   settings.outputs = outputs_of(job.film, choices), settings.in_camera_space = job.film.in_camera_space;
   if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() == ".png")
-    throw UsageError(fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr", job.film.filename,
-                                 settings.outputs.front()));
+    throw UsageError(
+        fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
+                    job.film.filename, settings.outputs.front()));
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));

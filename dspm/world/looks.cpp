@@ -142,7 +142,7 @@ void Looks::add_texture_of(const TextureUse& own) {
   names_.add<T>(own.name, std::make_shared<ConstantTexture<T>>(T(0.5f)));
 }
 
-int Looks::add_material(const MaterialUse& own, std::string name, const std::string& plain) {
+int Looks::add_material(const MaterialUse& own, std::string name, const std::string& public_name) {
   MaterialLook look;
   look.name = std::move(name);
   look.recipes = recipes_of(definition_of(description_, own));
@@ -153,7 +153,7 @@ int Looks::add_material(const MaterialUse& own, std::string name, const std::str
   });
   if (!good) return -1;
   materials_.push_back(std::move(look));
-  return material_names_.add(plain);
+  return material_names_.add(public_name);
 }
 
 TextureSet Looks::known_textures(const Recipe& recipe) const {

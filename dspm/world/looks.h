@@ -71,8 +71,8 @@ class Looks {
   void add_texture(const TextureUse& own);
   template <class T>
   void add_texture_of(const TextureUse& own);
-  /// `name`: for messages; `plain`: see material_names.
-  int add_material(const MaterialUse& own, std::string name, const std::string& plain);
+  /// `name`: for messages; `public_name`: see material_names.
+  int add_material(const MaterialUse& own, std::string name, const std::string& public_name);
 
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>

@@ -83,7 +83,7 @@ struct World::Parts {
       : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
     refuse_media(text, diagnostics);
     const bool whole = diagnostics.error_count() == 0;
-    if (whole && text.shapes.empty()) diagnostics.warning({}, "the scene has no shape");
+    if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
     if (whole && text.lights.empty() && text.area_lights.empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());

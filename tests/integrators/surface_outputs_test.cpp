@@ -176,6 +176,7 @@ TEST_P(SurfaceOutputs, GoOnFromTheirState) {
   const std::string saved = state_of(*first);
   LoadedState state(saved);
   ASSERT_TRUE(second->persist(state));
+  for (const std::string& output : kAll) EXPECT_EQ(second->estimate(0, output), first->estimate(0, output)) << output;
   for (int i = 2; i < 4; ++i) second->iterate(i, *scene);
   for (const std::string& output : kAll) EXPECT_EQ(second->estimate(0, output), calm->estimate(0, output)) << output;
 }
@@ -203,13 +204,14 @@ TEST_P(SurfaceOutputs, CountAsMemory) {
       test.integrator(*scene, {}, 1);
     } catch (const NotEnoughMemory& error) {
       EXPECT_NO_THROW(test.integrator(*scene, {}, error.least.total()));
+      EXPECT_THROW(test.integrator(*scene, {}, error.least.total() - 1), NotEnoughMemory);
       return error.least.pixels;
     }
     return 0;
   };
-  // Five means of three floats, two ids with their votes, and a counter.
+  // Five means of three floats, two ids with their votes, and a counter; and a copy of them.
   const std::size_t frames = with.intervals().front().size();
-  EXPECT_EQ(least(with) - least(without), (5 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
+  EXPECT_EQ(least(with) - least(without), 2 * (5 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, SurfaceOutputs,
@@ -274,6 +276,22 @@ Shape "trianglemesh" "point3 P" [-9 -9 2  9 -9 2  9 9 2  -9 9 2] "integer indice
   EXPECT_EQ(images.at("object")[0].at(0, 0).r, id_of("far"));
 }
 
+TEST(Pixels, MayShowMostlyNothing) {
+  TestScene test(R"(
+Integrator "path"
+Camera "orthographic" "float screenwindow" [0 1 0 1]
+Film "rgb" "integer xresolution" 1 "integer yresolution" 1
+PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
+WorldBegin
+LightSource "point"
+Shape "trianglemesh" "point3 P" [0.75 -9 1  9 -9 1  9 9 1  0.75 9 1] "integer indices" [0 1 2 0 2 3]
+)",
+                 asking_for({"Z", "object"}));
+  const auto images = outputs_of(test, 400);
+  EXPECT_EQ(images.at("object")[0].at(0, 0).r, 0);
+  EXPECT_NEAR(images.at("Z")[0].at(0, 0).r, 1, 1e-5);  // of the paths that meet a surface
+}
+
 TEST(Objects, HaveDistinctNames) {
   const test::TestScene test(R"(
 Frames 2
@@ -293,13 +311,13 @@ Material "diffuse"
 )");
   const auto scene = test.scene(test.all_frames());
   std::map<std::string, int> shapes;
-  for (const PlacedShape& shape : scene->shapes)
-    ++shapes[scene->object_names.at(static_cast<std::size_t>(shape.object))];
+  for (const PlacedShape& shape : scene->shapes) ++shapes[scene->object_names[static_cast<std::size_t>(shape.object)]];
   EXPECT_EQ(
       shapes,
       (std::map<std::string, int>{
           {"sphere", 1}, {"sphere.2", 1}, {"eye", 1}, {"sphere.2.2", 1}, {"horse", 4}, {"leg", 2}, {"leg.2", 2}}));
-  EXPECT_EQ(scene->material_names, (std::vector<std::string>{"oak", "diffuse", "diffuse.2", "diffuse.3"}));
+  EXPECT_EQ(std::vector<std::string>(scene->material_names.begin(), scene->material_names.end()),
+            (std::vector<std::string>{"oak", "diffuse", "diffuse.2", "diffuse.3"}));
 }
 
 // MurmurHash3_x86_32 of well-known inputs; exponents of 0 and 255 are changed.

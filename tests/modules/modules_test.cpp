@@ -189,9 +189,9 @@ TEST(Modules, NoNanReachesAFile) {
   put_file(directory / "tiny.dsc", scene_with("Integrator \"mischief\" \"string mood\" \"nan\""));
   const Outcome outcome = run(directory, {"--plugin", module_file("mischief"), "tiny.dsc", "--quiet"});
   EXPECT_EQ(outcome.code, 0);
-  expect_contains(
-      outcome.err,
-      "integrator \"mischief\" of libmischief.so: 2 pixels of frame 3 not finite, the first at x = 3, y = 1");
+  expect_contains(outcome.err,
+                  "integrator \"mischief\" of libmischief.so: radiance of frame 3 has 2 pixels that cannot be shown "
+                  "(NaN or infinite), the first at x = 3, y = 1");
   const Image image = read_image(directory / "tiny.0003.exr");
   EXPECT_EQ(image.at(3, 1), Rgb(0));
   EXPECT_EQ(image.at(4, 1), Rgb(0.75f));

@@ -34,7 +34,7 @@ TEST(Layers, AreThoseThatWereAskedFor) {
   ASSERT_EQ(render(directory, {}).code, 0);
   const Image plain = read_image(directory / kTinyImages[1]);
   EXPECT_EQ(channels_of(directory / kTinyImages[1]), (Names{"B", "G", "R"}));
-  const Outcome outcome = render(directory, {"--aov", "N,Z,photons,radius"});
+  const Outcome outcome = render(directory, {"--aov", "N,Z", "--aov", "photons,radius"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)
     EXPECT_EQ(channels_of(directory / image), (Names{"B", "G", "N.X", "N.Y", "N.Z", "R", "Z", "photons", "radius"}));
@@ -83,7 +83,7 @@ TEST(Layers, GoOnAfterAResume) {
   ASSERT_EQ(render(parts, with({"--iterations", "2", "--checkpoint", "tiny.ck"})).code, 0);
   const Outcome other = render(parts, {"--iterations", "4", "--resume", "tiny.ck"});
   EXPECT_EQ(other.code, 1);
-  EXPECT_NE(other.err.find("the outputs"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("the choice of outputs (--aov)"), std::string::npos) << other.err;
   const Outcome outcome = render(parts, with({"--iterations", "4", "--resume", "tiny.ck"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)

@@ -140,7 +140,7 @@ TEST(Memory, OfWritingImagesCounts) {
   const TemporaryDirectory directory;
   put_file(directory / "tiny.dsc", R"(
 Integrator "path" "integer iterations" 1
-Film "rgb" "integer xresolution" 1600 "integer yresolution" 1200
+Film "rgb" "integer xresolution" 1000 "integer yresolution" 750
 WorldBegin
 LightSource "infinite"
 )");

@@ -172,6 +172,17 @@ TEST_F(SessionWithStumbles, StatesThatAreMostOfTheMemoryAreNotCopied) {
   EXPECT_EQ(begun_when_cancelled(0), 3);
 }
 
+TEST(LoadedScene, TakesInstancesForShapes) {
+  Diagnostics diagnostics;
+  const LoadedScene loaded("test.dsc", R"(
+WorldBegin
+LightSource "point"
+ObjectBegin "chair" Shape "sphere" ObjectEnd
+ObjectInstance "chair")",
+                           {}, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.all().front().message;
+}
+
 TEST(LoadedScene, LooksForHolesInMeshesOfGlass) {
   Diagnostics diagnostics;
   const LoadedScene loaded("test.dsc", R"(

@@ -5,7 +5,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dsppm/dsppm.h"
-#include "dspm/integrators/surface_kernel.h"
+#include "dspm/integrators/kernel_size.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
