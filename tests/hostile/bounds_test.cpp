@@ -15,7 +15,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr double kMostSeconds = 30, kMostBytes = 8e9;  // sanitizers take their share
 #else
-constexpr double kMostSeconds = 1, kMostBytes = 1e9;
+constexpr double kMostSeconds = 2, kMostBytes = 1e9;
 #endif
 
 std::string repeated(const std::string& text, int times) {

@@ -22,12 +22,12 @@ class Stumbling : public IdleIntegrator {
  public:
   static inline std::function<void()> stumble;
   static inline std::size_t bytes = 100;  // that it says it holds; its state takes four
-  static constexpr int kStumbles = 3;     // iterations before it does
+  static inline int stumbles_after = 3;   // iterations
 
   int iterations() const override { return 6; }
   void iterate(int iteration, const Scene&) override {
     ++done_;
-    if (iteration == kStumbles && stumble) stumble();
+    if (iteration == stumbles_after && stumble) stumble();
   }
   bool persist(StateStream& state) override {
     state.part(done_);
@@ -93,7 +93,9 @@ std::string stumbling_scene() {
 
 class SessionWithStumbles : public ::testing::Test {
  protected:
-  ~SessionWithStumbles() override { Stumbling::stumble = nullptr, Stumbling::bytes = 100; }
+  ~SessionWithStumbles() override {
+    Stumbling::stumble = nullptr, Stumbling::bytes = 100, Stumbling::stumbles_after = 3;
+  }
 };
 
 TEST(Session, GivesTheImagesOfItsIntegrator) {
@@ -142,6 +144,14 @@ TEST_F(SessionWithStumbles, AnExceptionLeavesItAfterTheImagesSoFar) {
   Notes notes;
   EXPECT_THROW(render(stumbling_scene(), notes), std::runtime_error);
   EXPECT_EQ(notes.text, "1 2 3 f3 failed ");
+}
+
+TEST_F(SessionWithStumbles, AnExceptionInTheFirstIterationLeavesNoImages) {
+  Stumbling::stumble = [] { throw std::runtime_error("stumbled"); };
+  Stumbling::stumbles_after = 0;
+  Notes notes;
+  EXPECT_THROW(render(stumbling_scene(), notes), std::runtime_error);
+  EXPECT_EQ(notes.text, "failed ");
 }
 
 /// How many iterations the integrator has begun when one of them was cancelled.
