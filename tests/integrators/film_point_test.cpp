@@ -103,5 +103,24 @@ INSTANTIATE_TEST_SUITE_P(Integrators, FilmPoint,
                                          "\"sppm\" \"integer photons\" 1 \"string estimator\" \"hj09\"",
                                          "\"photonmap\" \"integer photons\" 1 \"integer causticphotons\" 1"));
 
+// A disk of radius 0.1 before a lens of radius 0.5 that is focused at infinity: at any pixel the rays are parallel and
+// cover the lens, so the share of them that meets the disk is (0.1 / 0.5)^2, wherever in view the disk is.
+TEST(LensPoints, CoverTheLens) {
+  TestScene test(fmt::format(R"(
+Integrator "path"
+Camera "perspective" "float fov" {} "float lensradius" 0.5 "float focaldistance" 1e6
+Film "rgb" "integer xresolution" 9 "integer yresolution" 9
+WorldBegin
+AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true
+Translate 0 0 4
+Shape "disk" "float radius" 0.1
+)",
+                             2 * std::atan(0.25 / 4) * 180 / static_cast<double>(kPi)));
+  const Image image = test.render(FileFrame(0), 400);
+  double mean = 0;
+  for (const Rgb& pixel : image.pixels) mean += static_cast<double>(pixel.g) / static_cast<double>(image.pixels.size());
+  EXPECT_NEAR(mean, 0.04, 0.1 * 0.04);  // four standard deviations
+}
+
 }  // namespace
 }  // namespace dspm::test
