@@ -245,6 +245,32 @@ Shape "disk" "float radius" 50
   EXPECT_NEAR(metal.b, .75, 1e-3);
 }
 
+// By one field of the pattern, so that light and dark fields change places.
+TEST(Albedo, MovesWithItsTexture) {
+  TestScene test(R"(
+Frames 2
+Option "disablepixeljitter" true
+Integrator "path"
+Camera "orthographic"
+Film "rgb" "integer xresolution" 8 "integer yresolution" 8
+WorldBegin
+LightSource "point"
+DynamicBegin "wall"
+  Keyframe 1 Translate 0 0 0 Keyframe 2 Translate 1 0 0 KeyframeEnd
+  Texture "fields" "spectrum" "checkerboard" "string mapping" "planar" "rgb tex1" [.8 .8 .8] "rgb tex2" [.2 .2 .2]
+  Material "diffuse" "texture reflectance" "fields"
+  Translate 0 0 3
+  Shape "disk" "float radius" 50
+DynamicEnd
+)",
+                 asking_for({"albedo"}));
+  const auto images = outputs_of(test).at("albedo");
+  for (std::size_t p = 0; p < images[0].pixels.size(); ++p) {
+    EXPECT_NEAR(images[0].pixels[p].g + images[1].pixels[p].g, 1, 1e-5);
+    EXPECT_NEAR(std::abs(images[0].pixels[p].g - images[1].pixels[p].g), 0.6, 1e-5);
+  }
+}
+
 TEST(Depth, OfNothingIsThatOfBlender) {
   TestScene test(R"(Camera "perspective" Film "rgb" "integer xresolution" 4 "integer yresolution" 4
 WorldBegin LightSource "infinite" Translate 0 0 -5 Shape "sphere")",
