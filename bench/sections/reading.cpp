@@ -118,7 +118,7 @@ std::string text_table(int side) {
 
 std::string mesh_line() {
   const std::filesystem::path file = foreign("data/horse-gallop/0001.obj");
-  const auto read = [&] { return TriangleMesh(read_obj(file, "", false).parts.at(0).mesh); };
+  const auto read = [&] { return TriangleMesh(read_obj(file, "", false).meshes.at(0).mesh); };
   const TriangleMesh mesh = read();
   const double reading = seconds_of(read), checking = seconds_of([&] { check_mesh(mesh); });
   const double repairing = seconds_of([&] { apply(plan_repair(mesh), mesh); });

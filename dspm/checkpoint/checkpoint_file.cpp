@@ -59,23 +59,23 @@ void persist(Fact& fact, StateStream& state) {
   persist(fact.name, state);
   persist(fact.text, state);
   std::uint8_t digest = fact.is_digest;
-  state.part(digest);
+  state.value(digest);
   fact.is_digest = digest != 0;
 }
 
 void persist(IntervalState& interval, StateStream& state) {
   state.list(interval.frames, kMostFrames);
-  state.part(interval.iterations);
-  state.part(interval.seconds);
-  state.part(interval.offset);
-  state.part(interval.size);
+  state.value(interval.iterations);
+  state.value(interval.seconds);
+  state.value(interval.offset);
+  state.value(interval.size);
 }
 
 /// One by one: a large count without contents must not allocate.
 template <class T>
 void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
   std::uint64_t count = all.size();
-  state.part(count);
+  state.value(count);
   if (count > most) fail("it has too many entries");
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i == all.size()) all.emplace_back();

@@ -50,9 +50,9 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
 }
 
 /// It decides ties and how lights are chosen.
-void add_order(const std::vector<ScenePartDigest>& parts, std::vector<Fact>& facts) {
+void add_order(const std::vector<ElementDigest>& elements, std::vector<Fact>& facts) {
   std::string names;
-  for (const ScenePartDigest& part : parts) names += part.name + "\n";
+  for (const ElementDigest& element : elements) names += element.name + "\n";
   facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
 }
 
@@ -85,9 +85,10 @@ std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>&
 std::vector<Fact> facts_of(const Job& job) {
   std::vector<Fact> facts;
   add_settings(job, facts);
-  std::vector<ScenePartDigest> parts = digests_of(*job.description);
-  add_order(parts, facts);
-  for (ScenePartDigest& part : parts) facts.push_back(digest_fact(std::move(part.name), part.digest, part.where));
+  std::vector<ElementDigest> elements = digests_of(*job.description);
+  add_order(elements, facts);
+  for (ElementDigest& element : elements)
+    facts.push_back(digest_fact(std::move(element.name), element.digest, element.where));
   add_files(*job.description, facts);
   return facts;
 }

@@ -46,6 +46,21 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
+/// A file in memory, once it is known to be sane.
+struct OpenExr {
+  MemoryInput input;
+  Imf::InputFile file;
+
+  explicit OpenExr(std::string_view bytes) : input(checked(bytes)), file(input) {}
+  const Imf::Header& header() const { return file.header(); }
+
+ private:
+  static std::string_view checked(std::string_view bytes) {
+    check_exr(bytes);
+    return bytes;
+  }
+};
+
 /// An image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while they are
 /// read.
 Image image_for(const Imf::Header& header, std::size_t file_bytes) {
@@ -95,11 +110,9 @@ Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std
 bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
 
 Image decode_exr(std::string_view bytes) {
-  check_exr(bytes);
-  MemoryInput input(bytes);
-  Imf::InputFile file(input);
-  const std::vector<std::string> channels = colour_channels(file.header().channels());
-  Image image = decode(file, channels, bytes.size());
+  OpenExr exr(bytes);
+  const std::vector<std::string> channels = colour_channels(exr.header().channels());
+  Image image = decode(exr.file, channels, bytes.size());
   if (channels.size() == 1)
     for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.r);
   return image;
@@ -107,18 +120,14 @@ Image decode_exr(std::string_view bytes) {
 
 Image read_exr_channels(const std::filesystem::path& path, const std::vector<std::string>& channels) {
   const std::string bytes = read_bytes(path);
-  check_exr(bytes);
-  MemoryInput input(bytes);
-  Imf::InputFile file(input);
-  return decode(file, channels, bytes.size());
+  OpenExr exr(bytes);
+  return decode(exr.file, channels, bytes.size());
 }
 
 ExrHeader read_exr_header(const std::filesystem::path& path) {
   const std::string bytes = read_bytes(path);
-  check_exr(bytes);
-  MemoryInput input(bytes);
-  Imf::InputFile file(input);
-  const Imf::Header& from = file.header();
+  const OpenExr exr(bytes);
+  const Imf::Header& from = exr.header();
   const Imath::Box2i &display = from.displayWindow(), &data = from.dataWindow();
 
   ExrHeader header;

@@ -15,7 +15,7 @@ namespace dspm {
 ///   bool postpones(const Path&, const HitPartition&)      true: the tracer calls arrive() for these parts later
 ///   void arrived(const Path&, const Vertex&)              may push branches
 ///   void escaped(const Path&, FrameSet)
-///   void lost(const Path&, FrameSet, const ScenePart&)    the surface is not finite; the shape to blame
+///   void lost(const Path&, FrameSet, const SceneElement&)    the surface is not finite; the shape to blame
 template <class Path>
 class BranchingPath {
  public:
@@ -45,7 +45,7 @@ class BranchingPath {
     const Vertex vertex(scene_, path.ray, part);
     parted_ |= vertex.differs();
     if (is_finite(vertex.point)) return tracer.arrived(path, vertex);
-    tracer.lost(path, part.frames, vertex.shape_part());
+    tracer.lost(path, part.frames, vertex.shape_element());
   }
 
   /// Called once all branches of a path have ended.

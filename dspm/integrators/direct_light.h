@@ -51,7 +51,7 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
         const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
         if (is_black(radiance)) return;
         const auto giver = [&] {
-          return is_finite(f) ? ScenePart{ScenePart::Kind::light, chosen.index} : vertex.material_part();
+          return is_finite(f) ? SceneElement{SceneElement::Kind::light, chosen.index} : vertex.material_element();
         };
         if (!is_finite(radiance)) return fn(common, radiance, giver);
         ++counts.shadow_rays;

@@ -53,8 +53,8 @@ class IterationRadius {
   }
   int iterations() const { return iterations_; }
   void persist(StateStream& state) {
-    state.part(iterations_);
-    state.part(scale_);
+    state.value(iterations_);
+    state.value(scale_);
   }
 
  private:

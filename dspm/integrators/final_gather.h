@@ -44,7 +44,7 @@ class FinalGather {
       const auto sample = sample_bsdf(*scattering.bsdf, path, scattering.wo, Transport::radiance, scattering.lobes);
       if (!sample) continue;
       extend(path, point, *sample);
-      if (!is_valid(path, {ScenePart::Kind::material, scattering.material})) continue;
+      if (!is_valid(path, {SceneElement::Kind::material, scattering.material})) continue;
       branches_.push(path);
       branches_.follow(*this);
     }
@@ -60,7 +60,7 @@ class FinalGather {
 
   bool postpones(const GatherPath&, const HitPartition&) { return false; }
   void escaped(const GatherPath&, FrameSet) {}
-  void lost(const GatherPath& path, FrameSet frames, const ScenePart& giver) {
+  void lost(const GatherPath& path, FrameSet frames, const SceneElement& giver) {
     counts_.rejections.add(giver, frames, path.from->pixel);
   }
 
@@ -82,8 +82,8 @@ class FinalGather {
     HitPoint hit = *path.from;
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = path.throughput, hit.frames = path.frames;
-    const Scattering scattering{BsdfSlot::copy_of(bsdf),     vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
-                                vertex.material_part().index};
+    const Scattering scattering{BsdfSlot::copy_of(bsdf),        vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
+                                vertex.material_element().index};
     estimate_radiance(hit, &scattering, map_, how_, counts_,
                       [&](FrameSet frames, const Rgb& radiance) { add_(hit, frames, radiance); });
   }
@@ -92,10 +92,10 @@ class FinalGather {
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, lobes);
     if (!sample) return;
     extend(path, vertex.point, *sample);
-    if (!is_black(path.throughput) && is_valid(path, vertex.material_part())) branches_.push(path);
+    if (!is_black(path.throughput) && is_valid(path, vertex.material_element())) branches_.push(path);
   }
 
-  bool is_valid(const GatherPath& path, const ScenePart& giver) {
+  bool is_valid(const GatherPath& path, const SceneElement& giver) {
     const bool valid = is_finite(path.throughput) && is_finite(path.ray);
     if (!valid) lost(path, path.frames, giver);
     return valid;

@@ -58,7 +58,7 @@ class FoundPhotons {
   float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_[index(pixel, frame)].photons); }
   /// Before any shrinking.
   float initial_radius(int pixel, Frame frame) const { return pixels_[index(pixel, frame)].initial_radius; }
-  void persist(StateStream& state) { state.part(pixels_); }
+  void persist(StateStream& state) { state.value(pixels_); }
 
  private:
   struct Pixel {

@@ -43,7 +43,8 @@ void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& 
       if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
       const Rgb flux =
           photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
-      if (!is_finite(flux)) counts.rejections.add({ScenePart::Kind::material, scattering->material}, frames, hit.pixel);
+      if (!is_finite(flux))
+        counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
       fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
     });
   }

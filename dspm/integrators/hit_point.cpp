@@ -58,7 +58,7 @@ class HitPointTracer {
           branches_.push(path);
           branches_.follow(*this);
         },
-        [&](const CameraPath& path) { reject(path, path.frames, {ScenePart::Kind::camera}); });
+        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
     branches_.count_path();
   }
 
@@ -82,15 +82,15 @@ class HitPointTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& light, const Light&) {
-                      see(path, lit, radiance, [&] { return light_part(scene_, light); });
+                      see(path, lit, radiance, [&] { return light_element(scene_, light); });
                     });
   }
 
-  void lost(const CameraPath& path, FrameSet frames, const ScenePart& giver) { reject(path, frames, giver); }
+  void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light&) {
-      see(path, frames, radiance, [&] { return vertex.emitter_part(); });
+      see(path, frames, radiance, [&] { return vertex.emitter_element(); });
     });
     if (path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
@@ -168,7 +168,7 @@ class HitPointTracer {
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(out_.scatterings.size());
     out_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes, bsdf->transmits(lobes),
-                                vertex.material_part().index});
+                                vertex.material_element().index});
   }
 
   /// Calls fn(const BsdfSample&) unless the frames end.
@@ -183,7 +183,7 @@ class HitPointTracer {
     }
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     if (!sample) return;
-    if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_part());
+    if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_element());
     fn(*sample);
   }
 
@@ -221,12 +221,12 @@ class HitPointTracer {
       out_.seen.push_back({path.pixel, alike, seen});
     });
   }
-  void reject(const CameraPath& path, FrameSet frames, const ScenePart& giver) {
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
     out_.rejections.add(giver, frames, path.pixel);
   }
   Rgb if_finite(const Rgb& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
     if (is_finite(carried)) return carried;
-    reject(path, frames, vertex.material_part());
+    reject(path, frames, vertex.material_element());
     return {};
   }
 

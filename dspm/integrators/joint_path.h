@@ -34,16 +34,16 @@ void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   std::uint64_t joined = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if ((joined >> i & 1) != 0) continue;
-    FrameArray<FrameFactor> parts;
-    parts.add({items[i].frames, *items[i].along(items[i])});
+    FrameArray<FrameFactor> factors;
+    factors.add({items[i].frames, *items[i].along(items[i])});
     for (std::size_t j = i + 1; join && j < items.size(); ++j) {
       if ((joined >> j & 1) != 0) continue;
       const std::optional<Rgb> factor = items[j].along(items[i]);
       if (!factor) continue;
       joined |= std::uint64_t{1} << j;
-      parts.add({items[j].frames, *factor});
+      factors.add({items[j].frames, *factor});
     }
-    fn(items[i], std::span<const FrameFactor>(parts));
+    fn(items[i], std::span<const FrameFactor>(factors));
   }
 }
 

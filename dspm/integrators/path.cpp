@@ -50,7 +50,7 @@ class PixelTracer {
         [&](const CameraPath& path) {
           branches_.push({path, Vec3(), 0});
         },
-        [&](const CameraPath& path) { reject(path, path.frames, {ScenePart::Kind::camera}); });
+        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
     branches_.follow(*this);
     branches_.count_path();
   }
@@ -79,11 +79,11 @@ class PixelTracer {
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
                       add(path, lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
-                          [&] { return light_part(scene_, scene_light); });
+                          [&] { return light_element(scene_, scene_light); });
                     });
   }
 
-  void lost(const TracedPath& path, FrameSet frames, const ScenePart& giver) { reject(path, frames, giver); }
+  void lost(const TracedPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
   void add_emission(const TracedPath& path, const Vertex& vertex, FrameSet frames) {
     for_each_emission(scene_, vertex, frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
@@ -92,7 +92,7 @@ class PixelTracer {
         const float chosen = scene_.lights[static_cast<std::size_t>(vertex.shape.light)].probability;
         weight = balance(path.pdf_w, chosen * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
       }
-      add(path, lit, path.throughput * radiance * weight, [&] { return vertex.emitter_part(); });
+      add(path, lit, path.throughput * radiance * weight, [&] { return vertex.emitter_element(); });
     });
   }
 
@@ -110,7 +110,8 @@ class PixelTracer {
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
     extend(path, vertex.point, *sample);
-    if (!is_finite(path.ray) || !is_finite(path.throughput)) return reject(path, path.frames, vertex.material_part());
+    if (!is_finite(path.ray) || !is_finite(path.throughput))
+      return reject(path, path.frames, vertex.material_element());
     path.from = vertex.point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
     if (!is_black(path.throughput) &&
@@ -124,7 +125,7 @@ class PixelTracer {
     if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance});
     reject(path, frames, giver());
   }
-  void reject(const CameraPath& path, FrameSet frames, const ScenePart& giver) {
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
     rejections_.add(giver, frames, path.pixel);
   }
 

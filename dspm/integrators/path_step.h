@@ -54,9 +54,9 @@ struct Vertex {
   bool differs() const { return material.differs_in(frames); }
 
   // The plugin to blame for values that are not finite.
-  ScenePart shape_part() const { return {ScenePart::Kind::shape, hit.shape}; }
-  ScenePart material_part() const { return {ScenePart::Kind::material, shape.material}; }
-  ScenePart emitter_part() const { return {ScenePart::Kind::light, shape.light}; }
+  SceneElement shape_element() const { return {SceneElement::Kind::shape, hit.shape}; }
+  SceneElement material_element() const { return {SceneElement::Kind::material, shape.material}; }
+  SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
 
 /// Calls fn(FrameSet, const Bsdf&) for each distinct scattering function among the vertex's frames: one, unless the
@@ -69,8 +69,8 @@ void for_each_surface(const Vertex& vertex, Fn&& fn) {
   });
 }
 
-inline ScenePart light_part(const Scene& scene, const SceneLight& light) {
-  return {ScenePart::Kind::light, static_cast<int>(&light - scene.lights.data())};
+inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
+  return {SceneElement::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
 /// The surface's emission back along the path, once per group of frames that agree: fn(FrameSet, const Rgb&, const

@@ -52,7 +52,7 @@ class PhotonTracer {
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.probability;
       if (!is_finite(flux) || !is_finite(emission->ray)) {
-        reject(start.frames, {ScenePart::Kind::light, chosen.index});
+        reject(start.frames, {SceneElement::Kind::light, chosen.index});
         continue;
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
@@ -74,7 +74,7 @@ class PhotonTracer {
       if (is_finite(weight))
         weights.add({frames, weight});
       else
-        reject(frames, {ScenePart::Kind::light, index});
+        reject(frames, {SceneElement::Kind::light, index});
     }
     return !weights.empty() && multiply(path, weights, out_.strands, ByRatio::yes, keep_all);
   }
@@ -83,7 +83,7 @@ class PhotonTracer {
 
   void escaped(const PhotonPath& path, FrameSet frames) { balance(path, frames, &EnergyBalance::escaped); }
 
-  void lost(const PhotonPath& path, FrameSet frames, const ScenePart& giver) {
+  void lost(const PhotonPath& path, FrameSet frames, const SceneElement& giver) {
     reject(frames, giver);
     balance(path, frames, &EnergyBalance::absorbed);
   }
@@ -154,7 +154,7 @@ class PhotonTracer {
       return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, choice.lobes);
     const bool valid = !sample || is_finite(sample->wi);
-    if (!valid) reject(frames, vertex.material_part());
+    if (!valid) reject(frames, vertex.material_element());
     if (!sample || !valid) return balance(path, frames, &EnergyBalance::absorbed);
     const float correction = shading_correction(vertex.point, vertex.wo, sample->wi);
     fn(*sample, choice.rough, sample->weight * (correction / choice.chance));
@@ -173,7 +173,7 @@ class PhotonTracer {
   bool roulette(PhotonPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, float u) {
     const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
       const bool valid = is_finite(after);
-      if (!valid) reject(frames, vertex.material_part());
+      if (!valid) reject(frames, vertex.material_element());
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb surviving = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
       EnergyBalance change;
@@ -187,7 +187,7 @@ class PhotonTracer {
     return multiply(path, factors, out_.strands, ByRatio::yes, left);
   }
 
-  void reject(FrameSet frames, const ScenePart& giver) { out_.rejections.add(giver, frames); }
+  void reject(FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
 
   /// Adds the path's flux in these frames.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {

@@ -12,7 +12,7 @@ constexpr std::size_t kMostEntries = 16;
 void Rejections::add(const Entry& entry) {
   count_ += entry.count;
   const auto same =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.part == entry.part; });
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.element == entry.element; });
   if (same == entries_.end()) {
     if (entries_.size() < kMostEntries) entries_.push_back(entry);
     return;
@@ -28,6 +28,6 @@ Rejections& Rejections::operator+=(const Rejections& other) {
   return *this;
 }
 
-void Rejections::persist(StateStream& state) { state.part(count_); }
+void Rejections::persist(StateStream& state) { state.value(count_); }
 
 }  // namespace dspm

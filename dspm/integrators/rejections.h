@@ -13,15 +13,15 @@ namespace dspm {
 class Rejections {
  public:
   struct Entry {
-    ScenePart part;
+    SceneElement element;
     std::uint64_t count;  // of contributions, in each frame
     Frame frame;          // the first one's
     int pixel;            // the first one's, within the crop; kNoPixel: a photon's
   };
   static constexpr int kNoPixel = -1;
 
-  void add(const ScenePart& part, FrameSet frames, int pixel = kNoPixel) {
-    add({part, static_cast<std::uint64_t>(frames.count()), frames.lowest(), pixel});
+  void add(const SceneElement& element, FrameSet frames, int pixel = kNoPixel) {
+    add({element, static_cast<std::uint64_t>(frames.count()), frames.lowest(), pixel});
   }
   Rejections& operator+=(const Rejections& other);
 

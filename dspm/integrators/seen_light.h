@@ -30,7 +30,7 @@ class SeenLightSums {
   Rgb mean(int pixel, Frame frame, int iterations) const {
     return iterations == 0 ? Rgb() : sums_[index(pixel, frame)] / static_cast<float>(iterations);
   }
-  void persist(StateStream& state) { state.part(sums_); }
+  void persist(StateStream& state) { state.value(sums_); }
   std::size_t bytes() const { return sums_.capacity() * sizeof(Rgb); }
 
  private:

@@ -71,8 +71,8 @@ class Hj09 final : public PixelEstimator {
   void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
 
   void persist(StateStream& state) override {
-    state.part(iterations_);
-    state.part(pixels_);
+    state.value(iterations_);
+    state.value(pixels_);
   }
 
   Rgb radiance(int pixel, Frame) const override {
@@ -111,7 +111,7 @@ class Kz11 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     radius_.persist(state);
-    state.part(sums_);
+    state.value(sums_);
   }
 
   Rgb radiance(int pixel, Frame) const override {

@@ -3,15 +3,15 @@
 namespace dspm {
 
 void Statistics::persist(StateStream& state) {
-  state.part(iterations);
-  for (StepTime& step : steps) state.part(step.seconds);
-  state.part(camera);
-  state.part(photon);
-  for (SharedCount* count : {&photons_stored, &gathers, &photons_found}) state.part(*count);
-  state.part(photon_tests);
+  state.value(iterations);
+  for (StepTime& step : steps) state.value(step.seconds);
+  state.value(camera);
+  state.value(photon);
+  for (SharedCount* count : {&photons_stored, &gathers, &photons_found}) state.value(*count);
+  state.value(photon_tests);
   rejections.persist(state);
-  state.part(energy);
-  state.part(bytes);
+  state.value(energy);
+  state.value(bytes);
   counters.persist(state);
 }
 

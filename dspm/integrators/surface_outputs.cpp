@@ -17,6 +17,7 @@
 namespace dspm {
 namespace {
 
+/// In the order of surface_outputs().
 enum Kind { kNormal, kPosition, kDepth, kAlbedo, kTextureUv, kObject, kMaterial, kKinds };
 
 constexpr int kTileSide = 16;
@@ -65,7 +66,10 @@ class SurfaceOutputs final : public Integrator {
  public:
   SurfaceOutputs(std::unique_ptr<Integrator> inner, const std::vector<Kind>& kinds, const Scene& scene,
                  const RenderSettings& render)
-      : inner_(std::move(inner)), render_(render), frames_(static_cast<std::size_t>(scene.frame_count())) {
+      : inner_(std::move(inner)),
+        render_(render),
+        frames_(static_cast<std::size_t>(scene.frame_count())),
+        bytes_(bytes(kinds, render.crop.count(), scene.frame_count())) {
     const std::size_t size = static_cast<std::size_t>(render.crop.count()) * frames_;
     met_.resize(size);
     for (const Kind kind : kinds) {
@@ -108,17 +112,15 @@ class SurfaceOutputs final : public Integrator {
   Statistics statistics() const override {
     Statistics statistics = inner_->statistics();
     statistics.steps.push_back(step_);
-    std::vector<Kind> kinds;
-    for (const Layer& layer : layers_) kinds.push_back(layer.kind);
-    statistics.bytes += bytes(kinds, render_.crop.count(), static_cast<int>(frames_));
+    statistics.bytes += bytes_;
     return statistics;
   }
 
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
-    state.part(step_.seconds);
-    state.part(met_);
-    for (Layer& layer : layers_) state.part(layer.sums), state.part(layer.votes);
+    state.value(step_.seconds);
+    state.value(met_);
+    for (Layer& layer : layers_) state.value(layer.sums), state.value(layer.votes);
     return true;
   }
 
@@ -218,7 +220,7 @@ class SurfaceOutputs final : public Integrator {
 
   std::unique_ptr<Integrator> inner_;
   RenderSettings render_;
-  std::size_t frames_;
+  std::size_t frames_, bytes_;
   std::vector<std::uint32_t> met_;  // camera paths that met a surface, by pixel and frame
   std::vector<Layer> layers_;
   StepTime step_{"surface outputs"};

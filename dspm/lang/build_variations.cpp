@@ -156,11 +156,11 @@ void SceneBuilder::in_variation(const Directive& directive) {
                               is_light ? "LightSource defines a light; VariationBegin \"a name\" begins a variation"
                                        : "VariationBegin \"a name\" begins one");
   ++directives_in_variation_;
-  define(is_light ? replaced_.lights : replaced_.parts, directive);
+  define(is_light ? replaced_.lights : replaced_.switches, directive);
   if (is_light)
     scale_light(directive, *variation);
   else
-    variation->parts.push_back({name.text, directive.info->kind == DirectiveKind::show, name.where});
+    variation->switches.push_back({name.text, directive.info->kind == DirectiveKind::show, name.where});
 }
 
 void SceneBuilder::scale_light(const Directive& directive, Variation& variation) {
@@ -184,11 +184,11 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
 void SceneBuilder::check_replacements() {
   const std::set<std::string> materials = names_of_places(materials_), colours = names_of_places(spectrum_textures_),
                               numbers = names_of_places(float_textures_);
-  std::set<std::string> lights, parts;
+  std::set<std::string> lights, blocks;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
   for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
   lights.erase("");
-  for (const DynamicBlock& block : scene_.dynamic_blocks) parts.insert(block.name);
+  for (const DynamicBlock& block : scene_.dynamic_blocks) blocks.insert(block.name);
   const auto expect = [&](const char* thing, const std::string& name, const std::set<std::string>& names,
                           const SourceLocation& where, const std::string& if_none) {
     if (diagnostics_.error_count() < kErrorsShown) expect_name(name, thing, names, where, if_none, diagnostics_);
@@ -203,9 +203,9 @@ void SceneBuilder::check_replacements() {
       for (const LightScale& scale : variation.lights)
         expect("light", scale.light, lights, scale.where,
                fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
-      for (const PartSwitch& part : variation.parts)
-        expect("Dynamic block", part.part, parts, part.where,
-               fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", part.part));
+      for (const BlockSwitch& each : variation.switches)
+        expect("Dynamic block", each.block, blocks, each.where,
+               fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", each.block));
     }
 }
 

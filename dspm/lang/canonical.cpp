@@ -65,7 +65,7 @@ class Digests {
  public:
   explicit Digests(const SceneDescription& scene) : scene_(scene) {}
 
-  std::vector<ScenePartDigest> all() {
+  std::vector<ElementDigest> all() {
     add_frames();
     if (scene_.camera)
       add(named("camera", scene_.camera->type), scene_.camera->where,
@@ -136,7 +136,7 @@ class Digests {
     Canonical own;
     own.text(axis.name);
     for (const LightScale& scale : variation.lights) own.use(scale.light, scale.params);
-    for (const PartSwitch& part : variation.parts) own.text(part.part).number(part.shown);
+    for (const BlockSwitch& each : variation.switches) own.text(each.block).number(each.shown);
     const std::string name = named("variation", variation.name);
     add(name, variation.where, own);
     for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
@@ -144,12 +144,12 @@ class Digests {
   }
 
   const SceneDescription& scene_;
-  std::vector<ScenePartDigest> digests_;
+  std::vector<ElementDigest> digests_;
 };
 
 }  // namespace
 
-std::vector<ScenePartDigest> digests_of(const SceneDescription& scene) { return Digests(scene).all(); }
+std::vector<ElementDigest> digests_of(const SceneDescription& scene) { return Digests(scene).all(); }
 
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without) {
   return Canonical().use(type, params, without).digest();

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-struct ScenePartDigest {
+struct ElementDigest {
   std::string name;  // `material "glass"`; not unique
   std::uint64_t digest;
   SourceLocation where;
@@ -18,7 +18,7 @@ struct ScenePartDigest {
 
 /// Everything except the settings of the job: film, filter, sampler, integrator and accelerator. Only the names of
 /// referenced files enter the digests.
-std::vector<ScenePartDigest> digests_of(const SceneDescription& scene);
+std::vector<ElementDigest> digests_of(const SceneDescription& scene);
 
 /// The digest of a directive's type and parameters, except the parameters named in `without`.
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {});

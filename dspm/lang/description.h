@@ -115,9 +115,9 @@ struct LightScale {
   SourceLocation where;
 };
 
-/// `Show "part"` or `Hide "part"`: shows or hides the Dynamic blocks of that name.
-struct PartSwitch {
-  std::string part;
+/// `Show "block"` or `Hide "block"`: shows or hides the Dynamic blocks of that name.
+struct BlockSwitch {
+  std::string block;
   bool shown;
   SourceLocation where;
 };
@@ -129,7 +129,7 @@ struct Variation {
   std::vector<MaterialUse> materials;
   std::vector<TextureUse> textures;
   std::vector<LightScale> lights;
-  std::vector<PartSwitch> parts;
+  std::vector<BlockSwitch> switches;
 };
 
 /// AxisBegin .. AxisEnd, or all variations outside such blocks.

@@ -46,8 +46,8 @@ Lexer::Lexer(const SourceText& source) : source_(source), at_(source.text().data
   if (source.text().starts_with("\xEF\xBB\xBF")) at_ += 3;  // byte order mark
 }
 
-void Lexer::fail(std::string_view part, const std::string& message, std::string hint) const {
-  throw SyntaxError(locate(part), message, std::move(hint));
+void Lexer::fail(std::string_view piece, const std::string& message, std::string hint) const {
+  throw SyntaxError(locate(piece), message, std::move(hint));
 }
 
 Token Lexer::next() {

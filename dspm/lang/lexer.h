@@ -39,8 +39,8 @@ class Lexer {
   /// Recovery: skips to the next word that could be a directive.
   void skip_to_directive();
 
-  SourceLocation locate(std::string_view part) const { return source_.locate(part); }
-  [[noreturn]] void fail(std::string_view part, const std::string& message, std::string hint = {}) const;
+  SourceLocation locate(std::string_view piece) const { return source_.locate(piece); }
+  [[noreturn]] void fail(std::string_view piece, const std::string& message, std::string hint = {}) const;
 
  private:
   void skip_blank();

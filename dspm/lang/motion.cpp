@@ -182,24 +182,24 @@ Matrix4 KeyedTransform::at(Moment moment) const {
 }
 
 void Motion::multiply(const Matrix4& matrix) {
-  if (parts_.empty() || parts_.back().keyed)
-    parts_.push_back({matrix, {}, false});
+  if (factors_.empty() || factors_.back().keyed)
+    factors_.push_back({matrix, {}, false});
   else
-    parts_.back().fixed = parts_.back().fixed * matrix;
+    factors_.back().fixed = factors_.back().fixed * matrix;
 }
 
 void Motion::multiply(KeyedTransform keyed) {
-  if (parts_.empty() || parts_.back().keyed) parts_.emplace_back();
-  parts_.back().keyed = std::make_shared<const KeyedTransform>(std::move(keyed));
+  if (factors_.empty() || factors_.back().keyed) factors_.emplace_back();
+  factors_.back().keyed = std::make_shared<const KeyedTransform>(std::move(keyed));
 }
 
 Matrix4 Motion::at(Moment moment) const {
   Matrix4 r;
-  for (const Part& part : parts_) {
-    r = r * part.fixed;
-    if (!part.keyed) continue;
-    const Matrix4 keyed = part.keyed->at(moment);
-    r = r * (part.inverted ? keyed.inverse().value_or(kZero) : keyed);
+  for (const Factor& factor : factors_) {
+    r = r * factor.fixed;
+    if (!factor.keyed) continue;
+    const Matrix4 keyed = factor.keyed->at(moment);
+    r = r * (factor.inverted ? keyed.inverse().value_or(kZero) : keyed);
   }
   return r;
 }
@@ -208,14 +208,14 @@ bool Motion::is_keyed() const { return keyed_count() > 0; }
 
 int Motion::keyed_count() const {
   return static_cast<int>(
-      std::count_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.keyed != nullptr; }));
+      std::count_if(factors_.begin(), factors_.end(), [](const Factor& factor) { return factor.keyed != nullptr; }));
 }
 
 Motion Motion::inverse() const {
   Motion result;
-  for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-    if (part->keyed) result.parts_.push_back({Matrix4{}, part->keyed, !part->inverted});
-    result.multiply(part->fixed.inverse().value_or(kZero));
+  for (auto factor = factors_.rbegin(); factor != factors_.rend(); ++factor) {
+    if (factor->keyed) result.factors_.push_back({Matrix4{}, factor->keyed, !factor->inverted});
+    result.multiply(factor->fixed.inverse().value_or(kZero));
   }
   return result;
 }

@@ -46,7 +46,7 @@ class KeyedTransform {
 class Motion {
  public:
   Motion() = default;
-  explicit Motion(const Matrix4& fixed) : parts_{{fixed, {}, false}} {}
+  explicit Motion(const Matrix4& fixed) : factors_{{fixed, {}, false}} {}
 
   /// Multiplies from the right, as directives in a scene file do.
   void multiply(const Matrix4& matrix);
@@ -61,12 +61,12 @@ class Motion {
   Motion inverse() const;
 
  private:
-  struct Part {
+  struct Factor {
     Matrix4 fixed;                                // applied to the left of `keyed`
     std::shared_ptr<const KeyedTransform> keyed;  // may be null; shared by everything in a block
     bool inverted = false;                        // means the inverse of `keyed`
   };
-  std::vector<Part> parts_;
+  std::vector<Factor> factors_;
 };
 
 }  // namespace dspm

@@ -111,7 +111,7 @@ class SceneBuilder {
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
-    Places float_textures, spectrum_textures, materials, lights, parts;
+    Places float_textures, spectrum_textures, materials, lights, switches;
   } replaced_;                      // by the current variation
   std::vector<Places> variations_;  // by axis
   std::size_t axis_of_variation_ = 0;

@@ -97,9 +97,9 @@ std::size_t SourceText::original(std::size_t offset, bool is_end) const {
   return last.original_end + (offset - last.end);
 }
 
-SourceLocation SourceText::locate(std::string_view part) const {
-  const std::size_t begin = static_cast<std::size_t>(part.data() - text_.data());
-  return locate_original(original(begin, false), original(begin + part.size(), true));
+SourceLocation SourceText::locate(std::string_view piece) const {
+  const std::size_t begin = static_cast<std::size_t>(piece.data() - text_.data());
+  return locate_original(original(begin, false), original(begin + piece.size(), true));
 }
 
 SourceLocation SourceText::locate_original(std::size_t begin, std::size_t end) const {

@@ -40,8 +40,8 @@ class SourceText {
 
   std::string_view text() const { return text_; }
   const SourceFile& file() const { return file_; }
-  /// `part` is a view into text().
-  SourceLocation locate(std::string_view part) const;
+  /// `piece` is a view into text().
+  SourceLocation locate(std::string_view piece) const;
 
  private:
   struct Replacement {

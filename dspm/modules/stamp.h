@@ -42,7 +42,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::Ray", sizeof(Ray)},
     {"dspm::SurfacePoint", sizeof(SurfacePoint)},
     {"dspm::PlacedShape", sizeof(PlacedShape)},
-    {"dspm::ShapePart", sizeof(ShapePart)},
+    {"dspm::MadeShape", sizeof(MadeShape)},
     {"dspm::TriangleMesh", sizeof(TriangleMesh)},
     {"dspm::BsdfSlot", sizeof(BsdfSlot)},
     {"dspm::BsdfSample", sizeof(BsdfSample)},

@@ -17,14 +17,14 @@ std::string pixel_in_words(int pixel, const PixelRect& crop) {
   return fmt::format("x = {}, y = {}", crop.x0 + pixel % crop.width(), crop.y0 + pixel / crop.width());
 }
 
-std::string kind_of(const ScenePart& part, const Job& job) {
-  switch (part.kind) {
-    case ScenePart::Kind::camera: return "camera";
-    case ScenePart::Kind::shape: return "shape";
-    case ScenePart::Kind::material: return "material";
-    case ScenePart::Kind::light: break;
+std::string kind_of(const SceneElement& element, const Job& job) {
+  switch (element.kind) {
+    case SceneElement::Kind::camera: return "camera";
+    case SceneElement::Kind::shape: return "shape";
+    case SceneElement::Kind::material: return "material";
+    case SceneElement::Kind::light: break;
   }
-  const bool directive = part.index < static_cast<int>(job.description->lights.size());
+  const bool directive = element.index < static_cast<int>(job.description->lights.size());
   return directive ? "light" : "area light";
 }
 
@@ -34,13 +34,13 @@ void report_rejections(const Rejections& rejections, const World& world, const F
                        Messages& messages) {
   Diagnostics diagnostics;
   for (const Rejections::Entry& entry : rejections.entries()) {
-    const PluginUse& use = world.use_of(entry.part, interval, entry.frame);
+    const PluginUse& use = world.use_of(entry.element, interval, entry.frame);
     const std::string place = entry.pixel == Rejections::kNoPixel
                                   ? "to a photon"
                                   : fmt::format("at pixel {}", pixel_in_words(entry.pixel, job.settings.crop));
     diagnostics.warning(use.where,
                         fmt::format("{} gave values that are not finite, first {} of frame {}; they are left out",
-                                    in_words(kind_of(entry.part, job), use.type), place,
+                                    in_words(kind_of(entry.element, job), use.type), place,
                                     interval[static_cast<std::size_t>(entry.frame)].index() + 1));
   }
   messages.show(diagnostics);

@@ -29,7 +29,7 @@ class Results {
   void report_missing() const { faults_.report_missing(); }
   bool are_whole() const { return !faults_.any(); }
 
-  /// The files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none, or not all could be written.
+  /// The files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none.
   std::string written() const;
   void say_end(double seconds, bool interrupted) const;
   /// Writes the statistics and the video. Returns whether all files are written.

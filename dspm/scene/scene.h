@@ -70,11 +70,13 @@ struct ChosenLight {
 };
 
 /// A scene element made by a plugin, for messages.
-struct ScenePart {
+struct SceneElement {
   enum class Kind { camera, shape, material, light };
   Kind kind;
   int index = 0;  // into the scene's shapes, materials or lights
-  friend bool operator==(const ScenePart& a, const ScenePart& b) { return a.kind == b.kind && a.index == b.index; }
+  friend bool operator==(const SceneElement& a, const SceneElement& b) {
+    return a.kind == b.kind && a.index == b.index;
+  }
 };
 
 class Scene {
@@ -84,8 +86,8 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
-  std::span<const std::string>
-      object_names;  // of what the scene file calls one thing, perhaps several shapes; distinct
+  /// Of what the scene file calls one thing, perhaps several shapes; distinct.
+  std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
   std::vector<SceneLight> lights;

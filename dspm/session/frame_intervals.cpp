@@ -7,39 +7,39 @@
 namespace dspm {
 namespace {
 
-using Parts = std::span<const std::span<const FileFrame>>;
+using FrameSpans = std::span<const FrameSpan>;
 
-std::size_t frames_in(Parts parts) {
+std::size_t frames_in(FrameSpans spans) {
   std::size_t sum = 0;
-  for (const std::span<const FileFrame> part : parts) sum += part.size();
+  for (const FrameSpan each : spans) sum += each.size();
   return sum;
 }
 
-/// Packs of consecutive parts, each of as many as fit.
-std::vector<Parts> packed(Parts parts, std::size_t together) {
-  std::vector<Parts> packs;
-  for (std::size_t first = 0; first < parts.size();) {
+/// Packs of consecutive spans, each of as many as fit.
+std::vector<FrameSpans> packed(FrameSpans spans, std::size_t together) {
+  std::vector<FrameSpans> packs;
+  for (std::size_t first = 0; first < spans.size();) {
     std::size_t count = 1;
-    while (first + count < parts.size() && frames_in(parts.subspan(first, count + 1)) <= together) ++count;
-    packs.push_back(parts.subspan(first, count));
+    while (first + count < spans.size() && frames_in(spans.subspan(first, count + 1)) <= together) ++count;
+    packs.push_back(spans.subspan(first, count));
     first += count;
   }
   return packs;
 }
 
-/// The same number of packs, of nearly equal numbers of parts.
-std::vector<Parts> evened(Parts parts, std::size_t packs) {
-  std::vector<Parts> even;
+/// The same number of packs, of nearly equal numbers of spans.
+std::vector<FrameSpans> evened(FrameSpans spans, std::size_t packs) {
+  std::vector<FrameSpans> even;
   for (std::size_t i = 0; i < packs; ++i) {
-    const std::size_t begin = i * parts.size() / packs, end = (i + 1) * parts.size() / packs;
-    even.push_back(parts.subspan(begin, end - begin));
+    const std::size_t begin = i * spans.size() / packs, end = (i + 1) * spans.size() / packs;
+    even.push_back(spans.subspan(begin, end - begin));
   }
   return even;
 }
 
-FrameList ascending(Parts parts) {
+FrameList ascending(FrameSpans spans) {
   FrameList frames;
-  for (const std::span<const FileFrame> part : parts) frames.insert(frames.end(), part.begin(), part.end());
+  for (const FrameSpan each : spans) frames.insert(frames.end(), each.begin(), each.end());
   std::sort(frames.begin(), frames.end());
   return frames;
 }
@@ -65,26 +65,27 @@ FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& f
   });
 }
 
-std::vector<FrameIntervals::Part> FrameIntervals::blocks(Part part, std::size_t factor) const {
-  std::vector<Part> result;
-  const auto place = [&](std::size_t i) { return place_along(factors_[factor], file_, part[i]); };
-  for (std::size_t first = 0, end = 0; first < part.size(); first = end) {
-    while (end < part.size() && place(end) == place(first)) ++end;
-    result.push_back(part.subspan(first, end - first));
+std::vector<FrameSpan> FrameIntervals::blocks(FrameSpan frames, std::size_t factor) const {
+  std::vector<FrameSpan> result;
+  const auto place = [&](std::size_t i) { return place_along(factors_[factor], file_, frames[i]); };
+  for (std::size_t first = 0, end = 0; first < frames.size(); first = end) {
+    while (end < frames.size() && place(end) == place(first)) ++end;
+    result.push_back(frames.subspan(first, end - first));
   }
   return result;
 }
 
-void FrameIntervals::cut(Part part, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const {
-  const std::vector<Part> parts = blocks(part, factor);
-  if (std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return each.size() > together; })) {
-    for (const Part& each : parts) cut(each, factor + 1, together, intervals);
+void FrameIntervals::cut(FrameSpan frames, std::size_t factor, std::size_t together,
+                         std::vector<FrameList>& intervals) const {
+  const std::vector<FrameSpan> spans = blocks(frames, factor);
+  if (std::any_of(spans.begin(), spans.end(), [&](const FrameSpan& each) { return each.size() > together; })) {
+    for (const FrameSpan& each : spans) cut(each, factor + 1, together, intervals);
     return;
   }
-  std::vector<Parts> packs = packed(parts, together);
-  const std::vector<Parts> even = evened(parts, packs.size());
-  if (std::all_of(even.begin(), even.end(), [&](Parts each) { return frames_in(each) <= together; })) packs = even;
-  for (const Parts& pack : packs) intervals.push_back(ascending(pack));
+  std::vector<FrameSpans> packs = packed(spans, together);
+  const std::vector<FrameSpans> even = evened(spans, packs.size());
+  if (std::all_of(even.begin(), even.end(), [&](FrameSpans each) { return frames_in(each) <= together; })) packs = even;
+  for (const FrameSpans& pack : packs) intervals.push_back(ascending(pack));
 }
 
 std::vector<FrameList> FrameIntervals::cut(int together) const {

@@ -12,6 +12,7 @@ namespace dspm {
 
 /// Frames of the file that are rendered together, ascending.
 using FrameList = std::vector<FileFrame>;
+using FrameSpan = std::span<const FileFrame>;
 
 class FrameIntervals {
  public:
@@ -24,10 +25,8 @@ class FrameIntervals {
   std::vector<FrameList> cut(int together) const;
 
  private:
-  using Part = std::span<const FileFrame>;
-
-  std::vector<Part> blocks(Part part, std::size_t factor) const;
-  void cut(Part part, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const;
+  std::vector<FrameSpan> blocks(FrameSpan frames, std::size_t factor) const;
+  void cut(FrameSpan frames, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const;
 
   const FileFrames& file_;
   std::vector<Factor> factors_;  // slowest first

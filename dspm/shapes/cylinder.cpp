@@ -66,7 +66,7 @@ class Cylinder final : public Shape {
 
 }  // namespace
 
-std::vector<ShapePart> make_cylinder(ParamReader& reader) {
+std::vector<MadeShape> make_cylinder(ParamReader& reader) {
   const float radius = read_positive(reader, "radius", 1, "radius");
   const float z0 = reader.number("zmin", -1, "scene units", "lower end");
   const float z1 = reader.number("zmax", 1, "scene units", "upper end");
@@ -74,12 +74,12 @@ std::vector<ShapePart> make_cylinder(ParamReader& reader) {
   reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
-  std::vector<ShapePart> parts;
+  std::vector<MadeShape> made;
   if (z0 == z1)
     reader.error("zmin", "\"zmin\" and \"zmax\" are equal: the cylinder has no height");
   else
-    parts.push_back({std::make_unique<Cylinder>(radius, std::min(z0, z1), std::max(z0, z1), sweep), std::nullopt});
-  return parts;
+    made.push_back({std::make_unique<Cylinder>(radius, std::min(z0, z1), std::max(z0, z1), sweep), std::nullopt});
+  return made;
 }
 
 }  // namespace dspm

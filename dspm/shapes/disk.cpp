@@ -75,7 +75,7 @@ class Disk final : public Shape {
 
 }  // namespace
 
-std::vector<ShapePart> make_disk(ParamReader& reader) {
+std::vector<MadeShape> make_disk(ParamReader& reader) {
   const float height = reader.number("height", 0, "scene units", "z of the disk's plane");
   const float radius = read_positive(reader, "radius", 1, "outer radius");
   const float inner = reader.number("innerradius", 0, "scene units", "radius of the hole");
@@ -83,12 +83,12 @@ std::vector<ShapePart> make_disk(ParamReader& reader) {
   reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
-  std::vector<ShapePart> parts;
+  std::vector<MadeShape> made;
   if (inner < 0 || inner >= radius)
     reader.error("innerradius", "\"innerradius\" must be at least 0 and below \"radius\"");
   else
-    parts.push_back({std::make_unique<Disk>(height, radius, inner, sweep), std::nullopt});
-  return parts;
+    made.push_back({std::make_unique<Disk>(height, radius, inner, sweep), std::nullopt});
+  return made;
 }
 
 }  // namespace dspm

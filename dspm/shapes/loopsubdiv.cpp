@@ -108,7 +108,7 @@ MeshData limit_mesh(const CgalSurface& surface) {
 
 }  // namespace
 
-std::vector<ShapePart> make_loopsubdiv(ParamReader& reader) {
+std::vector<MadeShape> make_loopsubdiv(ParamReader& reader) {
   const int levels = reader.integer("levels", 3, "", "how often triangles are split in four");
   MeshData coarse = read_triangles(reader);
   reader.choice("scheme", "loop", {"loop"}, "the kind of subdivision");
@@ -121,11 +121,11 @@ std::vector<ShapePart> make_loopsubdiv(ParamReader& reader) {
     reader.error("levels", "\"levels\" must be from 0 to 10 and give at most 50 million triangles");
     return {};
   }
-  if (fault_of(coarse)) return mesh_part(reader, std::move(coarse), repair);
+  if (fault_of(coarse)) return made_mesh(reader, std::move(coarse), repair);
   CgalMesh mesh = to_cgal(coarse.vertices, coarse.faces);
   if (mesh.split) reader.warning("indices", "the mesh is not a single sheet everywhere: it is split where it is not");
   CGAL::Subdivision_method_3::Loop_subdivision(mesh.surface, CGAL::parameters::number_of_iterations(levels));
-  return mesh_part(reader, limit_mesh(mesh.surface), repair);
+  return made_mesh(reader, limit_mesh(mesh.surface), repair);
 }
 
 }  // namespace dspm

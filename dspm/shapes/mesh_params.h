@@ -37,14 +37,14 @@ inline MeshData read_triangles(ParamReader& reader) {
   return mesh;
 }
 
-/// `mesh` as a single ShapePart, or none after an error.
-inline std::vector<ShapePart> mesh_part(ParamReader& reader, MeshData mesh, bool repair) {
-  std::vector<ShapePart> parts;
+/// `mesh` as a single MadeShape, or none after an error.
+inline std::vector<MadeShape> made_mesh(ParamReader& reader, MeshData mesh, bool repair) {
+  std::vector<MadeShape> made;
   if (const auto fault = fault_of(mesh))
     reader.error(mesh.vertices.empty() ? "P" : "indices", *fault);
   else
-    parts.push_back({std::make_unique<TriangleMesh>(std::move(mesh)), std::nullopt, repair});
-  return parts;
+    made.push_back({std::make_unique<TriangleMesh>(std::move(mesh)), std::nullopt, repair});
+  return made;
 }
 
 inline void report_bad_file(ParamReader& reader, const std::filesystem::path& path, const std::exception& fault) {

@@ -137,7 +137,7 @@ class Collector {
   void finish() {
     for (Faces& f : faces_) {
       for (const Corner& c : f.corners) check(c);
-      out_.parts.push_back({f.material, f.mesh(attributes_)});
+      out_.meshes.push_back({f.material, f.mesh(attributes_)});
     }
   }
 

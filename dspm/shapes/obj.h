@@ -20,13 +20,13 @@ struct ObjMaterial {
 };
 
 /// The faces of one material (or of none), in the order of the file.
-struct ObjPart {
+struct ObjMesh {
   std::string material;  // as `usemtl` names it
   MeshData mesh;
 };
 
 struct ObjFile {
-  std::vector<ObjPart> parts;  // in the order in which their materials are first used
+  std::vector<ObjMesh> meshes;  // in the order in which their materials are first used
   std::vector<ObjMaterial> materials;
   std::vector<std::string> groups;      // names of all groups and objects that have faces
   std::vector<std::string> complaints;  // faults that are no reason to stop: a missing MTL file, ...
@@ -35,7 +35,7 @@ struct ObjFile {
 /// The text of a file that the OBJ file names, such as its materials; nullopt if there is none.
 using ObjCompanion = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// Only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjPart.
+/// Only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjMesh.
 /// Throws std::runtime_error with a sentence that does not name the file.
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
 /// The same for a text in memory; textures are looked for in `directory`.

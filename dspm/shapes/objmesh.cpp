@@ -36,13 +36,13 @@ FileMaterial file_material(const ObjMaterial& material, const SourceLocation& wh
   return {material.name, {{reflectance}}, material.texture};
 }
 
-std::optional<FileMaterial> material_of(const ObjPart& part, const ObjFile& file, ParamReader& reader) {
-  if (part.material.empty()) return std::nullopt;
+std::optional<FileMaterial> material_of(const ObjMesh& mesh, const ObjFile& file, ParamReader& reader) {
+  if (mesh.material.empty()) return std::nullopt;
   const auto found = std::find_if(file.materials.begin(), file.materials.end(),
-                                  [&](const ObjMaterial& m) { return m.name == part.material; });
+                                  [&](const ObjMaterial& m) { return m.name == mesh.material; });
   if (found != file.materials.end()) return file_material(*found, reader.where("filename"));
   reader.warning("filename",
-                 fmt::format("the file's material \"{}\" is not defined: the scene's is used", part.material));
+                 fmt::format("the file's material \"{}\" is not defined: the scene's is used", mesh.material));
   return std::nullopt;
 }
 
@@ -57,7 +57,7 @@ void report_empty(ParamReader& reader, const ObjFile& file, const std::string& g
 
 }  // namespace
 
-std::vector<ShapePart> make_objmesh(ParamReader& reader) {
+std::vector<MadeShape> make_objmesh(ParamReader& reader) {
   const std::filesystem::path path = reader.file("filename", "the OBJ file");
   const std::string group = reader.text("group", "", "only this group or object of the file");
   const bool materials = reader.flag("materials", true, "use the materials of the file's MTL files");
@@ -65,21 +65,21 @@ std::vector<ShapePart> make_objmesh(ParamReader& reader) {
   refuse_mesh_params(reader);
   reader.finish();
 
-  std::vector<ShapePart> parts;
-  if (path.empty()) return parts;
+  std::vector<MadeShape> made;
+  if (path.empty()) return made;
   try {
     ObjFile file = read_obj(path, group, materials);
     if (materials)
       for (const std::string& complaint : file.complaints) reader.warning("filename", complaint);
-    if (file.parts.empty()) report_empty(reader, file, group);
-    for (ObjPart& part : file.parts) {
-      std::optional<FileMaterial> material = material_of(part, file, reader);
-      parts.push_back({std::make_unique<TriangleMesh>(std::move(part.mesh)), std::move(material), repair});
+    if (file.meshes.empty()) report_empty(reader, file, group);
+    for (ObjMesh& mesh : file.meshes) {
+      std::optional<FileMaterial> material = material_of(mesh, file, reader);
+      made.push_back({std::make_unique<TriangleMesh>(std::move(mesh.mesh)), std::move(material), repair});
     }
   } catch (const std::exception& e) {
     report_bad_file(reader, path, e);
   }
-  return parts;
+  return made;
 }
 
 }  // namespace dspm

@@ -19,20 +19,20 @@
 
 namespace dspm {
 
-std::vector<ShapePart> make_plymesh(ParamReader& reader) {
+std::vector<MadeShape> make_plymesh(ParamReader& reader) {
   const std::filesystem::path path = reader.file("filename", "the PLY file");
   const bool repair = read_repair(reader);
   refuse_mesh_params(reader);
   reader.finish();
 
-  std::vector<ShapePart> parts;
-  if (path.empty()) return parts;
+  std::vector<MadeShape> made;
+  if (path.empty()) return made;
   try {
-    parts.push_back({std::make_unique<TriangleMesh>(read_ply(read_file(path))), std::nullopt, repair});
+    made.push_back({std::make_unique<TriangleMesh>(read_ply(read_file(path))), std::nullopt, repair});
   } catch (const std::exception& e) {
     report_bad_file(reader, path, e);
   }
-  return parts;
+  return made;
 }
 
 }  // namespace dspm

@@ -65,13 +65,13 @@ struct FileMaterial {
 };
 
 /// One shape of a Shape directive (a mesh file may hold several).
-struct ShapePart {
+struct MadeShape {
   std::unique_ptr<Shape> shape;
   std::optional<FileMaterial> material;
   bool repair = false;  // the scene asks for mesh repair
 };
 
-using MakeShape = std::vector<ShapePart>(ParamReader&);
+using MakeShape = std::vector<MadeShape>(ParamReader&);
 PluginTable<Plugin<MakeShape>>& shape_plugins();
 
 }  // namespace dspm

@@ -85,7 +85,7 @@ class Sphere final : public Shape {
 
 }  // namespace
 
-std::vector<ShapePart> make_sphere(ParamReader& reader) {
+std::vector<MadeShape> make_sphere(ParamReader& reader) {
   const float radius = read_positive(reader, "radius", 1, "radius");
   const float z0 = reader.number("zmin", -radius, "scene units", "where the sphere is cut off below");
   const float z1 = reader.number("zmax", radius, "scene units", "where the sphere is cut off above");
@@ -94,12 +94,12 @@ std::vector<ShapePart> make_sphere(ParamReader& reader) {
   reader.finish();
 
   const auto [z_min, z_max] = std::minmax(z0, z1);
-  std::vector<ShapePart> parts;
+  std::vector<MadeShape> made;
   if (z_min == z_max || z_min >= radius || z_max <= -radius)
     reader.error("zmin", "nothing of the sphere is left between \"zmin\" and \"zmax\"");
   else
-    parts.push_back({std::make_unique<Sphere>(radius, z_min, z_max, sweep), std::nullopt});
-  return parts;
+    made.push_back({std::make_unique<Sphere>(radius, z_min, z_max, sweep), std::nullopt});
+  return made;
 }
 
 }  // namespace dspm

@@ -18,7 +18,7 @@
 
 namespace dspm {
 
-std::vector<ShapePart> make_trianglemesh(ParamReader& reader) {
+std::vector<MadeShape> make_trianglemesh(ParamReader& reader) {
   reader.alias("st", "uv");
   MeshData mesh = read_triangles(reader);
   mesh.normals = reader.points3("N", "normals, one per vertex");
@@ -27,7 +27,7 @@ std::vector<ShapePart> make_trianglemesh(ParamReader& reader) {
   refuse_mesh_params(reader);
   reader.unsupported("S", "tangents of a mesh");
   reader.finish();
-  return mesh_part(reader, std::move(mesh), repair);
+  return made_mesh(reader, std::move(mesh), repair);
 }
 
 }  // namespace dspm

@@ -16,13 +16,13 @@ class StateStream {
 
   /// Values without pointers.
   template <class T>
-  void part(T& value) {
+  void value(T& value) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     bytes(&value, sizeof(T));
   }
   /// A fixed number of values: loading throws std::runtime_error if it finds a different number.
   template <class T>
-  void part(std::vector<T>& values) {
+  void value(std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     std::uint64_t count = values.size();
     bytes(&count, sizeof(count));

@@ -105,13 +105,13 @@ class SphereChi2 {
   /// Halves a patch until doing so changes the expected count by less than a twentieth.
   template <class Pdf>
   double refined(const Pdf& pdf, double v, double phi, double dv, double dphi, double coarse, int depth) const {
-    double parts[4], sum = 0;
+    double quarters[4], sum = 0;
     for (int i = 0; i < 4; ++i)
-      sum += parts[i] = midpoints(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2);
+      sum += quarters[i] = midpoints(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2);
     if (depth >= 6 || (std::abs(sum - coarse) * settings_.samples < 0.05 && depth >= 1)) return sum;
     sum = 0;
     for (int i = 0; i < 4; ++i)
-      sum += refined(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2, parts[i], depth + 1);
+      sum += refined(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2, quarters[i], depth + 1);
     return sum;
   }
   template <class Pdf>

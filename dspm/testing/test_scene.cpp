@@ -9,21 +9,21 @@
 
 namespace dspm::test {
 
-struct TestScene::Parts {
+struct TestScene::Impl {
   Diagnostics diagnostics;
   LoadedScene loaded;
 
-  Parts(const std::string& name, std::string text, const Choices& choices)
+  Impl(const std::string& name, std::string text, const Choices& choices)
       : loaded(name, std::move(text), choices, diagnostics) {}
 };
 
 TestScene::TestScene(std::string text, const std::string& name) : TestScene(std::move(text), Choices{}, name) {}
 TestScene::TestScene(std::string text, const Choices& choices, const std::string& name)
-    : parts_(std::make_unique<Parts>(name, std::move(text), choices)) {}
+    : impl_(std::make_unique<Impl>(name, std::move(text), choices)) {}
 TestScene::~TestScene() = default;
 
-const Job& TestScene::job() const { return parts_->loaded.job; }
-const World& TestScene::world() const { return *parts_->loaded.world; }
+const Job& TestScene::job() const { return impl_->loaded.job; }
+const World& TestScene::world() const { return *impl_->loaded.world; }
 
 int TestScene::frame_count() const { return world().frame_count(); }
 
@@ -45,8 +45,8 @@ std::unique_ptr<Scene> TestScene::scene(const std::vector<FileFrame>& frames) co
 std::unique_ptr<Integrator> TestScene::integrator(const Scene& scene, const std::string& name, std::size_t memory) {
   Job job = this->job();
   if (!name.empty()) job.plugin = integrator_plugins().find(name), job.integrator = name;
-  auto made = job.make_integrator(scene, parts_->diagnostics, memory);
-  parts_->diagnostics.throw_if_errors();
+  auto made = job.make_integrator(scene, impl_->diagnostics, memory);
+  impl_->diagnostics.throw_if_errors();
   return made;
 }
 

@@ -16,7 +16,7 @@
 namespace dspm {
 namespace {
 
-using ShapeParts = std::vector<ShapePart>;
+using MadeShapes = std::vector<MadeShape>;
 
 /// The directive's parameters, state by state.
 Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
@@ -49,12 +49,12 @@ std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"",
 
 }  // namespace
 
-/// One Shape directive: its geometry in its own space, state by state, and the materials of its parts.
+/// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
 struct Geometry::Source {
   Timeline<ParamList> params;
-  std::vector<ShapeParts> parts;                                  // by state of `params`
-  std::vector<int> materials;                                     // by part
-  std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and part: shared by all places
+  std::vector<MadeShapes> made;                                   // by state of `params`
+  std::vector<int> materials;                                     // by index of what was made
+  std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and index: shared by all places
 };
 
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
@@ -87,19 +87,19 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   const int errors = diagnostics_.error_count();
   for (const ParamList& params : source.params.states) {
     ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
-    source.parts.push_back(plugin->make(reader));
+    source.made.push_back(plugin->make(reader));
     if (diagnostics_.error_count() > errors) return;
   }
-  if (source.parts.empty()) return;
-  for (const ShapePart& part : source.parts.front())
-    source.materials.push_back(part.material ? looks_.add(*part.material, use.where) : looks_.find(use.material));
-  for (const ShapeParts& parts : source.parts)
-    if (parts.size() != source.materials.size())
+  if (source.made.empty()) return;
+  for (const MadeShape& shape : source.made.front())
+    source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
+  for (const MadeShapes& made : source.made)
+    if (made.size() != source.materials.size())
       return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
   check(use, source);
-  for (ShapeParts& parts : source.parts) {
+  for (MadeShapes& made : source.made) {
     auto& shapes = source.shapes.emplace_back();
-    for (ShapePart& part : parts) shapes.emplace_back(std::move(part.shape));
+    for (MadeShape& each : made) shapes.emplace_back(std::move(each.shape));
   }
   if (instances.empty()) return place(use, nullptr, source, true);
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
@@ -109,7 +109,7 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
 /// its frames alike if the scene asks for it.
 void Geometry::check(const ShapeUse& use, Source& source) {
   for (std::size_t p = 0; p < source.materials.size(); ++p) {
-    ShapePart& first = source.parts.front()[p];
+    MadeShape& first = source.made.front()[p];
     const TriangleMesh* mesh = first.shape->triangles();
     const int material = source.materials[p];
     if (!mesh || material < 0) continue;
@@ -117,13 +117,13 @@ void Geometry::check(const ShapeUse& use, Source& source) {
     if (first.repair) {
       const RepairPlan plan = plan_repair(*mesh);
       const auto faces = mesh->faces();
-      for (ShapeParts& parts : source.parts) {
-        const TriangleMesh* other = parts[p].shape->triangles();
+      for (MadeShapes& made : source.made) {
+        const TriangleMesh* other = made[p].shape->triangles();
         if (!other) continue;
         const bool same_topology = other->faces() == faces;
-        parts[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
+        made[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
       }
-      mesh = source.parts.front()[p].shape->triangles();
+      mesh = source.made.front()[p].shape->triangles();
     }
     if (!body || !check_meshes_) continue;
     for (const std::string& fault : describe(check_mesh(*mesh)))
@@ -169,12 +169,12 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   const int object = object_of(use, instance);
   std::vector<int> uses_of_state(source.shapes.size(), 0);
   for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
-  for (std::size_t part = 0; part < source.materials.size(); ++part) {
+  for (std::size_t i = 0; i < source.materials.size(); ++i) {
     Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)],
                     {}};
     const std::size_t first = shapes_.size();
     for (const auto& [state, matrix] : places.states) {
-      std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][part];
+      std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][i];
       Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
       // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
@@ -189,7 +189,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();
       world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
-      world.placed.material = source.materials[part];
+      world.placed.material = source.materials[i];
       world.placed.object = object;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       world.present.resize(present.size());

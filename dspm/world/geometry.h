@@ -23,7 +23,7 @@ struct WorldShape {
   const ShapeUse* use = nullptr;
 };
 
-/// An emitter: all places of one ShapePart of a shape directive, with its AreaLightSource.
+/// An emitter: all places of one MadeShape, with its AreaLightSource.
 struct Emitter {
   const AreaLightUse* use;
   std::vector<int> shapes;  // into Geometry::shapes, disjoint in frames

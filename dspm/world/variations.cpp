@@ -8,21 +8,21 @@
 namespace dspm {
 namespace {
 
-const PartSwitch* find_switch(const Variation& variation, const std::string& part) {
-  const auto found = std::find_if(variation.parts.begin(), variation.parts.end(),
-                                  [&](const PartSwitch& each) { return each.part == part; });
-  return found == variation.parts.end() ? nullptr : &*found;
+const BlockSwitch* find_switch(const Variation& variation, const std::string& block) {
+  const auto found = std::find_if(variation.switches.begin(), variation.switches.end(),
+                                  [&](const BlockSwitch& each) { return each.block == block; });
+  return found == variation.switches.end() ? nullptr : &*found;
 }
 
 /// By variation of the axis.
-std::vector<bool> shown_along(const VariationAxis& axis, const std::string& part) {
+std::vector<bool> shown_along(const VariationAxis& axis, const std::string& block) {
   const bool is_alternative = std::any_of(axis.variations.begin(), axis.variations.end(), [&](const Variation& each) {
-    const PartSwitch* const found = find_switch(each, part);
+    const BlockSwitch* const found = find_switch(each, block);
     return found != nullptr && found->shown;
   });
   std::vector<bool> shown;
   for (const Variation& each : axis.variations) {
-    const PartSwitch* const found = find_switch(each, part);
+    const BlockSwitch* const found = find_switch(each, block);
     shown.push_back(found != nullptr ? found->shown : !is_alternative);
   }
   return shown;

@@ -15,9 +15,13 @@ const CameraUse& camera_use(const SceneDescription& description) {
   return description.camera ? *description.camera : fallback;
 }
 
-Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
-  const Matrix4 camera_from_world = camera_use(description).camera_from_world.at(description.frames.moment(frame));
+/// The language refuses matrices that have no inverse.
+Transform inverted(const Matrix4& camera_from_world) {
   return Transform(camera_from_world.inverse().value_or(Matrix4()));
+}
+
+Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
+  return inverted(camera_use(description).camera_from_world.at(description.frames.moment(frame)));
 }
 
 Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
@@ -43,9 +47,8 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   const int errors = diagnostics.error_count();
   for (const State& state : states.states) {
     ParamReader reader(state.params, "camera \"" + use.type + "\"", use.where, diagnostics);
-    const auto inverse = state.camera_from_world.inverse();
     cameras.states.emplace_back(
-        plugin->make(reader, CameraContext{Transform(inverse.value_or(Matrix4())), options.width, options.height}));
+        plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width, options.height}));
     if (diagnostics.error_count() > errors) break;
   }
   return cameras;
@@ -78,8 +81,8 @@ FrameSet present_in(const WorldShape& shape, const std::vector<FileFrame>& frame
 
 }  // namespace
 
-struct World::Parts {
-  Parts(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
+struct World::Impl {
+  Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
       : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
     refuse_media(text, diagnostics);
     const bool whole = diagnostics.error_count() == 0;
@@ -120,56 +123,56 @@ struct World::Parts {
 };
 
 World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
-    : parts_(std::make_unique<Parts>(description, options, diagnostics)) {}
+    : impl_(std::make_unique<Impl>(description, options, diagnostics)) {}
 World::~World() = default;
 
-int World::frame_count() const { return parts_->description.frames.count(); }
+int World::frame_count() const { return impl_->description.frames.count(); }
 
 std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   auto scene = std::make_unique<Scene>();
   scene->file_frames.assign(frames.begin(), frames.end());
-  scene->center = parts_->sphere.center, scene->radius = parts_->sphere.radius;
-  scene->shapes = parts_->shapes_in(scene->file_frames);
-  scene->object_names = parts_->geometry.object_names();
-  scene->materials = parts_->looks.materials_in(scene->file_frames);
-  scene->material_names = parts_->looks.material_names();
-  for (const WorldLight& light : parts_->lights) {
+  scene->center = impl_->sphere.center, scene->radius = impl_->sphere.radius;
+  scene->shapes = impl_->shapes_in(scene->file_frames);
+  scene->object_names = impl_->geometry.object_names();
+  scene->materials = impl_->looks.materials_in(scene->file_frames);
+  scene->material_names = impl_->looks.material_names();
+  for (const WorldLight& light : impl_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta});
   }
-  scene->camera = cut(parts_->camera, scene->file_frames);
-  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(parts_->description, frame));
+  scene->camera = cut(impl_->camera, scene->file_frames);
+  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
   Diagnostics ignored;
   const ParamList none;
   ParamReader reader(none, "accelerator", {}, ignored);
-  scene->accel = parts_->accel->make(reader, scene->shapes, scene->frames());
+  scene->accel = impl_->accel->make(reader, scene->shapes, scene->frames());
   return scene;
 }
 
-const PluginUse& World::use_of(const ScenePart& part, std::span<const FileFrame> frames, Frame j) const {
-  switch (part.kind) {
-    case ScenePart::Kind::camera: break;
-    case ScenePart::Kind::material: return parts_->looks.use_of(part.index, frames[static_cast<std::size_t>(j)]);
-    case ScenePart::Kind::light: return *parts_->lights[static_cast<std::size_t>(part.index)].use;
-    case ScenePart::Kind::shape:
-      return *parts_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(part.index)]->use;
+const PluginUse& World::use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const {
+  switch (element.kind) {
+    case SceneElement::Kind::camera: break;
+    case SceneElement::Kind::material: return impl_->looks.use_of(element.index, frames[static_cast<std::size_t>(j)]);
+    case SceneElement::Kind::light: return *impl_->lights[static_cast<std::size_t>(element.index)].use;
+    case SceneElement::Kind::shape:
+      return *impl_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(element.index)]->use;
   }
-  return camera_use(parts_->description);
+  return camera_use(impl_->description);
 }
 
-int World::pictures_held() const { return parts_->looks.pictures_held(); }
+int World::pictures_held() const { return impl_->looks.pictures_held(); }
 
 std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
-  return parts_->accel->bytes_at_most(parts_->shapes_in({frames.begin(), frames.end()}),
-                                      FrameSet::first(static_cast<int>(frames.size())));
+  return impl_->accel->bytes_at_most(impl_->shapes_in({frames.begin(), frames.end()}),
+                                     FrameSet::first(static_cast<int>(frames.size())));
 }
 
 std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {
   std::vector<std::string> lines =
-      explain_sharing(parts_->description, parts_->geometry, parts_->looks, parts_->lights, parts_->camera, frames);
-  const auto worth = photon_worth(parts_->geometry, parts_->lights, parts_->sphere, frame_count());
-  for (std::string& line : explain_worth(parts_->description.frames, worth, frames)) lines.push_back(std::move(line));
+      explain_sharing(impl_->description, impl_->geometry, impl_->looks, impl_->lights, impl_->camera, frames);
+  const auto worth = photon_worth(impl_->geometry, impl_->lights, impl_->sphere, frame_count());
+  for (std::string& line : explain_worth(impl_->description.frames, worth, frames)) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -32,7 +32,7 @@ class World {
   /// a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
   /// The directive that an element of scene(frames) comes from, in its frame j.
-  const PluginUse& use_of(const ScenePart& part, std::span<const FileFrame> frames, Frame j) const;
+  const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
   /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
   /// An upper estimate of the bytes that the trees of that scene take while it is made, without making it.
@@ -41,8 +41,8 @@ class World {
   std::vector<std::string> explain(std::span<const FileFrame> frames) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace dspm

@@ -50,7 +50,7 @@ class Ambient final : public Integrator {
   Statistics statistics() const override { return statistics_; }
 
   bool persist(StateStream& state) override {
-    state.part(open_);
+    state.value(open_);
     statistics_.persist(state);
     return true;
   }

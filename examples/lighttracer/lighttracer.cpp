@@ -53,7 +53,7 @@ class PhotonTracer {
     });
   }
   void escaped(const PathState&, FrameSet) {}
-  void lost(const PathState&, FrameSet, const ScenePart&) {}
+  void lost(const PathState&, FrameSet, const SceneElement&) {}
   bool postpones(const PathState&, const HitPartition&) { return false; }
 
   const std::vector<Splat>& splats() const { return splats_; }
@@ -129,7 +129,7 @@ class LightTracer final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
   bool persist(StateStream& state) override {
-    for (Image& sum : sums_) state.part(sum.pixels);
+    for (Image& sum : sums_) state.value(sum.pixels);
     return statistics_.persist(state), true;
   }
 

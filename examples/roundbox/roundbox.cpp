@@ -178,19 +178,19 @@ class RoundBox final : public Shape {
   double reach_;  // of the farthest point from the middle, at most
 };
 
-std::vector<ShapePart> make_roundbox(ParamReader& reader) {
+std::vector<MadeShape> make_roundbox(ParamReader& reader) {
   const Vec3 size = reader.vector("size", {2, 2, 2}, "scene units", "sides, rounding included");
   const float radius = reader.number("radius", 0.1f, "scene units", "of the edges; at most half the shortest side");
   reader.finish();
-  std::vector<ShapePart> parts;
+  std::vector<MadeShape> made;
   const float shortest = std::min({size.x, size.y, size.z});
   if (!(shortest > 0))
     reader.error("size", "the sides must be above 0");
   else if (!(radius > 0 && radius <= shortest / 2))
     reader.error("radius", "the radius must be above 0 and at most half the shortest side");
   else
-    parts.push_back({std::make_unique<RoundBox>(size * 0.5f, radius), std::nullopt});
-  return parts;
+    made.push_back({std::make_unique<RoundBox>(size * 0.5f, radius), std::nullopt});
+  return made;
 }
 
 }  // namespace

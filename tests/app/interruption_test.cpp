@@ -44,6 +44,7 @@ TEST(Interruption, ATimeLimitEndsTheRun) {
   const TinyDirectory directory;
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome = run(directory, {"tiny.dsc", "--iterations", "0", "--time-limit", "0.5s"});
+  EXPECT_EQ(outcome.err.find("none is left"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));
   EXPECT_TRUE(directory.has("tiny.0003.exr"));

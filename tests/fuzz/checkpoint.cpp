@@ -15,7 +15,7 @@ class FewSums final : public test::IdleIntegrator {
  public:
   bool persist(StateStream& state) override {
     statistics_.persist(state);
-    state.part(sums_);
+    state.value(sums_);
     return true;
   }
 

@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const bool split : {true, false}) {
       ObjFile file = parse_obj(
           std::string(text.substr(0, border)), "/nowhere", [&](const std::string&) { return materials; }, "", split);
-      for (ObjPart& part : file.parts) {
-        if (fault_of(part.mesh)) continue;
-        const TriangleMesh mesh(std::move(part.mesh));
+      for (ObjMesh& each : file.meshes) {
+        if (fault_of(each.mesh)) continue;
+        const TriangleMesh mesh(std::move(each.mesh));
         for (int i = 0; i < mesh.primitive_count(); ++i) fuzz::require(mesh.area(i) >= 0, "an area below nothing");
       }
     }

@@ -281,20 +281,26 @@ WorldBegin LightSource "infinite" Translate 0 0 -5 Shape "sphere")",
   EXPECT_EQ(images.at("object")[0].at(1, 1).r, 0);
 }
 
-// An edge at three quarters of a pixel: means weigh by area, ids say what most of the pixel shows.
-TEST(Pixels, AreFilteredAndVotedOn) {
-  TestScene test(R"(
+/// A pixel that sees `shapes` where x and y are between 0 and 1.
+std::string one_pixel(const std::string& shapes) {
+  return R"(
 Integrator "path"
 Camera "orthographic" "float screenwindow" [0 1 0 1]
 Film "rgb" "integer xresolution" 1 "integer yresolution" 1
 PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
 WorldBegin
 LightSource "point"
+)" + shapes;
+}
+
+// An edge at three quarters of a pixel: means weigh by area, ids say what most of the pixel shows.
+TEST(Pixels, AreFilteredAndVotedOn) {
+  TestScene test(one_pixel(R"(
 Material "diffuse" "rgb reflectance" [.8 .8 .8]
 Shape "trianglemesh" "point3 P" [0.75 -9 1  9 -9 1  9 9 1  0.75 9 1] "integer indices" [0 1 2 0 2 3] "string name" "near"
 Material "diffuse" "rgb reflectance" [.4 .4 .4]
 Shape "trianglemesh" "point3 P" [-9 -9 2  9 -9 2  9 9 2  -9 9 2] "integer indices" [0 1 2 0 2 3] "string name" "far"
-)",
+)"),
                  asking_for({"Z", "object", "albedo"}));
   const auto images = outputs_of(test, 4000);
   EXPECT_NEAR(images.at("Z")[0].at(0, 0).r, 0.25 * 1 + 0.75 * 2, 0.03);
@@ -303,15 +309,9 @@ Shape "trianglemesh" "point3 P" [-9 -9 2  9 -9 2  9 9 2  -9 9 2] "integer indice
 }
 
 TEST(Pixels, MayShowMostlyNothing) {
-  TestScene test(R"(
-Integrator "path"
-Camera "orthographic" "float screenwindow" [0 1 0 1]
-Film "rgb" "integer xresolution" 1 "integer yresolution" 1
-PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
-WorldBegin
-LightSource "point"
+  TestScene test(one_pixel(R"(
 Shape "trianglemesh" "point3 P" [0.75 -9 1  9 -9 1  9 9 1  0.75 9 1] "integer indices" [0 1 2 0 2 3]
-)",
+)"),
                  asking_for({"Z", "object"}));
   const auto images = outputs_of(test, 400);
   EXPECT_EQ(images.at("object")[0].at(0, 0).r, 0);

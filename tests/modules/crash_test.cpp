@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/image/image.h"
+#include "tests/modules/mischief.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {
@@ -26,16 +26,6 @@ Outcome run_in_mood(const TinyDirectory& directory, const std::string& mood,
     setrlimit(RLIMIT_CORE, &none);
   };
   return Process(directory, arguments, "out.txt", "err.txt", without_core).wait();
-}
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "no \"" << part << "\" in:\n" << text;
-}
-
-void expect_paintings(const TinyDirectory& directory) {
-  for (int frame = 1; frame <= 3; ++frame)
-    EXPECT_EQ(read_image(directory / ("tiny.000" + std::to_string(frame) + ".exr")).at(5, 5),
-              Rgb(0.25f * static_cast<float>(frame)));
 }
 
 struct End {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "dspm/image/image.h"
+#include "tests/modules/mischief.h"
 #include "tests/support/process.h"
 
 namespace dspm::test {
@@ -27,16 +27,6 @@ std::string scene_with(const std::string& integrator) {
 }
 
 std::string plugin_directive(const std::string& file) { return std::string("Plugin \"").append(file).append("\""); }
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "no \"" << part << "\" in:\n" << text;
-}
-
-void expect_paintings(const TinyDirectory& directory) {
-  for (int frame = 1; frame <= 3; ++frame)
-    EXPECT_EQ(read_image(directory / ("tiny.000" + std::to_string(frame) + ".exr")).at(5, 5),
-              Rgb(0.25f * static_cast<float>(frame)));
-}
 
 TEST(Modules, TheCommandLineNamesThem) {
   const TinyDirectory directory;

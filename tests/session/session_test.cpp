@@ -30,7 +30,7 @@ class Stumbling : public IdleIntegrator {
     if (iteration == stumbles_after && stumble) stumble();
   }
   bool persist(StateStream& state) override {
-    state.part(done_);
+    state.value(done_);
     return true;
   }
   Statistics statistics() const override {

@@ -21,7 +21,7 @@ TEST(HorseMesh, IsMendedInAllFrames) {
   const std::filesystem::path data = std::filesystem::path(DSPM_TEST_DATA) / "data/horse-gallop";
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "there is no " << data;
   const auto frame = [&](int i) {
-    return TriangleMesh(read_obj(data / fmt::format("{:04}.obj", i), "", false).parts.at(0).mesh);
+    return TriangleMesh(read_obj(data / fmt::format("{:04}.obj", i), "", false).meshes.at(0).mesh);
   };
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::time_point a, Clock::time_point b) {

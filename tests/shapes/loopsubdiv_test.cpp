@@ -9,13 +9,13 @@
 namespace dspm {
 namespace {
 
-const TriangleMesh* subdivided(const MeshData& mesh, int levels, std::vector<ShapePart>& keep,
+const TriangleMesh* subdivided(const MeshData& mesh, int levels, std::vector<MadeShape>& keep,
                                Diagnostics& diagnostics) {
   std::vector<float> points;
   for (const Vec3& p : mesh.vertices) points.insert(points.end(), {p.x, p.y, p.z});
   std::vector<int> indices;
   for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
-  keep = test::make_parts(
+  keep = test::make_shapes(
       "loopsubdiv",
       {{test::param(ParamType::point3, "P", points), test::param(ParamType::integer, "indices", indices),
         test::param(ParamType::integer, "levels", std::vector<int>{levels})}},
@@ -30,7 +30,7 @@ class LoopSubdivision : public testing::Test {
     EXPECT_EQ(test::messages(diagnostics), "");
     return *result;
   }
-  std::vector<ShapePart> keep;
+  std::vector<MadeShape> keep;
   Diagnostics diagnostics;
 };
 

@@ -18,24 +18,24 @@ inline Param param(ParamType type, std::string name, Param::Values values) {
   return p;
 }
 
-/// All parts of a shape; what is wrong goes to `diagnostics`.
-inline std::vector<ShapePart> make_parts(std::string_view plugin, ParamList list, Diagnostics& diagnostics) {
+/// What a Shape directive makes; what is wrong goes to `diagnostics`.
+inline std::vector<MadeShape> make_shapes(std::string_view plugin, ParamList list, Diagnostics& diagnostics) {
   const auto* found = shape_plugins().find(plugin, {}, diagnostics);
   if (!found) return {};
   ParamReader reader(list, "shape \"" + std::string(plugin) + "\"", {}, diagnostics);
   return found->make(reader);
 }
 
-/// The one part of a shape that takes numbers only; throws where something is wrong.
+/// The one shape that takes numbers only; throws where something is wrong.
 inline std::unique_ptr<Shape> make_shape(std::string_view plugin,
                                          std::initializer_list<std::pair<const char*, float>> numbers) {
   ParamList list;
   for (const auto& [name, value] : numbers)
     list.params.push_back(param(ParamType::number, name, std::vector<float>{value}));
   Diagnostics diagnostics;
-  std::vector<ShapePart> parts = make_parts(plugin, std::move(list), diagnostics);
+  std::vector<MadeShape> made = make_shapes(plugin, std::move(list), diagnostics);
   diagnostics.throw_if_errors();
-  return std::move(parts.at(0).shape);
+  return std::move(made.at(0).shape);
 }
 
 /// All messages, a line each.

@@ -17,9 +17,9 @@ class Obj : public testing::Test {
     test::put_file(directory / "mesh.obj", text);
     return read_obj(directory / "mesh.obj", group, split);
   }
-  std::vector<ShapePart> make(std::vector<Param> params) {
+  std::vector<MadeShape> make(std::vector<Param> params) {
     params.push_back(test::param(ParamType::text, "filename", Texts{(directory / "mesh.obj").string()}));
-    return test::make_parts("objmesh", {params}, diagnostics);
+    return test::make_shapes("objmesh", {params}, diagnostics);
   }
 
   test::TemporaryDirectory directory;
@@ -30,7 +30,7 @@ const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_F(Obj, AllFormsOfIndices) {
   const std::string more = kSquare + "vt 0 0\nvt 1 0.5\nvn 0 0 1\nvn 0 0 -1\n";
-  const auto mesh = [&](const std::string& face) { return read(more + face).parts.at(0).mesh; };
+  const auto mesh = [&](const std::string& face) { return read(more + face).meshes.at(0).mesh; };
   EXPECT_EQ(mesh("f 1 2 3").vertices[2], (Vec3{1, 1, 0}));
   EXPECT_EQ(mesh("f -4 -3 -1").vertices[2], (Vec3{0, 1, 0}));
   EXPECT_TRUE(mesh("f 1 2 3").normals.empty());
@@ -46,7 +46,7 @@ TEST_F(Obj, AllFormsOfIndices) {
 }
 
 TEST_F(Obj, VerticesMayFollowFaces) {
-  EXPECT_EQ(read("f 1 2 3\n" + kSquare).parts.at(0).mesh.vertices[1], (Vec3{1, 0, 0}));
+  EXPECT_EQ(read("f 1 2 3\n" + kSquare).meshes.at(0).mesh.vertices[1], (Vec3{1, 0, 0}));
 }
 
 TEST_F(Obj, BadIndicesAreErrors) {
@@ -60,11 +60,11 @@ TEST_F(Obj, BadIndicesAreErrors) {
 
 TEST_F(Obj, GroupsAndObjectsCanBeChosen) {
   const std::string text = kSquare + "o chair\ng seat soft\nf 1 2 3 4\ng leg\nf 1 2 3\no table\nf 2 3 4\nf 1 3 4\n";
-  EXPECT_EQ(read(text).parts.at(0).mesh.faces.size(), 5u);
-  EXPECT_EQ(read(text, "seat").parts.at(0).mesh.faces.size(), 2u);
-  EXPECT_EQ(read(text, "soft").parts.at(0).mesh.faces.size(), 2u);
-  EXPECT_EQ(read(text, "chair").parts.at(0).mesh.faces.size(), 3u);
-  EXPECT_EQ(read(text, "table").parts.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text).meshes.at(0).mesh.faces.size(), 5u);
+  EXPECT_EQ(read(text, "seat").meshes.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text, "soft").meshes.at(0).mesh.faces.size(), 2u);
+  EXPECT_EQ(read(text, "chair").meshes.at(0).mesh.faces.size(), 3u);
+  EXPECT_EQ(read(text, "table").meshes.at(0).mesh.faces.size(), 2u);
   EXPECT_EQ(read(text).groups, (Texts{"chair", "seat", "soft", "leg", "table"}));
   EXPECT_TRUE(make({test::param(ParamType::text, "group", Texts{"legs"})}).empty());
   ASSERT_EQ(diagnostics.all().size(), 1u);
@@ -79,19 +79,19 @@ TEST_F(Obj, MaterialsBecomeParts) {
   read("mtllib lib.mtl\n" + kSquare +
        "f 1 2 3\nusemtl red\nf 1 3 4\nusemtl wood\nf 1 2 4\nusemtl red\nf 2 3 4\nusemtl none\nf 1 2 3\nusemtl lost\nf "
        "1 2 3\n");
-  const auto parts = make({});
-  ASSERT_EQ(parts.size(), 5u);
-  EXPECT_FALSE(parts[0].material);
-  ASSERT_TRUE(parts[1].material);
-  EXPECT_EQ(parts[1].material->name, "red");
-  EXPECT_EQ(parts[1].shape->primitive_count(), 2);
-  EXPECT_EQ(std::get<std::vector<float>>(parts[1].material->diffuse.find("reflectance")->values),
+  const auto made = make({});
+  ASSERT_EQ(made.size(), 5u);
+  EXPECT_FALSE(made[0].material);
+  ASSERT_TRUE(made[1].material);
+  EXPECT_EQ(made[1].material->name, "red");
+  EXPECT_EQ(made[1].shape->primitive_count(), 2);
+  EXPECT_EQ(std::get<std::vector<float>>(made[1].material->diffuse.find("reflectance")->values),
             (std::vector<float>{0.8f, 0.1f, 0.2f}));
-  ASSERT_TRUE(parts[2].material);
-  EXPECT_EQ(parts[2].material->texture_file, directory / "wood.png");
-  EXPECT_EQ(std::get<Texts>(parts[2].material->diffuse.find("reflectance")->values), Texts{"wood"});
-  EXPECT_FALSE(parts[3].material);  // "none"
-  EXPECT_EQ(parts[4].material->texture_file, "");
+  ASSERT_TRUE(made[2].material);
+  EXPECT_EQ(made[2].material->texture_file, directory / "wood.png");
+  EXPECT_EQ(std::get<Texts>(made[2].material->diffuse.find("reflectance")->values), Texts{"wood"});
+  EXPECT_FALSE(made[3].material);  // "none"
+  EXPECT_EQ(made[4].material->texture_file, "");
   EXPECT_NE(test::messages(diagnostics).find("\"none\" is not defined"), std::string::npos);
   EXPECT_NE(test::messages(diagnostics).find("lost.png"), std::string::npos);
   EXPECT_EQ(diagnostics.error_count(), 0);
@@ -124,13 +124,13 @@ TEST(TriangleMeshPlugin, ReadsItsParameters) {
   const auto make = [&](std::vector<int> indices, std::vector<Param> more) {
     more.push_back(points);
     more.push_back(test::param(ParamType::integer, "indices", indices));
-    return test::make_parts("trianglemesh", {more}, diagnostics);
+    return test::make_shapes("trianglemesh", {more}, diagnostics);
   };
   const Param uv = test::param(ParamType::point2, "uv", std::vector<float>{0, 0, 1, 0, 0, 1, 1, 1});
-  const auto parts = make({0, 1, 2, 2, 1, 3}, {uv});
+  const auto made = make({0, 1, 2, 2, 1, 3}, {uv});
   ASSERT_EQ(test::messages(diagnostics), "");
-  EXPECT_EQ(parts.at(0).shape->primitive_count(), 2);
-  EXPECT_EQ(parts.at(0).shape->surface_point(1, {0, 1}).uv, (Vec2{1, 1}));
+  EXPECT_EQ(made.at(0).shape->primitive_count(), 2);
+  EXPECT_EQ(made.at(0).shape->surface_point(1, {0, 1}).uv, (Vec2{1, 1}));
 
   EXPECT_TRUE(make({0, 1, 4}, {}).empty());
   EXPECT_TRUE(make({0, 1}, {}).empty());

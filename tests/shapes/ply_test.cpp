@@ -99,20 +99,21 @@ TEST(Ply, PluginReadsCompressedFiles) {
   gzclose(file);
   ParamList list{{test::param(ParamType::text, "filename", std::vector<std::string>{name})}};
   Diagnostics diagnostics;
-  const auto parts = test::make_parts("plymesh", list, diagnostics);
+  const auto made = test::make_shapes("plymesh", list, diagnostics);
   ASSERT_EQ(test::messages(diagnostics), "");
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts[0].shape->primitive_count(), 4);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].shape->primitive_count(), 4);
 
   const std::string whole = test::contents(name);
   test::put_file(name, whole.substr(0, whole.size() / 2));
-  EXPECT_TRUE(test::make_parts("plymesh", list, diagnostics).empty());
+  EXPECT_TRUE(test::make_shapes("plymesh", list, diagnostics).empty());
   EXPECT_NE(test::messages(diagnostics).find("ends early"), std::string::npos);
 }
 
 TEST(Ply, FaultsSayWhatAndWhere) {
   EXPECT_EQ(message("solid x\n"), "this is not a PLY file");
   EXPECT_EQ(message("ply\nformat ascii 1.0\n"), "the PLY header does not end");
+  EXPECT_EQ(message("ply\nelement vertex 0\nend_header\n"), "the header has no format line (line 3)");
   EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex many\n"), "\"many\" is not a count (line 3)");
   EXPECT_EQ(message("ply\nelement vertex 1\nproperty real x\n"), "unknown number type (line 3)");
   for (const char* type : {"float", "double"})

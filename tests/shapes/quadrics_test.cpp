@@ -73,6 +73,14 @@ TEST(Quadrics, RaysStartInsideAndMeetTheSecondRoot) {
   EXPECT_FALSE(sphere->intersect(0, {{0, 0, 0}, {0, 0, 0}}));
 }
 
+TEST(Quadrics, RaysMayTouch) {
+  for (const char* plugin : {"sphere", "cylinder"}) {
+    const auto hit = make_shape(plugin, {})->intersect(0, {{1, -5, 0}, {0, 1, 0}});
+    ASSERT_TRUE(hit) << plugin;
+    EXPECT_EQ(hit->t, 5);
+  }
+}
+
 TEST(Quadrics, SpheresAreMetFromFarAway) {
   const auto sphere = make_shape("sphere", {{"radius", 0.001f}});
   for (const float distance : {1e3f, 1e5f, 1e7f}) {

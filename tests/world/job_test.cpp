@@ -35,6 +35,16 @@ TEST(Job, SamplesOfAPixelAreTheIterationsOfIntegratorsThatNameNone) {
   EXPECT_EQ(job_of("Sampler \"stratified\" \"integer xsamples\" 3").settings.default_iterations, 12);
 }
 
+TEST(Job, AnImageMayBeTooLarge) {
+  try {
+    job_of("Film \"rgb\" \"integer xresolution\" 20000 \"integer yresolution\" 20000");
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("20000 x 20000 pixels are more than the 268 million"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Job, PixelsAreJitteredUnlessTheSceneSaysElse) {
   EXPECT_TRUE(job_of("").settings.jitter);
   EXPECT_TRUE(job_of("Option \"disablepixeljitter\" false").settings.jitter);

@@ -121,8 +121,8 @@ class Hj09 final : public PixelEstimator {
   void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
 
   void persist(StateStream& state) override {
-    state.part(iterations_);
-    state.part(statistics_);
+    state.value(iterations_);
+    state.value(statistics_);
   }
 
   Rgb radiance(int pixel, Frame frame) const override {

@@ -69,8 +69,8 @@ class Kz11 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     radius_.persist(state);
-    state.part(shared_);
-    state.part(own_);
+    state.value(shared_);
+    state.value(own_);
   }
 
   Rgb radiance(int pixel, Frame frame) const override {

@@ -137,11 +137,11 @@ class HollowShape final : public Shape {
   Vec2 sample_area(int, Vec2 u) const override { return u; }
 };
 
-std::vector<ShapePart> make_shape(ParamReader& reader) {
+std::vector<MadeShape> make_shape(ParamReader& reader) {
   reader.finish();
-  std::vector<ShapePart> parts;
-  parts.push_back({std::make_unique<HollowShape>(), std::nullopt});
-  return parts;
+  std::vector<MadeShape> made;
+  made.push_back({std::make_unique<HollowShape>(), std::nullopt});
+  return made;
 }
 
 }  // namespace
