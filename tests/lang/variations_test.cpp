@@ -62,8 +62,8 @@ AxisEnd)");
   ASSERT_EQ(red.lights.size(), 2u);
   EXPECT_EQ(floats(red.lights[0].params, "scale"), (std::vector<float>{.5f}));
   EXPECT_EQ(floats(red.lights[1].params.at(Moment(1)), "scale"), (std::vector<float>{3}));
-  ASSERT_EQ(bare.parts.size(), 1u);
-  EXPECT_FALSE(bare.parts[0].shown);
+  ASSERT_EQ(bare.switches.size(), 1u);
+  EXPECT_FALSE(bare.switches[0].shown);
   // The scene's own are what they were.
   EXPECT_EQ(scene.materials.size(), 2u);
   EXPECT_EQ(scene.textures.size(), 2u);
