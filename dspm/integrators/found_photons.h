@@ -14,9 +14,9 @@
 
 namespace dspm {
 
-inline const OutputInfo kPhotonsOutput{"photons", {"photons"}, "photons found at the pixel's hit points so far", true};
+inline const OutputInfo kPhotonsOutput{"photons", {"photons.X"}, "photons found at the pixel's hit points so far", true};
 inline const OutputInfo kRadiusOutput{
-    "radius", {"radius"}, "search radius in world units, for the pixel's last hit point", true};
+    "radius", {"radius.X"}, "search radius in world units, for the pixel's last hit point", true};
 
 /// Counts by gathers of its own, so that those of the estimators stay as fast as they are.
 class FoundPhotons {

@@ -11,7 +11,7 @@ inline constexpr const char* kRadiance = "radiance";
 
 struct OutputInfo {
   std::string name;                         // as in --aov
-  std::vector<std::string> channels;        // one to three, as EXR files name them; the r, g and b of the image
+  std::vector<std::string> channels;        // one to three, for EXR files: "name.X"; the r, g and b of the image
   std::string sentence;                     // what the values are, and their unit
   bool single = false;                      // in single precision even if the film says half
   bool is_id = false;                       // a value is id_of() one of the names, or 0

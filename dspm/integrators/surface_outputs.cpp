@@ -256,8 +256,8 @@ const std::vector<OutputInfo>& surface_outputs() {
       {"Z", {"Z"}, "its depth along the camera's axis, in world units; 1e10: no surface", true},
       {"albedo", {"Albedo.R", "Albedo.G", "Albedo.B"}, "the share of light that it scatters"},
       {"uv", {"u", "v"}, "its texture coordinates", true},
-      {"object", {"object"}, "the id of the object that most of the pixel shows", true, true},
-      {"material", {"material"}, "the id of the material that most of the pixel shows", true, true},
+      {"object", {"object.X"}, "the id of the object that most of the pixel shows", true, true},
+      {"material", {"material.X"}, "the id of the material that most of the pixel shows", true, true},
   };
   return all;
 }

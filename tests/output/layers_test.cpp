@@ -21,8 +21,8 @@ Outcome render(const TemporaryDirectory& directory, std::vector<std::string> mor
 
 Names channels_of(const std::filesystem::path& image) { return read_exr_header(image).channels; }
 
-const Names kSurface = {"Albedo.B", "Albedo.G", "Albedo.R", "B", "G",      "N.X",      "N.Y", "N.Z", "P.X",
-                        "P.Y",      "P.Z",      "R",        "Z", "object", "material", "u",   "v"};
+const Names kSurface = {"Albedo.B", "Albedo.G", "Albedo.R", "B", "G",        "N.X",        "N.Y", "N.Z", "P.X",
+                        "P.Y",      "P.Z",      "R",        "Z", "object.X", "material.X", "u",   "v"};
 
 Names sorted(Names names) {
   std::sort(names.begin(), names.end());
@@ -37,10 +37,31 @@ TEST(Layers, AreThoseThatWereAskedFor) {
   const Outcome outcome = render(directory, {"--aov", "N,Z", "--aov", "photons,radius"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)
-    EXPECT_EQ(channels_of(directory / image), (Names{"B", "G", "N.X", "N.Y", "N.Z", "R", "Z", "photons", "radius"}));
+    EXPECT_EQ(channels_of(directory / image),
+              (Names{"B", "G", "N.X", "N.Y", "N.Z", "R", "Z", "photons.X", "radius.X"}));
   EXPECT_EQ(read_image(directory / kTinyImages[1]), plain);
-  const Image photons = read_exr_channels(directory / kTinyImages[1], {"photons"});
+  const Image photons = read_exr_channels(directory / kTinyImages[1], {"photons.X"});
   EXPECT_TRUE(std::any_of(photons.pixels.begin(), photons.pixels.end(), [](const Rgb& p) { return p.r > 0; }));
+}
+
+// Blender ignores channels of more than one letter without a layer, silently.
+TEST(Layers, AreAllSeenByBlender) {
+  if (std::system("command -v blender > /dev/null") != 0) GTEST_SKIP() << "Blender is not installed";
+  const TinyDirectory directory;
+  ASSERT_EQ(render(directory, {"--aov", "N,P,Z,albedo,uv,object,material,photons,radius"}).code, 0);
+  put_file(directory / "sockets.py",
+           "import bpy\n"
+           "scene = bpy.data.scenes[0]\n"
+           "scene.use_nodes = True\n"
+           "node = scene.node_tree.nodes.new('CompositorNodeImage')\n"
+           "node.image = bpy.data.images.load('" +
+               (directory / kTinyImages[0]).string() +
+               "')\n"
+               "open('sockets.txt', 'w').write(' '.join(sorted(s.name for s in node.outputs if s.enabled)))\n");
+  const std::string folder = (directory / "").string();
+  ASSERT_EQ(std::system(("cd '" + folder + "' && blender -b --python sockets.py > blender.txt 2>&1").c_str()), 0)
+      << contents(directory / "blender.txt");
+  EXPECT_EQ(contents(directory / "sockets.txt"), "Albedo Alpha Combined Depth N P material object photons radius u v");
 }
 
 TEST(Layers, OfAGbufferFilmAreTheSame) {
@@ -53,8 +74,8 @@ TEST(Layers, OfAGbufferFilmAreTheSame) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages) {
     EXPECT_EQ(channels_of(film / image), sorted(kSurface));
-    for (const Names& layer :
-         {Names{"N.X", "N.Y", "N.Z"}, Names{"P.X", "P.Y", "P.Z"}, Names{"Z", "u", "v"}, Names{"object", "material"}})
+    for (const Names& layer : {Names{"N.X", "N.Y", "N.Z"}, Names{"P.X", "P.Y", "P.Z"}, Names{"Z", "u", "v"},
+                               Names{"object.X", "material.X"}})
       EXPECT_EQ(read_exr_channels(film / image, layer), read_exr_channels(asked / image, layer));
   }
 }
@@ -63,7 +84,7 @@ TEST(Layers, OfIdsHaveAManifest) {
   const TinyDirectory directory;
   ASSERT_EQ(render(directory, {"--aov", "object"}).code, 0);
   const std::string manifest = read_exr_header(directory / kTinyImages[0]).texts.at("object manifest");
-  const Image ids = read_exr_channels(directory / kTinyImages[0], {"object"});
+  const Image ids = read_exr_channels(directory / kTinyImages[0], {"object.X"});
   const auto entry = [](float id) { return fmt::format("{:08x}\"", std::bit_cast<std::uint32_t>(id)); };
   for (const Rgb& pixel : ids.pixels) {
     if (pixel.r == 0) continue;
@@ -88,7 +109,7 @@ TEST(Layers, GoOnAfterAResume) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)
     for (const Names& layer : {Names{"R", "G", "B"}, Names{"N.X", "N.Y", "N.Z"},
-                               Names{"Albedo.R", "Albedo.G", "Albedo.B"}, Names{"object", "photons"}})
+                               Names{"Albedo.R", "Albedo.G", "Albedo.B"}, Names{"object.X", "photons.X"}})
       EXPECT_EQ(read_exr_channels(parts / image, layer), read_exr_channels(whole / image, layer));
 }
 

@@ -1,0 +1,120 @@
+#include "bench/measure/bare_embree.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
+
+namespace dspm {
+namespace {
+
+RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh, const Transform& to_world) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                              sizeof(Vec3), mesh.vertices().size()));
+  for (const Vec3& vertex : mesh.vertices()) *vertices++ = to_world.point(vertex);
+  auto* faces = static_cast<Face*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), mesh.faces().size()));
+  std::copy(mesh.faces().begin(), mesh.faces().end(), faces);
+  return geometry;
+}
+
+/// 0 if the primitive is no whole sphere.
+float radius_of(const PlacedShape& placed) {
+  const Bounds3 bounds = placed.bounds(0);
+  const Vec3 size = bounds.high - bounds.low;
+  const float r = size.x / 2, area = placed.shape->area(0) * placed.area_scale({1, 0, 0});
+  const bool is_round = std::abs(size.y - size.x) + std::abs(size.z - size.x) < 1e-4f * size.x;
+  return is_round && std::abs(area - 4 * kPi * r * r) < 1e-3f * area ? r : 0;
+}
+
+RTCGeometry sphere(RTCDevice device, const Bounds3& bounds, float radius) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  auto* point = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+  const Vec3 center = bounds.center();
+  point[0] = center.x, point[1] = center.y, point[2] = center.z, point[3] = radius;
+  return geometry;
+}
+
+std::optional<PrimitiveHit> meet(const void* placed, unsigned primitive, const RTCRay& r) {
+  const Ray ray{{r.org_x, r.org_y, r.org_z}, {r.dir_x, r.dir_y, r.dir_z}, r.tfar};
+  return static_cast<const PlacedShape*>(placed)->intersect(static_cast<int>(primitive), ray);
+}
+
+RTCGeometry foreign_shape(RTCDevice device, const PlacedShape& placed) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(placed.shape->primitive_count()));
+  rtcSetGeometryUserData(geometry, const_cast<PlacedShape*>(&placed));
+  rtcSetGeometryBoundsFunction(
+      geometry,
+      [](const RTCBoundsFunctionArguments* a) {
+        const auto [low, high] =
+            static_cast<const PlacedShape*>(a->geometryUserPtr)->bounds(static_cast<int>(a->primID));
+        *a->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
+      },
+      nullptr);
+  rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* a) {
+    auto& both = *reinterpret_cast<RTCRayHit*>(a->rayhit);
+    const auto hit = meet(a->geometryUserPtr, a->primID, both.ray);
+    if (!hit) return;
+    both.ray.tfar = hit->t;
+    both.hit.geomID = a->geomID, both.hit.primID = a->primID;
+  });
+  rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
+    auto& ray = *reinterpret_cast<RTCRay*>(a->ray);
+    if (meet(a->geometryUserPtr, a->primID, ray)) ray.tfar = -kInfinity;
+  });
+  return geometry;
+}
+
+RTCGeometry geometry_of(RTCDevice device, const PlacedShape& placed) {
+  if (const TriangleMesh* mesh = placed.shape->triangles()) return triangles_of(device, *mesh, placed.to_world);
+  const float radius = placed.shape->primitive_count() == 1 ? radius_of(placed) : 0;
+  return radius > 0 ? sphere(device, placed.bounds(0), radius) : foreign_shape(device, placed);
+}
+
+RTCRay to_embree(const Ray& ray) {
+  RTCRay r{};
+  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+  r.tfar = ray.t_max;
+  r.mask = ~0u;
+  return r;
+}
+
+}  // namespace
+
+BareEmbree::BareEmbree(std::span<const PlacedShape> shapes)
+    : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  for (const PlacedShape& placed : shapes) {
+    const RTCGeometry geometry = geometry_of(device_.get(), placed);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene_.get());
+  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::runtime_error("Embree could not build its tree");
+}
+
+float BareEmbree::nearest(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit both{to_embree(ray), {}};
+  both.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_.get(), &context, &both);
+  return both.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kInfinity : both.ray.tfar;
+}
+
+bool BareEmbree::occluded(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay r = to_embree(ray);
+  rtcOccluded1(scene_.get(), &context, &r);
+  return r.tfar < 0;
+}
+
+}  // namespace dspm

@@ -1,0 +1,36 @@
+// Embree alone, robust, as it comes: what a ray costs there, to compare. Its own triangle test decides, so it answers almost
+// as dspm's trees do, but not bit by bit.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dspm/math/ray.h"
+#include "dspm/shapes/placed_shape.h"
+
+namespace dspm {
+
+class BareEmbree {
+ public:
+  /// Meshes become Embree's triangles, whole spheres its spheres; other shapes are met by their own tests, in callbacks.
+  /// `shapes` must outlive it. Throws std::runtime_error if Embree reports an error.
+  explicit BareEmbree(std::span<const PlacedShape> shapes);
+
+  /// The distance; infinity: nothing.
+  float nearest(const Ray& ray) const;
+  bool occluded(const Ray& ray) const;
+
+ private:
+  struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+}  // namespace dspm
