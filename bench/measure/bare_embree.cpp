@@ -76,34 +76,38 @@ RTCGeometry geometry_of(RTCDevice device, const PlacedShape& placed) {
   return radius > 0 ? sphere(device, placed.bounds(0), radius) : foreign_shape(device, placed);
 }
 
-RTCRay to_embree(const Ray& ray) {
-  RTCRay r{};
-  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
-  r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
-  r.tfar = ray.t_max;
-  r.mask = ~0u;
-  return r;
-}
-
 }  // namespace
 
 BareEmbree::BareEmbree(std::span<const PlacedShape> shapes)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  constexpr float kFirst = 1e-5f;  // of the scene's size
+  Bounds3 bounds;
   for (const PlacedShape& placed : shapes) {
+    for (int i = 0; i < placed.shape->primitive_count(); ++i) bounds.add(placed.bounds(i));
     const RTCGeometry geometry = geometry_of(device_.get(), placed);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(scene_.get());
+  first_ = bounds.empty() ? 0 : kFirst * length(bounds.high - bounds.low);
   if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::runtime_error("Embree could not build its tree");
+}
+
+RTCRay BareEmbree::prepared(const Ray& ray) const {
+  RTCRay r{};
+  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+  r.tnear = first_, r.tfar = ray.t_max;
+  r.mask = ~0u;
+  return r;
 }
 
 float BareEmbree::nearest(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRayHit both{to_embree(ray), {}};
+  RTCRayHit both{prepared(ray), {}};
   both.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_.get(), &context, &both);
   return both.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kInfinity : both.ray.tfar;
@@ -112,7 +116,7 @@ float BareEmbree::nearest(const Ray& ray) const {
 bool BareEmbree::occluded(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay r = to_embree(ray);
+  RTCRay r = prepared(ray);
   rtcOccluded1(scene_.get(), &context, &r);
   return r.tfar < 0;
 }

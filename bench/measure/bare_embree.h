@@ -29,6 +29,9 @@ class BareEmbree {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
 
+  RTCRay prepared(const Ray& ray) const;
+
+  float first_ = 0;  // nearer hits do not count: a ray that leaves one of Embree's spheres would meet it again
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
