@@ -52,10 +52,9 @@ function(dspm_test name)
     DSPM_SOURCE_DIR="${CMAKE_SOURCE_DIR}" DSPM_BINARY="$<TARGET_FILE_DIR:dspm>/dspm")
   # Half of the build is tests. The first one's precompiled headers serve them all (the preset "clang" does without, so
   # that none is forgotten, and without -O1: inline functions of the library may come from a test). The warnings are
-  # wrong ones of g++ 12 there; clang-tidy, which reads these options too, knows not all of them.
+  # wrong ones of g++ 12 there.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-    target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow
-      -Wno-unknown-warning-option)
+    target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
   endif()
   get_property(first GLOBAL PROPERTY dspm_first_test)
   if(first)
