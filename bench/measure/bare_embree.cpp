@@ -1,5 +1,6 @@
 #include "bench/measure/bare_embree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -21,8 +22,9 @@ RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh, const Trans
   return geometry;
 }
 
-/// 0 if the primitive is no whole sphere.
+/// 0 if the shape is no whole sphere.
 float radius_of(const PlacedShape& placed) {
+  if (placed.shape->primitive_count() != 1) return 0;
   const Bounds3 bounds = placed.bounds(0);
   const Vec3 size = bounds.high - bounds.low;
   const float r = size.x / 2, area = placed.shape->area(0) * placed.area_scale({1, 0, 0});
@@ -72,7 +74,7 @@ RTCGeometry foreign_shape(RTCDevice device, const PlacedShape& placed) {
 
 RTCGeometry geometry_of(RTCDevice device, const PlacedShape& placed) {
   if (const TriangleMesh* mesh = placed.shape->triangles()) return triangles_of(device, *mesh, placed.to_world);
-  const float radius = placed.shape->primitive_count() == 1 ? radius_of(placed) : 0;
+  const float radius = radius_of(placed);
   return radius > 0 ? sphere(device, placed.bounds(0), radius) : foreign_shape(device, placed);
 }
 

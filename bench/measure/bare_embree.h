@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "dspm/math/ray.h"
 #include "dspm/shapes/placed_shape.h"

@@ -37,7 +37,7 @@ Turns take_turns(const std::vector<AskedRay>& rays, int turns, const Ours& ours,
   return taken;
 }
 
-/// Where the nearest hits differ by more than rounding: rays along edges, which the two may give to either side.
+/// The share of rays whose nearest hits differ by more than rounding: those along edges, which the two may give to either side.
 double disagreement(const std::vector<AskedRay>& rays, const Accel& accel, const BareEmbree& embree) {
   std::size_t apart = 0;
   for (const AskedRay& asked : rays) {
