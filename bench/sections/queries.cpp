@@ -26,13 +26,13 @@ struct Trees {
     scene.all.for_each([&](Frame f) {
       const FrameSet alone = FrameSet::single(f);
       const auto there = numbers_of(scene.placed, [&](const PlacedShape& s) { return s.frames == alone; });
-      of_frame.emplace_back(scene.placed, there, alone, meshes);
+      of_frame.emplace_back(scene.placed, there, alone, BvhBuilder::by_size, meshes);
     });
   }
 
   const QueryScene& scene;
   TwoLevel two_level;
-  MeshTrees meshes;
+  MeshTrees meshes{BvhBuilder::by_size};
   std::vector<Tree> of_frame;
 };
 

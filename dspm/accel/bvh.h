@@ -1,5 +1,5 @@
 // A bounding volume hierarchy over anything that has a box and a set of frames: 8-wide nodes, built by the surface area
-// heuristic (bvh_builder.cpp), traversed by traverse.h. It knows neither shapes nor what its leaves hold.
+// heuristic (bvh_builder.cpp, embree_builder.cpp), traversed by traverse.h. It knows neither shapes nor what its leaves hold.
 #pragma once
 
 #include <array>
@@ -32,6 +32,7 @@ struct Bvh {
     float planes[6][kWidth];
     std::uint32_t child[kWidth];
 
+    void set_box(std::size_t i, const Bounds3& box);
     std::vector<Bounds3> boxes() const;
   };
   /// The union of the pieces' frames, by child.
@@ -56,5 +57,12 @@ struct Bvh {
 
 /// A leaf holds pieces of total size up to `leaf_size`, at the cost of one test. `frames`: all that rays may query.
 Bvh build_bvh(std::span<const Piece> pieces, int leaf_size, FrameSet frames);
+
+/// The same by Embree's builder, on all threads, for pieces of the same frames; Bvh::node_frames stays empty. Pieces have
+/// size 1 or `leaf_size`. The order of leaves may differ from run to run; no answer depends on it.
+Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size);
+
+/// by_size: Embree for many pieces.
+enum class BvhBuilder { by_size, own, embree };
 
 }  // namespace dspm

@@ -144,7 +144,7 @@ class Builder {
     const auto number = static_cast<std::uint32_t>(bvh_.nodes.size());
     bvh_.nodes.emplace_back();
     bvh_.node_frames.emplace_back();
-    for (std::size_t i = 0; i < children.size(); ++i) set_box(bvh_.nodes.back(), i, children[i].bounds);
+    for (std::size_t i = 0; i < children.size(); ++i) bvh_.nodes.back().set_box(i, children[i].bounds);
     for (std::size_t i = 0; i < size; ++i) {
       const Range& r = children[i];
       const std::uint32_t child = r.size <= leaf_size_ ? add_leaf(r) : add_node(r, level + 1);
@@ -159,13 +159,6 @@ class Builder {
     return Bvh::kLeaf + static_cast<std::uint32_t>(bvh_.leaves.size() - 1);
   }
 
-  static void set_box(Bvh::Node& node, std::size_t i, const Bounds3& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      node.planes[2 * axis][i] = b.low[axis];
-      node.planes[2 * axis + 1][i] = b.high[axis];
-    }
-  }
-
   std::span<const Piece> pieces_;
   int leaf_size_;
   FrameSet all_frames_;
@@ -173,6 +166,13 @@ class Builder {
 };
 
 }  // namespace
+
+void Bvh::Node::set_box(std::size_t i, const Bounds3& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    planes[2 * axis][i] = box.low[axis];
+    planes[2 * axis + 1][i] = box.high[axis];
+  }
+}
 
 std::vector<Bounds3> Bvh::Node::boxes() const {
   std::vector<Bounds3> all;

@@ -58,6 +58,13 @@ class FourTriangles {
     return 15u & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
   }
 
+  /// The candidates whose boxes the ray enters within `limit`: a hit is never before that, see meet.h.
+  unsigned entered(const FourRays& ray, unsigned candidates, float limit) const {
+    const __m128 enter = entry(ray), infinity = _mm_set1_ps(kInfinity);
+    const __m128 late = _mm_and_ps(_mm_cmpgt_ps(enter, _mm_set1_ps(limit)), _mm_cmplt_ps(enter, infinity));
+    return candidates & ~static_cast<unsigned>(_mm_movemask_ps(late));
+  }
+
   /// `wanted`: some of the candidates.
   FourHits meet(const FourRays& ray, unsigned wanted) const {
     const __m128 zero = _mm_setzero_ps(), infinity = _mm_set1_ps(kInfinity), t_max = _mm_set1_ps(ray.one.t_max);

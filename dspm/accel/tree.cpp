@@ -12,7 +12,11 @@
 namespace dspm {
 namespace {
 
-constexpr std::uint32_t kPlaced = 1u << 30;
+// Bits of a leaf's number: it is a placed object; its triangles fill two packets.
+constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29;
+
+// From here on, Embree's builder is faster, even as it starts its threads.
+constexpr std::size_t kManyPieces = 5000;
 
 // Norm of a linear map, with vectors measured by their largest component.
 template <class Map>
@@ -36,7 +40,7 @@ class Tree::Builder {
   Builder(Tree& tree, std::span<const PlacedShape> shapes, MeshTrees& meshes)
       : tree_(tree), shapes_(shapes), meshes_(meshes) {}
 
-  void build(std::span<const int> which, FrameSet all) {
+  void build(std::span<const int> which, FrameSet all, BvhBuilder builder) {
     std::vector<int> world_meshes;
     for (const int s : which)
       if (is_world_mesh(shape(s))) world_meshes.push_back(s);
@@ -45,11 +49,14 @@ class Tree::Builder {
     for (const int s : which)
       if (!is_world_mesh(shape(s))) place(s);
 
-    tree_.bvh_ = build_bvh(pieces_, TrianglePacket::kSize, all);
-    if (std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); }))
-      tree_.bvh_.node_frames = {};
-    pieces_ = {};                                                       // frees memory for the packets
-    tree_.packets_.reserve(tree_.bvh_.leaves.size() - placed_.size());  // each placed object fills a leaf
+    const bool alike =
+        std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); });
+    if (builder == BvhBuilder::by_size) builder = pieces_.size() < kManyPieces ? BvhBuilder::own : BvhBuilder::embree;
+    tree_.bvh_ = alike && builder == BvhBuilder::embree ? build_bvh_with_embree(pieces_, kLeafSize)
+                                                        : build_bvh(pieces_, kLeafSize, all);
+    if (alike) tree_.bvh_.node_frames = {};
+    pieces_ = {};  // frees memory for the packets
+    tree_.packets_.reserve(packets_in(triangles));
     for (Bvh::Node& node : tree_.bvh_.nodes)
       for (std::uint32_t& child : node.child)
         if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);
@@ -77,7 +84,7 @@ class Tree::Builder {
     tree_.margins_ = std::max(tree_.margins_, margins);
     world = widened(world, margins * kBoxMargin * (largest_coordinate(world) + origin));
     placed_.push_back(placed);
-    pieces_.push_back({world, shape.frames, TrianglePacket::kSize});
+    pieces_.push_back({world, shape.frames, kLeafSize});
   }
 
   std::uint32_t add_leaf(const Bvh::Leaf& leaf, const TrianglePieces& triangles) {
@@ -86,14 +93,30 @@ class Tree::Builder {
       tree_.placed_.push_back(placed_[pieces.front() - triangles.count()]);
       return kPlaced + static_cast<std::uint32_t>(tree_.placed_.size() - 1);
     }
-    TrianglePacket& packet = tree_.packets_.emplace_back();
+    const auto first = static_cast<std::uint32_t>(tree_.packets_.size());
+    std::size_t count = 0;
     for (const std::uint32_t piece : pieces) {
       for (const auto [s, number] : triangles.of_piece(piece)) {
+        const std::size_t lane = count++ % TrianglePacket::kSize;
+        if (lane == 0) tree_.packets_.emplace_back();
         const TriangleMesh& mesh = *shape(s).shape->triangles();
-        packet.add(s, number, mesh.vertex(number, 0), mesh.vertex(number, 1), mesh.vertex(number, 2));
+        tree_.packets_.back().set(lane, s, number, mesh.vertex(number, 0), mesh.vertex(number, 1),
+                                  mesh.vertex(number, 2));
       }
     }
-    return static_cast<std::uint32_t>(tree_.packets_.size() - 1);
+    return count > TrianglePacket::kSize ? kTwo | first : first;
+  }
+
+  /// The packets that the leaves will take.
+  std::size_t packets_in(const TrianglePieces& triangles) const {
+    std::size_t packets = 0;
+    for (const Bvh::Leaf& leaf : tree_.bvh_.leaves) {
+      std::size_t count = 0;
+      for (const std::uint32_t piece : std::span(tree_.bvh_.order).subspan(leaf.first, leaf.count))
+        if (piece < triangles.count()) count += triangles.of_piece(piece).size();
+      packets += (count + TrianglePacket::kSize - 1) / TrianglePacket::kSize;
+    }
+    return packets;
   }
 
   Tree& tree_;
@@ -103,9 +126,10 @@ class Tree::Builder {
   std::vector<Placed> placed_;
 };
 
-Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes) {
+Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
+           MeshTrees& meshes) {
   for (const PlacedShape& placed : shapes) frames_.push_back(placed.frames);
-  Builder(*this, shapes, meshes).build(which, all);
+  Builder(*this, shapes, meshes).build(which, all, builder);
 }
 
 template <class Query>
@@ -133,10 +157,10 @@ template <class Query>
 void Tree::find(const TreeRay& ray, Query& query) const {
   const auto frames_of = [&](int shape) { return frames_[static_cast<std::size_t>(shape)]; };
   traverse(bvh_, ray.test, query, [&](std::uint32_t leaf) {
-    if (leaf < kPlaced)
-      packets_[leaf].find(ray.four, query, frames_of);
-    else
-      find_in(placed_[leaf - kPlaced], ray.ray, query);
+    if (leaf >= kPlaced) return find_in(placed_[leaf - kPlaced], ray.ray, query);
+    const TrianglePacket* packet = &packets_[leaf & ~kTwo];
+    const TrianglePacket* const end = packet + ((leaf & kTwo) != 0 ? 2 : 1);
+    for (; packet != end; ++packet) packet->find(ray.four, query, frames_of);
   });
 }
 template void Tree::find(const TreeRay&, NearestHit&) const;
@@ -155,7 +179,7 @@ const Tree& MeshTrees::of(const Shape& mesh) {
     const FrameSet only = FrameSet::single(0);
     const PlacedShape placed{.shape = &mesh, .to_world = {}, .frames = only};
     const int first = 0;
-    tree = std::make_unique<const Tree>(std::span(&placed, 1), std::span(&first, 1), only, *this);
+    tree = std::make_unique<const Tree>(std::span(&placed, 1), std::span(&first, 1), only, builder_, *this);
   }
   return *tree;
 }

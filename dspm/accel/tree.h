@@ -38,8 +38,10 @@ std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& w
 
 class Tree {
  public:
-  /// Built over shapes[i] for all i in `which`. `all`: the frames that rays may query.
-  Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, MeshTrees& meshes);
+  /// Built over shapes[i] for all i in `which`. `all`: the frames that rays may query. If the shapes are there in all of
+  /// them, `builder` builds the tree; else our own does, which knows frames.
+  Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
+       MeshTrees& meshes);
 
   bool empty() const { return bvh_.nodes.empty(); }
   /// Offers the ray's hits to `query`, one of those in hits.h.
@@ -79,10 +81,12 @@ class Tree {
 /// A tree, in the mesh's own space, for each mesh placed by a transform.
 class MeshTrees {
  public:
+  explicit MeshTrees(BvhBuilder builder) : builder_(builder) {}
   const Tree& of(const Shape& mesh);
   std::size_t memory() const;
 
  private:
+  BvhBuilder builder_;
   std::map<const Shape*, std::unique_ptr<const Tree>> trees_;  // lookups only, so addresses affect no result
 };
 

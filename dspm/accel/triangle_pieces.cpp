@@ -18,7 +18,7 @@ class Cutter {
 
   /// Cuts the same primitive of meshes of the same topology, in frame order.
   void cut(std::span<const int> sequence, int primitive) {
-    if (sequence.size() > TrianglePacket::kSize) return cut_in_two(sequence, primitive);
+    if (sequence.size() > kLeafSize) return cut_in_two(sequence, primitive);
     Piece piece{{}, {}, static_cast<int>(sequence.size())};
     float area = 0;
     for (const int s : sequence) {

@@ -36,15 +36,18 @@ HitPartition one_part(FrameSet frames, const RayHit& hit) {
 
 }  // namespace
 
-TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all)
-    : static_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return s.frames.contains(all); }), all, meshes_),
-      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, meshes_),
+TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all, BvhBuilder builder)
+    : meshes_(builder),
+      static_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return s.frames.contains(all); }), all, builder,
+              meshes_),
+      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, builder,
+               meshes_),
       margins_(std::max(static_.margins(), dynamic_.margins())) {
   if (dynamic_.empty() || live_too_long(shapes, all)) return;
   for (Frame f = 0; f < kMaxFrames && all.contains(f); ++f) {
     const auto there =
         numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all) && s.frames.contains(f); });
-    of_frame_.emplace_back(shapes, there, FrameSet::single(f), meshes_);
+    of_frame_.emplace_back(shapes, there, FrameSet::single(f), BvhBuilder::own, meshes_);
   }
 }
 
@@ -93,7 +96,7 @@ std::size_t TwoLevel::memory() const {
 }
 
 std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
-  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 80, and about 40 more for a while.
+  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 85, and about 40 more for a while.
   constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;
@@ -109,8 +112,14 @@ std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
 }
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all) {
+  const std::string builder = reader.choice(
+      "static", "auto", {"auto", "embree", "own"},
+      "who builds the tree of what is static and those of placed meshes; auto: Embree if they are large");
   reader.finish();
-  return std::make_unique<TwoLevel>(shapes, all);
+  return std::make_unique<TwoLevel>(shapes, all,
+                                    builder == "embree" ? BvhBuilder::embree
+                                    : builder == "own"  ? BvhBuilder::own
+                                                        : BvhBuilder::by_size);
 }
 
 }  // namespace dspm

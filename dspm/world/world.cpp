@@ -94,6 +94,18 @@ struct World::Impl {
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
+    if (accel == nullptr) return;
+    if (text.accelerator && text.accelerator->type == name) accel_params = text.accelerator->params.at(Moment());
+    ParamReader reader = accel_reader(diagnostics);
+    reader.only_check();
+    try {
+      accel->make(reader, {}, FrameSet());
+    } catch (const DescribedEnough&) {}
+  }
+
+  ParamReader accel_reader(Diagnostics& diagnostics) const {
+    return {accel_params, fmt::format("accelerator \"{}\"", accel->name),
+            description.accelerator ? description.accelerator->where : SourceLocation{}, diagnostics};
   }
 
   std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames) const {
@@ -120,6 +132,7 @@ struct World::Impl {
   std::vector<WorldLight> lights;
   Timeline<std::shared_ptr<const Camera>> camera;
   const AccelPlugin* accel = nullptr;
+  ParamList accel_params;
 };
 
 World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
@@ -144,8 +157,7 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->camera = cut(impl_->camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
   Diagnostics ignored;
-  const ParamList none;
-  ParamReader reader(none, "accelerator", {}, ignored);
+  ParamReader reader = impl_->accel_reader(ignored);
   scene->accel = impl_->accel->make(reader, scene->shapes, scene->frames());
   return scene;
 }

@@ -67,22 +67,25 @@ void expect_agreement(const Accel& tree, const Accel& loop, const Ray& ray, Fram
   EXPECT_EQ(hit_frames, found_blocked);
 }
 
-TEST(Agreement, OnRandomScenes) {
+/// By who builds the trees of what is alike in all frames.
+class Agreement : public testing::TestWithParam<BvhBuilder> {};
+
+TEST_P(Agreement, OnRandomScenes) {
   for (std::uint64_t seed = 0; seed < 4000 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     test::RandomScene scene(seed);
-    const TwoLevel tree(scene.placed(), scene.all());
+    const TwoLevel tree(scene.placed(), scene.all(), GetParam());
     const BruteForce loop(scene.placed());
     for (int i = 0; i < 40; ++i) expect_agreement(tree, loop, scene.some_ray(), scene.some_frames());
   }
 }
 
 // The distance of a hit is no longer within a ray that ends there, and is within one that ends at the next float.
-TEST(Agreement, OnRaysThatEndAtAHit) {
+TEST_P(Agreement, OnRaysThatEndAtAHit) {
   for (std::uint64_t seed = 10000; seed < 11000 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     test::RandomScene scene(seed);
-    const TwoLevel tree(scene.placed(), scene.all());
+    const TwoLevel tree(scene.placed(), scene.all(), GetParam());
     const BruteForce loop(scene.placed());
     for (int i = 0; i < 20; ++i) {
       Ray ray = scene.some_ray();
@@ -100,14 +103,14 @@ TEST(Agreement, OnRaysThatEndAtAHit) {
 
 // Frame j of a partition is what a ray that asks for frame j alone gets, from the same tree and from a tree that was
 // built for frame j alone (where everything is static).
-TEST(Agreement, OfAllFramesAndEachFrameAlone) {
+TEST_P(Agreement, OfAllFramesAndEachFrameAlone) {
   for (std::uint64_t seed = 20000; seed < 20300 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     test::RandomScene scene(seed);
-    const TwoLevel tree(scene.placed(), scene.all());
+    const TwoLevel tree(scene.placed(), scene.all(), GetParam());
     std::vector<std::unique_ptr<TwoLevel>> alone;
     scene.all().for_each(
-        [&](Frame f) { alone.push_back(std::make_unique<TwoLevel>(scene.placed(), FrameSet::single(f))); });
+        [&](Frame f) { alone.push_back(std::make_unique<TwoLevel>(scene.placed(), FrameSet::single(f), GetParam())); });
     for (int i = 0; i < 20; ++i) {
       const Ray ray = scene.some_ray();
       for (const FrameHit& part : tree.partition(ray, scene.all())) {
@@ -121,8 +124,27 @@ TEST(Agreement, OfAllFramesAndEachFrameAlone) {
   }
 }
 
-TEST(Agreement, OnNothing) {
-  const TwoLevel tree({}, FrameSet::first(64));
+// Thousands of triangles in one mesh, so that a builder uses all its threads.
+TEST_P(Agreement, OnALargeMesh) {
+  test::Random random(7);
+  MeshData data;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3 at = random.in_cube(1);
+    for (int corner = 0; corner < 3; ++corner) data.vertices.push_back(at + random.in_cube(0.02f));
+    data.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const TriangleMesh mesh(std::move(data));
+  std::vector<PlacedShape> placed = {test::placed(mesh, {}),
+                                     test::placed(mesh, Transform(Matrix4::rotate(30, 0, 1, 0)))};
+  const FrameSet all = FrameSet::first(2);
+  for (PlacedShape& each : placed) each.frames = all;
+  const TwoLevel tree(placed, all, GetParam());
+  const BruteForce loop(placed);
+  for (int i = 0; i < 300; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
+}
+
+TEST_P(Agreement, OnNothing) {
+  const TwoLevel tree({}, FrameSet::first(64), GetParam());
   const Ray ray{{0, 0, 0}, {0, 0, 1}};
   const HitPartition parts = tree.partition(ray, FrameSet(5));
   ASSERT_EQ(parts.size(), 1);
@@ -131,6 +153,9 @@ TEST(Agreement, OnNothing) {
   EXPECT_EQ(tree.partition(ray, FrameSet()).size(), 0);
   EXPECT_TRUE(tree.occluded(ray, FrameSet(5)).empty());
 }
+
+INSTANTIATE_TEST_SUITE_P(Builders, Agreement, testing::Values(BvhBuilder::own, BvhBuilder::embree),
+                         [](const auto& builder) { return builder.param == BvhBuilder::own ? "Own" : "Embree"; });
 
 }  // namespace
 }  // namespace dspm

@@ -116,18 +116,26 @@ std::string sheet(int n) {
   return text;
 }
 
+void add_sheet(const Directory& directory, int n) {
+  put_file(directory / "sheet.ply", sheet(n));
+  put_file(directory / "tiny.dsc",
+           contents(directory / "tiny.dsc") + "\nShape \"plymesh\" \"string filename\" \"sheet.ply\"\n");
+}
+
 TEST(Memory, OfMeshesAndTheirTreesCounts) {
 #ifdef DSPM_MEMORY_OF_ITS_OWN
   GTEST_SKIP();
 #endif
   const Directory directory;
   const double without = least_bytes(directory);
-  put_file(directory / "sheet.ply", sheet(300));
-  put_file(directory / "tiny.dsc",
-           contents(directory / "tiny.dsc") + "\nShape \"plymesh\" \"string filename\" \"sheet.ply\"\n");
-  const double least = bytes_taken(run_within(directory, megabytes(without)).err);
+  add_sheet(directory, 300);
+  double least = bytes_taken(run_within(directory, megabytes(without)).err);
   ASSERT_GT(least, without + 10 * kMegabyte);
-  const Outcome bounded = run_within(directory, megabytes(least));
+  Outcome bounded = run_within(directory, megabytes(least));
+  if (bounded.code != 0) {  // the first message was about building the trees, before anything else was counted
+    least = bytes_taken(bounded.err);
+    bounded = run_within(directory, megabytes(least));
+  }
   ASSERT_EQ(bounded.code, 0) << bounded.err;
   EXPECT_LE(bounded.peak_bytes, least);
 }
@@ -188,11 +196,7 @@ std::string plan(const Directory& directory, std::size_t bytes, const std::strin
 }
 
 /// To the byte: what threads take may not move the place where the plan changes.
-TEST(Memory, HasTheSamePlanWithAnyNumberOfThreads) {
-#ifdef DSPM_MEMORY_OF_ITS_OWN
-  GTEST_SKIP();
-#endif
-  const Directory directory;
+void expect_plan_for_any_threads(const Directory& directory) {
   const auto is_short = [&](std::size_t bytes) {
     return plan(directory, bytes, "1").find("3 frames together\n") == std::string::npos;
   };
@@ -206,6 +210,16 @@ TEST(Memory, HasTheSamePlanWithAnyNumberOfThreads) {
   for (const char* threads : {"2", "7", "64"})
     for (const std::size_t bytes : {low, high})
       EXPECT_EQ(plan(directory, bytes, threads), plan(directory, bytes, "1")) << bytes << " bytes, " << threads;
+}
+
+TEST(Memory, HasTheSamePlanWithAnyNumberOfThreads) {
+#ifdef DSPM_MEMORY_OF_ITS_OWN
+  GTEST_SKIP();
+#endif
+  const Directory directory;
+  expect_plan_for_any_threads(directory);
+  add_sheet(directory, 60);  // enough triangles for Embree's builder
+  expect_plan_for_any_threads(directory);
 }
 
 TEST(Memory, SufficesForManyThreads) {

@@ -45,6 +45,25 @@ TEST(Job, AnImageMayBeTooLarge) {
   }
 }
 
+TEST(Job, AnAcceleratorsParametersAreRead) {
+  const auto message_of = [](const std::string& directive, const Choices& choices = {}) {
+    try {
+      job_of("Accelerator " + directive, choices);
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message_of(R"("two-level" "string static" "own")"), "");
+  EXPECT_NE(message_of(R"("two-level" "string static" "octree")").find("embree"), std::string::npos);
+  EXPECT_NE(message_of(R"("two-level" "string statik" "own")").find("did you mean \"static\""), std::string::npos);
+  EXPECT_NE(message_of(R"("bruteforce" "string static" "own")"), "");
+  EXPECT_EQ(message_of(R"("kdtree" "integer maxdepth" 9)"), "");  // pbrt's, without effect
+  Choices other;
+  other.accel = "bruteforce";
+  EXPECT_EQ(message_of(R"("two-level" "string static" "own")", other), "");  // not what these parameters are for
+}
+
 TEST(Job, PixelsAreJitteredUnlessTheSceneSaysElse) {
   EXPECT_TRUE(job_of("").settings.jitter);
   EXPECT_TRUE(job_of("Option \"disablepixeljitter\" false").settings.jitter);
