@@ -1,5 +1,7 @@
 #include "dspm/world/world.h"
 
+#include <fmt/format.h>
+
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/world/geometry.h"
