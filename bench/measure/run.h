@@ -59,5 +59,7 @@ double seconds(const Statistics& statistics);
 
 /// The middle of the values, or the mean of the two in the middle; 0 of none.
 double median(std::vector<double> values);
+/// The median of a[i] / b[i]: of two that took turns.
+double median_ratio(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace dspm

@@ -34,9 +34,8 @@ std::string last_ratio(const std::vector<Measured>& all) {
   const Measured& whole = all.back();
   const Measured& part =
       *std::find_if(all.begin(), all.end(), [](const Measured& m) { return m.frames == kMaxFrames; });
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < whole.seconds.size(); ++i) ratios.push_back(whole.seconds[i] / part.seconds[i]);
-  return fmt::format("{} frames take {:.2f} times as long as {}.\n", whole.frames, median(ratios), part.frames);
+  return fmt::format("{} frames take {:.2f} times as long as {}.\n", whole.frames,
+                     median_ratio(whole.seconds, part.seconds), part.frames);
 }
 
 }  // namespace

@@ -37,9 +37,9 @@ struct Rivals {
         embree(scene.shapes) {}
 };
 
-/// Nanoseconds a ray of each, and the medians of the ratios to Embree alone.
+/// Nanoseconds a ray of each, by turn.
 struct Turns {
-  std::vector<double> own, built_by_embree, embree, own_ratio, built_by_embree_ratio;
+  std::vector<double> own, built_by_embree, embree;
 };
 
 template <class Ours, class Embree>
@@ -51,13 +51,12 @@ Turns take_turns(const std::vector<AskedRay>& rays, int turns, const Rivals& riv
     taken.embree.push_back(nanoseconds(rays, [&](const AskedRay& r) { return embree(rivals.embree, r); }));
     taken.built_by_embree.push_back(
         nanoseconds(rays, [&](const AskedRay& r) { return ours(rivals.built_by_embree, r); }));
-    taken.own_ratio.push_back(taken.own.back() / taken.embree.back());
-    taken.built_by_embree_ratio.push_back(taken.built_by_embree.back() / taken.embree.back());
   }
   return taken;
 }
 
-/// The share of rays whose nearest hits differ by more than rounding: those along edges, which the two may give to either side.
+/// The share of rays whose nearest hits differ by more than rounding: those along edges, which the two may give to
+/// either side.
 double disagreement(const std::vector<AskedRay>& rays, const Accel& accel, const BareEmbree& embree) {
   std::size_t apart = 0;
   for (const AskedRay& asked : rays) {
@@ -72,7 +71,8 @@ void add_row(Table& table, const char* name, const char* kind, std::size_t rays,
   const auto nanoseconds_cell = [](const std::vector<double>& of) { return fmt::format("{:.0f}", median(of)); };
   table.row({name, kind, fmt::format("{:.0f} k", 1e-3 * static_cast<double>(rays)), nanoseconds_cell(turns.own),
              nanoseconds_cell(turns.built_by_embree), nanoseconds_cell(turns.embree),
-             ratio_cell(median(turns.own_ratio)), ratio_cell(median(turns.built_by_embree_ratio)), apart});
+             ratio_cell(median_ratio(turns.own, turns.embree)),
+             ratio_cell(median_ratio(turns.built_by_embree, turns.embree)), apart});
 }
 
 void compare_rays(Table& table, const char* name, const RecordedRays& rays, const Rivals& rivals, int turns) {

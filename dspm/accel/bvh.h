@@ -1,5 +1,6 @@
 // A bounding volume hierarchy over anything that has a box and a set of frames: 8-wide nodes, built by the surface area
-// heuristic (bvh_builder.cpp, embree_builder.cpp), traversed by traverse.h. It knows neither shapes nor what its leaves hold.
+// heuristic (bvh_builder.cpp, embree_builder.cpp), traversed by traverse.h. It knows neither shapes nor what its leaves
+// hold.
 #pragma once
 
 #include <array>

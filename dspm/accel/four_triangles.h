@@ -32,8 +32,10 @@ struct FourHits {
 
 class FourTriangles {
  public:
-  /// Coordinate a of corner c of triangle i is vertices[(3 c + a) stride + i].
-  FourTriangles(const FourRays& ray, const float* vertices, int stride) : vertices_(vertices), stride_(stride) {
+  /// By corner, axis, triangle; they must outlive this.
+  using Vertices = float[3][3][4];
+
+  FourTriangles(const FourRays& ray, const Vertices& vertices) : vertices_(vertices) {
     const TriangleRay& r = ray.one.triangle;
     __m128 x[3], y[3];
     for (int c = 0; c < 3; ++c) {
@@ -102,7 +104,7 @@ class FourTriangles {
   static __m128 most(__m128 a, __m128 b, __m128 c) { return _mm_max_ps(_mm_max_ps(a, b), c); }
   static __m128 absolute(__m128 a) { return _mm_andnot_ps(_mm_set1_ps(-0.f), a); }
 
-  const float* at(int corner, int axis) const { return vertices_ + (3 * corner + axis) * stride_; }
+  const float* at(int corner, int axis) const { return vertices_[corner][axis]; }
   __m128 coordinate(int corner, int axis) const { return _mm_load_ps(at(corner, axis)); }
 
   /// The ray's hits on the triangles' planes; only wanted lanes are valid.
@@ -150,8 +152,7 @@ class FourTriangles {
 
   void look_closer(const MeshRay& ray, unsigned doubtful, FourHits& hits) const;
 
-  const float* vertices_;
-  int stride_;
+  const Vertices& vertices_;
   __m128 u_, v_, w_, z_[3];
 };
 

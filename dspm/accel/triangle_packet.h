@@ -14,7 +14,7 @@ namespace dspm {
 struct alignas(16) TrianglePacket {
   static constexpr int kSize = 4;
 
-  float vertex[3][3][kSize];  // by corner, axis, lane
+  FourTriangles::Vertices vertex;
   int shape[kSize] = {-1, -1, -1, -1};
   int primitive[kSize];
 
@@ -29,7 +29,7 @@ struct alignas(16) TrianglePacket {
   /// Offers the ray's hits to `query`; `frames_of(shape)` are the frames in which a triangle exists.
   template <class Query, class FramesOf>
   void find(const FourRays& ray, Query& query, const FramesOf& frames_of) const {
-    const FourTriangles four(ray, &vertex[0][0][0], kSize);
+    const FourTriangles four(ray, vertex);
     unsigned wanted = 0;
     FrameSet frames[kSize];
     for (unsigned rest = four.candidates(query.limit()) & lanes(); rest != 0; rest &= rest - 1) {

@@ -40,7 +40,7 @@ TwoLevel::TwoLevel(std::span<const PlacedShape> shapes, FrameSet all, BvhBuilder
     : meshes_(builder),
       static_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return s.frames.contains(all); }), all, builder,
               meshes_),
-      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, builder,
+      dynamic_(shapes, numbers_of(shapes, [&](const PlacedShape& s) { return in_some(s, all); }), all, BvhBuilder::own,
                meshes_),
       margins_(std::max(static_.margins(), dynamic_.margins())) {
   if (dynamic_.empty() || live_too_long(shapes, all)) return;
@@ -112,9 +112,9 @@ std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
 }
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all) {
-  const std::string builder = reader.choice(
-      "static", "auto", {"auto", "embree", "own"},
-      "who builds the tree of what is static and those of placed meshes; auto: Embree if they are large");
+  const std::string builder =
+      reader.choice("static", "auto", {"auto", "embree", "own"},
+                    "who builds the tree of what is static and those of placed meshes; auto: Embree if they are large");
   reader.finish();
   return std::make_unique<TwoLevel>(shapes, all,
                                     builder == "embree" ? BvhBuilder::embree

@@ -88,4 +88,13 @@ std::vector<ParamInfo> describe(const Plugin<Make>& plugin, const Context&... co
   return described;
 }
 
+/// Reports errors in the parameters, as the plugin's factory reads them, and makes nothing.
+template <class Make, class... Context>
+void check(const Plugin<Make>& plugin, ParamReader& reader, const Context&... context) {
+  reader.only_check();
+  try {
+    plugin.make(reader, context...);
+  } catch (const DescribedEnough&) {}
+}
+
 }  // namespace dspm

@@ -123,10 +123,7 @@ std::string accel_of(const SceneDescription& description, const Choices& choices
 /// Reports errors in the integrator's parameters before there is a scene to make it for.
 void check_integrator(const Job& job, Diagnostics& diagnostics) {
   ParamReader reader(job.params, fmt::format("integrator \"{}\"", job.integrator), job.where, diagnostics);
-  reader.only_check();
-  try {
-    job.plugin->make(reader, Scene{}, job.settings);
-  } catch (const DescribedEnough&) {}
+  check(*job.plugin, reader, Scene{}, job.settings);
 }
 
 /// Those of the Film, then the chosen ones.

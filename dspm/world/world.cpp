@@ -99,10 +99,7 @@ struct World::Impl {
     if (accel == nullptr) return;
     if (text.accelerator && text.accelerator->type == name) accel_params = text.accelerator->params.at(Moment());
     ParamReader reader = accel_reader(diagnostics);
-    reader.only_check();
-    try {
-      accel->make(reader, {}, FrameSet());
-    } catch (const DescribedEnough&) {}
+    check(*accel, reader, std::span<const PlacedShape>(), FrameSet());
   }
 
   ParamReader accel_reader(Diagnostics& diagnostics) const {
