@@ -65,6 +65,7 @@ LoadedScene load_sibenik_horse() {
 
 std::unique_ptr<Integrator> start(Job job, const char* integrator, const Scene& scene) {
   job.plugin = integrator_plugins().find(integrator), job.integrator = integrator;
+  job.settings.file->forget();
   Diagnostics diagnostics;
   std::unique_ptr<Integrator> made = job.make_integrator(scene, diagnostics);
   diagnostics.throw_if_errors();

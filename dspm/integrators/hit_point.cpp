@@ -272,14 +272,15 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
 
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
-                                           std::vector<HitPointTile> reuse) {
+                                           std::vector<HitPointTile> reuse, int stride) {
   reuse.resize(static_cast<std::size_t>(tile_count(render.crop, kTileSide)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     clear(tile);
     HitPointTracer tracer(scene, render, settings, tile);
-    for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t),
-                           [&](int x, int y) { tracer.trace(x, y, iteration); });
+    for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t), [&](int x, int y) {
+      if (x % stride == 0 && y % stride == 0) tracer.trace(x, y, iteration);
+    });
     tracer.finish();
   });
   return reuse;

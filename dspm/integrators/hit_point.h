@@ -64,9 +64,10 @@ struct HitPointTile {
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics);
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles);
 
-/// Traces one camera path per pixel of the crop, in parallel over tiles. Recycles the buffers in `reuse`.
+/// Traces one camera path per pixel of the crop, in parallel over tiles; with a `stride`, only every stride-th pixel of
+/// every stride-th row. Recycles the buffers in `reuse`.
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
-                                           std::vector<HitPointTile> reuse);
+                                           std::vector<HitPointTile> reuse, int stride = 1);
 
 }  // namespace dspm

@@ -10,6 +10,7 @@
 #include "dspm/film/pixel_filter.h"
 #include "dspm/film/pixel_rect.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
@@ -31,6 +32,7 @@ struct RenderSettings {
   std::size_t memory = 0;            // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound
   std::vector<std::string> outputs;  // to be written next to radiance
   bool in_camera_space = false;      // outputs that are positions or normals; else in world space
+  std::shared_ptr<FileSample> file;  // for what an integrator learns; may be null
 };
 
 class Integrator {

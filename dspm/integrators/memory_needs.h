@@ -1,6 +1,7 @@
 // An estimate of an integrator's memory before it allocates any, for runs with a memory bound.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 
@@ -15,8 +16,9 @@ struct MemoryNeeds {
   std::size_t pixels = 0;      // sums and statistics, by pixel and frame
   std::size_t hit_points = 0;  // per iteration
   std::size_t photons = 0;     // those held at a time, including their map
+  std::size_t learning = 0;    // where photons start: before any of these
 
-  std::size_t total() const { return pixels + hit_points + photons; }
+  std::size_t total() const { return std::max(pixels + hit_points + photons, learning); }
 };
 
 /// RenderSettings::memory does not suffice.

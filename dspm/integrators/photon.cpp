@@ -38,27 +38,28 @@ class PhotonTracer {
     start(PathRandom(settings_.seed, settings_.stream, path_index, iteration));
     branches_.follow(*this);
     branches_.count_path();
+    if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size()});
   }
 
  private:
   friend BranchingPath<PhotonPath>;
 
   void start(const PathRandom& random) {
-    const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
-    if (chosen.probability == 0) return;
-    const Vec2 u_point = random.pair(0, kLightPoint), u_direction = random.pair(0, kLightDirection);
-    for (const PhotonStart& start : starts_.of(chosen.index)) {
-      const auto emission = start.light->emit(u_point, u_direction);
+    const EmissionStart chosen = start_of(settings_.guide, scene_, random);
+    if (chosen.density == 0) return;
+    const EmissionNumbers& u = chosen.numbers;
+    for (const PhotonStart& start : starts_.of(chosen.light)) {
+      const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
-      const Rgb flux = emission->flux * start.factor / chosen.probability;
+      const Rgb flux = emission->flux * start.factor / chosen.density;
       if (!is_finite(flux) || !is_finite(emission->ray)) {
-        reject(start.frames, {SceneElement::Kind::light, chosen.index});
+        reject(start.frames, {SceneElement::Kind::light, chosen.light});
         continue;
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
       path.random = random, path.strands = start.strands;
-      path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.index)].is_delta;
-      if (start.varied != nullptr && !weigh(path, *start.varied, chosen.index)) {
+      path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.light)].is_delta;
+      if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();
         continue;
       }
@@ -217,6 +218,7 @@ class PhotonTracer {
 void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
   trace.photons.clear();
   trace.hidden.clear();
+  trace.ends.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
   trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
@@ -235,6 +237,13 @@ void finish_balance(PhotonTrace& trace, int frames) {
 }
 
 }  // namespace
+
+EmissionStart start_of(const EmissionGuide* guide, const Scene& scene, const PathRandom& random) {
+  if (guide != nullptr && !guide->is_off()) return guide->draw(random);
+  const ChosenLight chosen = scene.choose_light(random.number(0, kLightChoice));
+  const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
+  return {chosen.index, {position.x, position.y, direction.x, direction.y}, chosen.probability};
+}
 
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
   for (const PhotonTrace& trace : traces) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/emission_guide.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/math/frames.h"
@@ -39,7 +40,12 @@ struct PhotonSettings {
   unsigned kinds = kAllPhotons;  // to be stored
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
+  const EmissionGuide* guide = nullptr;
+  bool keep_ends = false;  // the traces say which photons are of which path
 };
+
+/// Where a photon path starts. A density of 0: nowhere, as there is no light.
+EmissionStart start_of(const EmissionGuide* guide, const Scene& scene, const PathRandom& random);
 
 /// The results of a range of photon paths.
 struct PhotonTrace {
@@ -47,6 +53,10 @@ struct PhotonTrace {
   // Photons on glossy lobes whose light no camera path finds: it left a light that no ray can hit and met only specular
   // lobes. In the same order.
   std::vector<Photon> hidden;
+  struct End {
+    std::size_t photons, hidden;
+  };
+  std::vector<End> ends;  // of each path in these lists, if they are kept
   StrandTable strands;
   StrandList own_strands = 1;  // earlier lists belong to the lights and are the same in all traces
   PathCounts paths;

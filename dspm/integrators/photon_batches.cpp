@@ -29,6 +29,7 @@ EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const 
 PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
                                     const RenderSettings& render, const EstimatorKind& estimator) {
   if (render.memory == 0) return {settings.photons, settings.photons};
+  const std::size_t guide = settings.photon.guide != nullptr ? settings.photon.guide->bytes() : 0;
   const double a_path = bytes_a_photon_path(scene, settings.photon);
   MemoryNeeds needs, least;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
@@ -36,7 +37,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
-    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render);
+    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render) + guide;
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

@@ -12,6 +12,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/final_gather.h"
+#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/summed_iterations.h"
@@ -35,6 +36,7 @@ struct PhotonMapSettings {
   int final_gather = 0;                  // rays per hit point; 0: none
   int max_depth = 8;
   float least_alpha = 0.25f;
+  bool guided = true;  // photons start where they are found; else by the lights' power
 };
 
 constexpr float kRadiusShareOfScene = 0.05f, kCausticRadiusShareOfScene = 0.0125f;
@@ -52,11 +54,39 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
   return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
 }
 
+/// With the guide's pointer set: the guide outlives the settings.
+struct GuidedPhotons {
+  PhotonSettings settings;
+  std::shared_ptr<const EmissionGuide> guide;
+
+  GuidedPhotons(const Scene& scene, const PhotonSettings& of, const PhotonMapSettings& s, const RenderSettings& render,
+                int photons, bool guided, Statistics& statistics)
+      : settings(of), guide(emission_guide(scene, render, of, hit_point_settings(s), photons, guided, statistics)) {
+    settings.guide = guide.get();
+  }
+};
+
+/// Final gather rays find photons where no camera path does.
+GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
+                             Statistics& statistics) {
+  return {scene, global_settings(s, render), s, render, s.photons, s.guided && s.final_gather == 0, statistics};
+}
+GuidedPhotons caustic_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
+                              Statistics& statistics) {
+  return {scene, caustic_settings(s, render), s, render, s.caustic_photons, s.guided, statistics};
+}
+
 MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
-  const double photons = bytes_a_photon_path(scene, global_settings(s, render)) * s.photons +
-                         bytes_a_photon_path(scene, caustic_settings(s, render)) * s.caustic_photons;
-  return {SummedIterations::bytes(render.crop.count(), scene.frame_count()),
-          hit_point_bytes(scene, render, hit_point_settings(s)), static_cast<std::size_t>(photons)};
+  Statistics not_counted;
+  const GuidedPhotons global = global_photons(scene, s, render, not_counted),
+                      caustic = caustic_photons(scene, s, render, not_counted);
+  const double photons = bytes_a_photon_path(scene, global.settings) * s.photons +
+                         bytes_a_photon_path(scene, caustic.settings) * s.caustic_photons;
+  MemoryNeeds needs;
+  needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count());
+  needs.hit_points = hit_point_bytes(scene, render, hit_point_settings(s));
+  needs.photons = static_cast<std::size_t>(photons) + global.guide->bytes() + caustic.guide->bytes();
+  return needs;
 }
 
 class PhotonMapper final : public Integrator {
@@ -111,8 +141,8 @@ class PhotonMapper final : public Integrator {
 
   void make_maps(const Scene& scene, Statistics& statistics) {
     const StepTimer timer(statistics.steps[kPhotonMaps]);
-    const auto trace = [&](const PhotonSettings& settings, int photons) {
-      auto traces = trace_photons(scene, settings, 0, 0, photons, {});
+    const auto trace = [&](const GuidedPhotons& how, int photons) {
+      auto traces = trace_photons(scene, how.settings, 0, 0, photons, {});
       if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
       return traces;
     };
@@ -120,8 +150,9 @@ class PhotonMapper final : public Integrator {
                            std::vector<Photon> PhotonTrace::*which) {
       map.build(traces, scene.frame_count(), how.radius / 4, which);
     };
-    build(global_, trace(global_settings(settings_, render_), settings_.photons), global_how_, &PhotonTrace::photons);
-    const auto caustic = trace(caustic_settings(settings_, render_), settings_.caustic_photons);
+    build(global_, trace(global_photons(scene, settings_, render_, statistics), settings_.photons), global_how_,
+          &PhotonTrace::photons);
+    const auto caustic = trace(caustic_photons(scene, settings_, render_, statistics), settings_.caustic_photons);
     build(caustic_, caustic, caustic_how_, &PhotonTrace::photons);
     build(hidden_, caustic, caustic_how_, &PhotonTrace::hidden);
   }
@@ -201,6 +232,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
       params.integer("maxdepth", s.max_depth, "", "maximum number of bounces, for camera paths and for photon paths");
   s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
                                 "lobes at least this rough gather photons; smoother ones extend the path");
+  s.guided = read_emission(params);
   params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);

@@ -8,6 +8,7 @@
 #include "dspm/image/image.h"
 #include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/hidden_light.h"
+#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/photon_batches.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
@@ -16,7 +17,7 @@
 namespace dspm {
 namespace {
 
-enum Step { kHitPoints, kPhotons, kPhotonMap, kStatistics };
+enum Step { kEmission, kHitPoints, kPhotons, kPhotonMap, kStatistics };
 
 class Progressive final : public Integrator {
  public:
@@ -24,12 +25,14 @@ class Progressive final : public Integrator {
               const EstimatorKind& estimator)
       : settings_(settings),
         render_(render),
-        batches_(batches_within_memory(settings, scene, render, estimator)),
+        lights_(static_cast<int>(scene.lights.size())),
         found_(render.crop.count(), scene.frame_count(), render.outputs) {
+    statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
+    if (render.memory > 0) learn(scene);  // how much memory photons take depends on where they start
+    batches_ = batches_within_memory(settings_, scene, render, estimator);
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
     pixel_bytes_ = estimator.bytes(of) + FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
-    statistics_.steps = {{"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = batches_.count();
     statistics_.bytes = bytes();
@@ -64,12 +67,14 @@ class Progressive final : public Integrator {
     estimator_->persist(state);
     shrinkage_.persist(state);
     found_.persist(state);
+    persist_guide(state);
     return true;
   }
 
  private:
   // [WG12 figure 3]
   void iterate(std::uint64_t iteration, const Scene& scene) {
+    if (guide_ == nullptr) learn(scene);
     trace_camera_paths(scene, iteration);
     const float cell_size = mean_search_radius(scene);
     for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
@@ -82,6 +87,22 @@ class Progressive final : public Integrator {
     estimator_->end_iteration();
     shrinkage_.end_iteration(settings_.alpha);
     ++statistics_.iterations;
+  }
+
+  void learn(const Scene& scene) {
+    const StepTimer timer(statistics_.steps[kEmission]);
+    guide_ = emission_guide(scene, render_, settings_.photon, settings_.hit_point, settings_.photons, settings_.guided,
+                            statistics_);
+    settings_.photon.guide = guide_.get();
+  }
+
+  void persist_guide(StateStream& state) {
+    EmissionGuide guide = guide_ != nullptr ? *guide_ : EmissionGuide();
+    std::uint8_t learned = guide_ != nullptr;
+    state.value(learned);
+    guide.persist(state, lights_);
+    guide_ = learned != 0 ? std::make_shared<const EmissionGuide>(std::move(guide)) : nullptr;
+    settings_.photon.guide = guide_.get();
   }
 
   // [WG12 4.1]
@@ -190,6 +211,8 @@ class Progressive final : public Integrator {
   ProgressiveSettings settings_;
   RenderSettings render_;
   PhotonBatches batches_;
+  int lights_;
+  std::shared_ptr<const EmissionGuide> guide_;  // null before the first iteration
   FoundPhotons found_;
   std::unique_ptr<PixelEstimator> estimator_;
   std::size_t pixel_bytes_ = 0;

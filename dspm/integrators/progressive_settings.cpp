@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/params/params.h"
 
@@ -26,6 +27,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
            "kz11";
   const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
                                      "direct light by photons, or by shadow rays from the hit points") == "sampled";
+  s.guided = read_emission(params);
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones extend the path");
   const bool share_paths =

@@ -53,7 +53,8 @@ class Light {
   virtual ~Light() = default;
   /// The total flux in W, or a good estimate of it: lights are chosen in proportion.
   virtual Rgb power() const = 0;
-  /// Starts a photon path; nullopt if these numbers yield no light.
+  /// Starts a photon path; nullopt if these numbers yield no light. Numbers that are close should give starts that are
+  /// close: integrators learn which boxes of numbers are worth drawing from.
   virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
   /// The densities with which emit() draws this start and direction, for paths that came to the light another way;
   /// `normal` and `primitive` as in Emission. A delta is taken for granted. Zero: unknown, or never drawn.

@@ -49,6 +49,8 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
   job = make_job(*description, choices, diagnostics);
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
   world = std::make_unique<World>(*description, world_options, diagnostics);
+  job.settings.file = std::make_shared<FileSample>(
+      world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });
 }
 
 std::string summary_of(const LoadedScene& loaded) {

@@ -73,7 +73,8 @@ class MemoryBound::Trials {
       return {};
     }
     const std::unique_ptr<Scene> scene = world_.scene(frames);
-    const std::size_t held = bound_.held() + kLeeway, taken = held + writing_;
+    // What was learned for an earlier trial counts among the integrator's own.
+    const std::size_t held = bound_.held() - job_.settings.file->bytes() + kLeeway, taken = held + writing_;
     const std::size_t share = taken < bound_.bytes_ ? bound_.bytes_ - taken : 1;
     try {
       Diagnostics shown_later;
@@ -82,10 +83,16 @@ class MemoryBound::Trials {
       const std::size_t tree = scene->accel->memory();
       const MemoryNeeds& needs = error.least;
       shortage_ =
-          fmt::format("{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",
-                      readable_bytes(taken + needs.total()), readable_bytes(held - tree), readable_bytes(tree),
-                      readable_bytes(needs.pixels), readable_bytes(needs.hit_points), readable_bytes(needs.photons),
-                      readable_bytes(writing_));
+          needs.learning > 0
+              ? fmt::format(
+                    "{}: scene and program {}, learning where photons start {} (\"string "
+                    "emission\" \"power\" takes none)",
+                    readable_bytes(taken + needs.learning), readable_bytes(held), readable_bytes(needs.learning))
+              : fmt::format(
+                    "{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",
+                    readable_bytes(taken + needs.total()), readable_bytes(held - tree), readable_bytes(tree),
+                    readable_bytes(needs.pixels), readable_bytes(needs.hit_points), readable_bytes(needs.photons),
+                    readable_bytes(writing_));
       return {};
     }
   }

@@ -161,6 +161,15 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   return scene;
 }
 
+std::vector<FileFrame> World::sample_frames() const {
+  constexpr int kMost = 16;
+  const int count = std::min(frame_count(), kMost);
+  std::vector<FileFrame> frames;
+  for (int i = 0; i < count; ++i)
+    frames.emplace_back(count == 1 ? 0 : static_cast<int>(std::int64_t{i} * (frame_count() - 1) / (count - 1)));
+  return frames;
+}
+
 const PluginUse& World::use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const {
   switch (element.kind) {
     case SceneElement::Kind::camera: break;

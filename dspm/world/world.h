@@ -31,6 +31,8 @@ class World {
   /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
   /// a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
+  /// At most 16 frames, spread over the file.
+  std::vector<FileFrame> sample_frames() const;
   /// The directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
   /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.

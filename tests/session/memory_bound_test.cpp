@@ -21,7 +21,7 @@ constexpr float kRounding = 1e-4f;  // of sums of partial sums
 /// Holds the tiny scene with more pixels and photons, for an integrator with these words.
 class Directory : public TemporaryDirectory {
  public:
-  explicit Directory(const std::string& integrator = R"("dsppm")") {
+  explicit Directory(const std::string& integrator = R"("dsppm" "string emission" "power")") {
     std::string scene = kTinyScene;
     const auto replace = [&](const std::string& from, const std::string& to) {
       scene.replace(scene.find(from), from.size(), to);
@@ -83,8 +83,11 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
   const Images images(directory);
   const Outcome none = run_within(directory, "20M");
   EXPECT_EQ(none.code, 1);
-  const double least = bytes_taken(none.err);
+  double least = bytes_taken(none.err);
   ASSERT_GT(least, 20 * kMegabyte) << none.err;
+  // The first message may be about learning where photons start, before anything else was counted.
+  if (const Outcome learned = run_within(directory, megabytes(least)); learned.code != 0)
+    least = bytes_taken(learned.err);
   for (const double bytes : {least, 1.3 * least, 100 * least}) {
     const Outcome bounded = run_within(directory, megabytes(bytes));
     ASSERT_EQ(bounded.code, 0) << bounded.err;

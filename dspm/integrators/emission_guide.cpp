@@ -1,0 +1,86 @@
+#include "dspm/integrators/emission_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dspm/integrators/dimension.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+namespace {
+
+constexpr float kBelowOne = 1 - 0x1p-24f;  // rounding may reach a box's end
+
+bool are_valid(const std::vector<EmissionGuide::Node>& nodes, int lights) {
+  std::size_t next_child = static_cast<std::size_t>(lights);
+  for (const EmissionGuide::Node& node : nodes) {
+    if (!(std::isfinite(node.probability) && node.probability >= 0) || node.side < 0 || node.side > 3) return false;
+    if (node.first_child >= 0) next_child += 2;
+  }
+  if (!nodes.empty() && next_child != nodes.size()) return false;
+  std::vector<bool> has_parent(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].first_child < 0) continue;
+    const auto child = static_cast<std::size_t>(nodes[i].first_child);
+    if (child <= i || child < static_cast<std::size_t>(lights) || child + 1 >= nodes.size() || has_parent[child] ||
+        has_parent[child + 1])
+      return false;
+    has_parent[child] = has_parent[child + 1] = true;
+  }
+  return true;
+}
+
+}  // namespace
+
+EmissionGuide::EmissionGuide(int lights, std::vector<Node> nodes) : nodes_(std::move(nodes)) {
+  std::vector<EmissionBox> boxes(nodes_.size());
+  std::vector<int> light(nodes_.size());
+  for (int root = 0; root < lights; ++root) light[static_cast<std::size_t>(root)] = root;
+  double end = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    if (node.first_child < 0) {
+      end += node.probability;
+      cells_.push_back({light[i], boxes[i], end, static_cast<float>(node.probability / boxes[i].volume())});
+    } else {
+      for (const bool above : {false, true}) {
+        const auto child = static_cast<std::size_t>(node.first_child + above);
+        boxes[child] = boxes[i].half(node.side, above), light[child] = light[i];
+      }
+    }
+  }
+}
+
+EmissionStart EmissionGuide::draw(const PathRandom& random) const {
+  // 24 bits would never reach cells of small probability.
+  const Vec2 choice = random.pair(0, kLightChoice);
+  const double u = (static_cast<double>(choice.x) + 0x1p-24 * static_cast<double>(choice.y)) * cells_.back().end;
+  const Cell& cell = *std::upper_bound(cells_.begin(), cells_.end() - 1, u,
+                                       [](double place, const Cell& other) { return place < other.end; });
+  const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
+  EmissionStart start{cell.light, {position.x, position.y, direction.x, direction.y}, cell.density};
+  for (std::size_t i = 0; i < start.numbers.size(); ++i)
+    start.numbers[i] = std::min(cell.box.low[i] + cell.box.size[i] * start.numbers[i], kBelowOne);
+  return start;
+}
+
+float EmissionGuide::density(int light, const EmissionNumbers& numbers) const {
+  const Node* node = &nodes_[static_cast<std::size_t>(light)];
+  EmissionBox box;
+  while (node->first_child >= 0) {
+    const bool above = numbers[EmissionBox::slot(node->side)] >= box.middle(node->side);
+    box = box.half(node->side, above);
+    node = &nodes_[static_cast<std::size_t>(node->first_child + above)];
+  }
+  return static_cast<float>(node->probability / box.volume());
+}
+
+void EmissionGuide::persist(StateStream& state, int lights) {
+  std::vector<Node> nodes = nodes_;
+  state.list(nodes, 2 * kMostCells + static_cast<std::size_t>(lights));
+  if (!are_valid(nodes, lights)) throw std::runtime_error("its record of where photons start is damaged");
+  *this = nodes.empty() ? EmissionGuide() : EmissionGuide(lights, std::move(nodes));
+}
+
+}  // namespace dspm

@@ -1,0 +1,84 @@
+// Where photon paths start: a density over the lights and over the numbers that their emit() takes, constant on cells.
+// It knows nothing of lights, so it suits those of plugins as well.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "dspm/math/rng.h"
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+/// The numbers of Light::emit: position x and y, direction x and y; each in [0, 1).
+using EmissionNumbers = std::array<float, 4>;
+
+/// A box of emission numbers; its sides are powers of two.
+struct EmissionBox {
+  EmissionNumbers low = {}, size = {1, 1, 1, 1};
+
+  float middle(int side) const { return low[slot(side)] + size[slot(side)] / 2; }
+  /// The part below the middle of that side, or the part above it.
+  EmissionBox half(int side, bool above) const {
+    EmissionBox part = *this;
+    part.size[slot(side)] /= 2;
+    if (above) part.low[slot(side)] = middle(side);
+    return part;
+  }
+  double volume() const {
+    double product = 1;
+    for (const float length : size) product *= static_cast<double>(length);
+    return product;
+  }
+  static std::size_t slot(int side) { return static_cast<std::size_t>(side); }
+};
+
+/// The start of a photon path. `density`: of the light and its numbers. If the numbers are uniform, it is the light's
+/// probability.
+struct EmissionStart {
+  int light = 0;
+  EmissionNumbers numbers = {};
+  float density = 0;
+};
+
+class EmissionGuide {
+ public:
+  /// A box of one light's numbers: halved, or a cell.
+  struct Node {
+    double probability = 0;
+    int first_child = -1;  // the lower half, followed by the upper one; negative for a cell
+    int side = 0;          // that is halved
+  };
+
+  /// Of no use: lights are chosen by their power.
+  EmissionGuide() = default;
+  /// The first nodes are those of all numbers, light by light; children come after their parents. The probabilities of
+  /// the cells add up to 1.
+  EmissionGuide(int lights, std::vector<Node> nodes);
+
+  bool is_off() const { return nodes_.empty(); }
+  std::size_t cell_count() const { return cells_.size(); }
+  /// Uses the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. Not if it is off.
+  EmissionStart draw(const PathRandom& random) const;
+  /// With which it draws these numbers of the light. Not if it is off.
+  float density(int light, const EmissionNumbers& numbers) const;
+  /// Loading throws std::runtime_error unless it finds a guide for that many lights.
+  void persist(StateStream& state, int lights);
+  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node) + cells_.capacity() * sizeof(Cell); }
+
+  static constexpr std::size_t kMostCells = 20'000;
+
+ private:
+  struct Cell {
+    int light;
+    EmissionBox box;
+    double end;  // of its part of [0, 1)
+    float density;
+  };
+
+  std::vector<Node> nodes_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace dspm

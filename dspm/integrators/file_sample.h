@@ -1,0 +1,56 @@
+// The whole file, for what integrators learn before their first iteration: whichever frames are rendered, they learn
+// the same.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/emission_guide.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// What integrators with the same settings share.
+struct LearnedEmission {
+  EmissionGuide guide;
+  std::size_t bytes_while_learning = 0;
+};
+
+class FileSample {
+ public:
+  using MakeScene = std::function<std::unique_ptr<Scene>()>;
+  /// `frames`: a few, spread over the file; `make` returns their scene.
+  FileSample(std::vector<FileFrame> frames, MakeScene make) : frames_(std::move(frames)), make_(std::move(make)) {}
+
+  /// Of these frames: `given`, if it is one.
+  std::shared_ptr<const Scene> scene(const Scene& given) const {
+    if (given.file_frames == frames_) return {std::shared_ptr<const Scene>(), &given};
+    return make_();
+  }
+  /// What learn() returns, for settings of that name: the integrators of later frame intervals need not learn again.
+  template <class Learn>
+  std::shared_ptr<const LearnedEmission> emission(const std::string& settings, Learn&& learn) {
+    std::shared_ptr<const LearnedEmission>& known = known_[settings];
+    if (known == nullptr) known = std::make_shared<const LearnedEmission>(learn());
+    return known;
+  }
+  /// Of all that was learned.
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [settings, known] : known_) sum += known->guide.bytes();
+    return sum;
+  }
+  /// To measure a run with all it takes.
+  void forget() { known_.clear(); }
+
+ private:
+  std::vector<FileFrame> frames_;
+  MakeScene make_;
+  std::map<std::string, std::shared_ptr<const LearnedEmission>> known_;
+};
+
+}  // namespace dspm

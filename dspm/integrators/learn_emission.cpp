@@ -1,0 +1,234 @@
+#include "dspm/integrators/learn_emission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/integrators/emission_tree.h"
+#include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/visible_points.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+// A round of pilot paths is a tenth of an iteration, within bounds.
+constexpr std::int64_t kLeastPaths = 1 << 13, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13;
+constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
+constexpr double kPilotPixels = 16384;
+constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
+
+// If too few paths are found, the search radius begins far larger, and shrinks once enough are.
+constexpr float kWidest = 1024, kShrink = 4;
+constexpr float kMostRadius = 0.1f;        // of the scene's radius
+constexpr std::size_t kLeastPoints = 256;  // that search, however wide
+constexpr double kEnough = 0.3, kFew = 0.1;
+constexpr int kWideRounds = 4;  // at most, at each radius
+
+constexpr int kTrialRounds = 3, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
+constexpr double kLeastGain = 1.25;    // in time to the same variance, or the guide is off
+constexpr double kLeastGrowth = 1.05;  // in paths found, over two rounds
+
+/// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
+struct Found {
+  EmissionStart start;
+  double squares;
+};
+
+struct Round {
+  EmissionGuide guide;  // that its paths were drawn with
+  std::vector<Found> found;
+  std::uint64_t paths = 0, work = 0;  // rays and photons
+
+  double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(paths); }
+  double cost() const { return static_cast<double>(work) / static_cast<double>(paths); }
+};
+
+class Learner {
+ public:
+  Learner(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+          const HitPointSettings& hit_point, int photons)
+      : scene_(sample),
+        photon_(photon),
+        kinds_(photon.kinds),
+        paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
+        stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
+    photon_.stream = Stream::pilot, photon_.keep_ends = true;
+    for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
+    HitPointSettings camera = hit_point;
+    camera.radius = 0, camera.sample_direct = false;
+    RenderSettings full = render;
+    full.crop = {0, 0, render.width, render.height};
+    tiles_ = trace_hit_points(sample, full, camera, kPilotIteration, {}, stride_);
+  }
+
+  EmissionGuide learn(PilotPaths& pilot) {
+    const Round first = trace(EmissionGuide(), 1);
+    EmissionGuide guide = fine(first.found_share() < kFew ? coarse() : EmissionGuide(), first, pilot);
+    pilot.rounds = static_cast<int>(rounds_), pilot.of_a_round = first.paths, pilot.found_first = first.found.size();
+    pilot.bytes = bytes_;
+    return guide;
+  }
+
+ private:
+  // All photons count, even if the integrator stores some kinds only: those that arrive first lead to the others.
+  EmissionGuide coarse() {
+    photon_.kinds = kAllPhotons;
+    EmissionGuide guide;
+    for (float scale = kWidest; scale >= 1; scale /= kShrink) {
+      std::vector<Round> rounds;
+      for (int i = 0; i < kWideRounds && (i == 0 || rounds.back().found_share() < kEnough); ++i) {
+        rounds.push_back(trace(guide, scale));
+        guide = guide_after(rounds);
+      }
+    }
+    photon_.kinds = kinds_;
+    return guide;
+  }
+
+  EmissionGuide fine(EmissionGuide guide, const Round& first, PilotPaths& pilot) {
+    std::vector<Round> rounds;
+    for (int i = 0; i < kMostRounds; ++i) {
+      rounds.push_back(trace(guide, 1));
+      pilot.found_last = rounds.back().found.size();
+      if (i == kTrialRounds && !(gain(rounds.back(), first) > kLeastGain)) return {};
+      guide = guide_after(rounds);
+      if (i >= kLeastRounds &&
+          rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
+        break;
+    }
+    return guide;
+  }
+
+  /// `scale`: of the search radius.
+  Round trace(const EmissionGuide& guide, float scale) {
+    const VisiblePoints matte = visible(&HitPointTile::hit_points, scale),
+                        glossy = visible(&HitPointTile::glossy, scale);
+    Round round{guide, {}, static_cast<std::uint64_t>(paths_)};
+    photon_.guide = &guide;
+    for (std::int64_t first = 0; first < paths_; first += kPathsAtOnce) {
+      traces_ =
+          trace_photons(scene_, photon_, rounds_, first, std::min(paths_, first + kPathsAtOnce), std::move(traces_));
+      find(static_cast<std::uint64_t>(first), matte, glossy, round);
+    }
+    ++rounds_;
+    return round;
+  }
+
+  /// Pilot pixels are further apart than pixels; wide circles need fewer points.
+  VisiblePoints visible(std::vector<HitPoint> HitPointTile::*which, float scale) const {
+    std::size_t count = 0;
+    for (const HitPointTile& tile : tiles_) count += (tile.*which).size();
+    const std::size_t most = std::max<std::size_t>(count / kLeastPoints, 1);
+    return VisiblePoints(tiles_, which, std::max(1.f, 0.5f * static_cast<float>(stride_)) * scale,
+                         kMostRadius * scene_.radius,
+                         std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
+  }
+
+  void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, Round& round) const {
+    std::vector<std::vector<double>> squares(traces_.size());  // by trace and path
+    parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
+      const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
+      std::size_t photon = 0, hidden = 0;
+      for (const PhotonTrace::End& end : trace.ends) {
+        double sum = 0;
+        const auto add = [&](float radiance, FrameSet frames) {
+          sum += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
+        };
+        for (; photon < end.photons; ++photon) matte.for_each_gathering(trace.photons[photon], add);
+        for (; hidden < end.hidden; ++hidden) glossy.for_each_gathering(trace.hidden[hidden], add);
+        squares[static_cast<std::size_t>(t)].push_back(sum);
+      }
+    });
+    for (std::size_t t = 0; t < traces_.size(); ++t) {
+      round.work += traces_[t].paths.segments.done + traces_[t].photons.size();
+      for (const double sum : squares[t]) {
+        const PathRandom random(photon_.seed, photon_.stream, path++, rounds_);
+        if (sum > 0 && std::isfinite(sum)) round.found.push_back({start_of(&round.guide, scene_, random), sum});
+      }
+    }
+  }
+
+  double usual(int light) const { return static_cast<double>(usual_[static_cast<std::size_t>(light)]); }
+  double density(const EmissionGuide& guide, const EmissionStart& start) const {
+    return guide.is_off() ? usual(start.light) : static_cast<double>(guide.density(start.light, start.numbers));
+  }
+
+  /// A path counts as drawn from the mixture of all rounds; else those that were unlikely in their own round would
+  /// outweigh all others. [Veach 1997, 9.2]
+  EmissionGuide guide_after(const std::vector<Round>& rounds) {
+    std::vector<EmissionRecord> records;
+    for (const Round& round : rounds)
+      for (const auto& [start, squares] : round.found) {
+        double mixture = 0;
+        for (const Round& other : rounds) mixture += density(other.guide, start);
+        const auto own = static_cast<double>(start.density);
+        records.push_back({start.light, start.numbers, squares * own * own / mixture});
+      }
+    // The records, once more by light and box, and the tree.
+    bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
+                                  records.size() * (2 * sizeof(Found) + sizeof(EmissionRecord)) + kTreeBytes);
+    return guide_from(records, usual_);
+  }
+
+  /// The time that the same variance would take without a guide, over that with the round's.
+  double gain(const Round& round, const Round& without) const {
+    double variance = 0, usual_variance = 0;
+    for (const auto& [start, squares] : round.found)
+      variance += squares, usual_variance += squares * static_cast<double>(start.density) / usual(start.light);
+    return usual_variance * without.cost() / (variance * round.cost());
+  }
+
+  const Scene& scene_;
+  PhotonSettings photon_;
+  unsigned kinds_;
+  std::int64_t paths_;  // of a round
+  int stride_;          // of the pilot pixels
+  std::vector<float> usual_;
+  std::vector<HitPointTile> tiles_;
+  std::vector<PhotonTrace> traces_;
+  std::uint64_t rounds_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+bool read_emission(ParamReader& params) {
+  return params.choice("emission", "guided", {"guided", "power"},
+                       "guided: photons start where pilot paths were found by the camera; power: in proportion to the "
+                       "lights' power") == "guided";
+}
+
+EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+                             const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
+  return Learner(sample, render, photon, hit_point, photons).learn(pilot);
+}
+
+std::shared_ptr<const EmissionGuide> emission_guide(const Scene& scene, const RenderSettings& render,
+                                                    const PhotonSettings& photon, const HitPointSettings& hit_point,
+                                                    int photons, bool guided, Statistics& statistics) {
+  if (!guided || render.file == nullptr) return std::make_shared<const EmissionGuide>();
+  const std::string settings =
+      fmt::format("{} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth, photon.least_alpha,
+                  photon.hidden, photon.share_paths, hit_point.max_depth, hit_point.least_alpha, photons);
+  const auto learned = render.file->emission(settings, [&] {
+    PilotPaths pilot;
+    EmissionGuide guide = learn_emission(*render.file->scene(scene), render, photon, hit_point, photons, pilot);
+    statistics.counters.add("pilot rounds", static_cast<std::uint64_t>(pilot.rounds));
+    statistics.counters.add("paths a pilot round", pilot.of_a_round);
+    statistics.counters.add("found in first round", pilot.found_first);
+    statistics.counters.add("found in last round", pilot.found_last);
+    statistics.counters.add("guide cells", guide.cell_count());
+    return LearnedEmission{std::move(guide), pilot.bytes};
+  });
+  MemoryNeeds needs;
+  needs.learning = learned->bytes_while_learning;
+  expect_enough(render.memory, needs);
+  return {learned, &learned->guide};
+}
+
+}  // namespace dspm

@@ -1,0 +1,138 @@
+// A guide draws what its density says, is fine where paths were found, and loses no light.
+#include "dspm/integrators/emission_guide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dspm/integrators/emission_tree.h"
+#include "dspm/system/state_in_memory.h"
+
+namespace dspm {
+namespace {
+
+constexpr float kUsual[] = {0.7f, 0.2f, 0, 0.1f};
+constexpr float kSmall = 1.f / 32;
+
+/// Paths that start in a small box of light 0's numbers; those in its upper half contribute four times as much.
+std::vector<EmissionRecord> records_in_a_small_box(int count) {
+  std::vector<EmissionRecord> records;
+  for (int i = 0; i < count; ++i) {
+    const PathRandom random(1, Stream::setup, static_cast<std::uint64_t>(i), 0);
+    const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+    records.push_back(
+        {0, {0.5f + kSmall * a.x, 0.25f + kSmall * a.y, kSmall * b.x, 0.75f + kSmall * b.y}, a.x < 0.5f ? 1. : 16.});
+  }
+  return records;
+}
+
+EmissionGuide learned(int count = 6000) {
+  std::vector<EmissionRecord> records = records_in_a_small_box(count);
+  return guide_from(records, kUsual);
+}
+
+EmissionStart draw(const EmissionGuide& guide, int i) {
+  return guide.draw(PathRandom(2, Stream::setup, static_cast<std::uint64_t>(i), 0));
+}
+
+bool is_in_small_box(const EmissionStart& s) {
+  return s.light == 0 && s.numbers[0] >= 0.5f && s.numbers[0] < 0.5f + kSmall && s.numbers[1] >= 0.25f &&
+         s.numbers[1] < 0.25f + kSmall && s.numbers[2] < kSmall && s.numbers[3] >= 0.75f &&
+         s.numbers[3] < 0.75f + kSmall;
+}
+
+TEST(EmissionGuide, DrawsWithTheDensityThatItClaims) {
+  const EmissionGuide guide = learned();
+  ASSERT_GT(guide.cell_count(), 100u);
+  for (int i = 0; i < 20'000; ++i) {
+    const EmissionStart start = draw(guide, i);
+    EXPECT_EQ(start.density, guide.density(start.light, start.numbers));
+    for (const float number : start.numbers) EXPECT_TRUE(number >= 0 && number < 1);
+  }
+}
+
+// The mean of 1 / density over the draws that fall into a region is the region's volume.
+TEST(EmissionGuide, CountsEveryRegionByItsVolume) {
+  const EmissionGuide guide = learned();
+  constexpr int kDraws = 400'000;
+  double sums[4][4] = {}, squares[4][4] = {};  // by light and quarter of two sides
+  for (int i = 0; i < kDraws; ++i) {
+    const EmissionStart start = draw(guide, i);
+    const int quarter = (start.numbers[0] < 0.5f ? 0 : 1) + (start.numbers[3] < 0.75f ? 0 : 2);
+    const double weight = 1 / static_cast<double>(start.density);
+    sums[start.light][quarter] += weight, squares[start.light][quarter] += weight * weight;
+  }
+  const double volumes[] = {0.375, 0.375, 0.125, 0.125};
+  for (const int light : {0, 1, 3})
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double mean = sums[light][quarter] / kDraws,
+                   error = std::sqrt((squares[light][quarter] / kDraws - mean * mean) / kDraws);
+      EXPECT_NEAR(mean, volumes[quarter], 4 * error) << light << " " << quarter;
+    }
+}
+
+TEST(EmissionGuide, PutsPathsWhereTheyWereFound) {
+  const EmissionGuide guide = learned();
+  constexpr int kDraws = 50'000;
+  int inside = 0, low = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const EmissionStart start = draw(guide, i);
+    if (!is_in_small_box(start)) continue;
+    ++inside, low += start.numbers[0] < 0.5f + kSmall / 2;
+  }
+  EXPECT_GT(inside, 0.4 * kDraws);  // a millionth of the volume
+  EXPECT_NEAR(static_cast<double>(low) / inside, 0.2, 0.05);
+}
+
+TEST(EmissionGuide, LosesNoLight) {
+  const EmissionGuide guide = learned();
+  for (int i = 0; i < 1000; ++i) {
+    const PathRandom random(3, Stream::setup, static_cast<std::uint64_t>(i), 0);
+    const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+    for (const int light : {0, 1, 3}) EXPECT_GE(guide.density(light, {a.x, a.y, b.x, b.y}), 0.2499f * kUsual[light]);
+  }
+}
+
+TEST(EmissionGuide, WithoutRecordsIsAsUsual) {
+  const EmissionGuide guide = guide_from({}, kUsual);
+  EXPECT_FLOAT_EQ(guide.density(1, {0.5f, 0.1f, 0.9f, 0}), 0.2f);
+}
+
+TEST(EmissionGuide, IsTheSameAfterSavingAndLoading) {
+  EmissionGuide guide = learned();
+  SavedState saved;
+  guide.persist(saved, 4);
+  EmissionGuide copy;
+  LoadedState state(saved.all);
+  copy.persist(state, 4);
+  for (int i = 0; i < 1000; ++i) {
+    const EmissionStart a = draw(guide, i), b = draw(copy, i);
+    EXPECT_EQ(a.numbers, b.numbers);
+    EXPECT_EQ(a.density, b.density);
+  }
+}
+
+TEST(EmissionGuide, RefusesDamagedRecords) {
+  EmissionGuide guide = learned(200);
+  SavedState saved;
+  guide.persist(saved, 4);
+  for (std::size_t byte = 0; byte < saved.all.size(); byte += 4) {
+    std::string damaged = saved.all;
+    damaged[byte + 3] = static_cast<char>(damaged[byte + 3] ^ 0x41);
+    LoadedState state(damaged);
+    EmissionGuide loaded;
+    try {
+      loaded.persist(state, 4);
+    } catch (const std::runtime_error&) {
+      continue;
+    }
+    // Numbers that are possible: it may draw other paths, but only of these lights.
+    for (int i = 0; i < 20; ++i) EXPECT_LT(draw(loaded, i).light, 4);
+  }
+  LoadedState of_others(saved.all);
+  EmissionGuide loaded;
+  EXPECT_THROW(loaded.persist(of_others, 3), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace dspm
