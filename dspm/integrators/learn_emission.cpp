@@ -17,7 +17,7 @@ namespace dspm {
 namespace {
 
 // A round of pilot paths is a tenth of an iteration, within bounds.
-constexpr std::int64_t kLeastPaths = 1 << 13, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13;
+constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13;
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kPilotPixels = 16384;
 constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
@@ -29,7 +29,7 @@ constexpr std::size_t kLeastPoints = 256;  // that search, however wide
 constexpr double kEnough = 0.3, kFew = 0.1;
 constexpr int kWideRounds = 4;  // at most, at each radius
 
-constexpr int kTrialRounds = 3, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
+constexpr int kTrialRounds = 2, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
 constexpr double kLeastGain = 1.25;    // in time to the same variance, or the guide is off
 constexpr double kLeastGrowth = 1.05;  // in paths found, over two rounds
 
