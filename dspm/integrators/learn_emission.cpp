@@ -60,7 +60,7 @@ class Learner {
     photon_.stream = Stream::pilot, photon_.keep_ends = true;
     for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
     HitPointSettings camera = hit_point;
-    camera.radius = 0, camera.sample_direct = false;
+    camera.sample_direct = false;
     RenderSettings full = render;
     full.crop = {0, 0, render.width, render.height};
     tiles_ = trace_hit_points(sample, full, camera, kPilotIteration, {}, stride_);
@@ -212,9 +212,9 @@ std::shared_ptr<const EmissionGuide> emission_guide(const Scene& scene, const Re
                                                     const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                     int photons, bool guided, Statistics& statistics) {
   if (!guided || render.file == nullptr) return std::make_shared<const EmissionGuide>();
-  const std::string settings =
-      fmt::format("{} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth, photon.least_alpha,
-                  photon.hidden, photon.share_paths, hit_point.max_depth, hit_point.least_alpha, photons);
+  const std::string settings = fmt::format("{} {} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth,
+                                           photon.least_alpha, photon.hidden, photon.share_paths, hit_point.max_depth,
+                                           hit_point.least_alpha, hit_point.radius, photons);
   const auto learned = render.file->emission(settings, [&] {
     PilotPaths pilot;
     EmissionGuide guide = learn_emission(*render.file->scene(scene), render, photon, hit_point, photons, pilot);

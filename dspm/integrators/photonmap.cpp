@@ -59,21 +59,41 @@ struct GuidedPhotons {
   PhotonSettings settings;
   std::shared_ptr<const EmissionGuide> guide;
 
-  GuidedPhotons(const Scene& scene, const PhotonSettings& of, const PhotonMapSettings& s, const RenderSettings& render,
-                int photons, bool guided, Statistics& statistics)
-      : settings(of), guide(emission_guide(scene, render, of, hit_point_settings(s), photons, guided, statistics)) {
+  GuidedPhotons(const Scene& scene, const PhotonSettings& of, float radius, const PhotonMapSettings& s,
+                const RenderSettings& render, int photons, bool guided, Statistics& statistics)
+      : settings(of), guide(emission_guide(scene, render, of, within(radius, s), photons, guided, statistics)) {
     settings.guide = guide.get();
   }
+  static HitPointSettings within(float radius, const PhotonMapSettings& s) {
+    HitPointSettings settings = hit_point_settings(s);
+    settings.radius = radius;
+    return settings;
+  }
 };
+
+float global_radius(const PhotonMapSettings& s, const Scene& scene) {
+  return s.radius > 0 ? s.radius : kRadiusShareOfScene * scene.radius;
+}
+float caustic_radius(const PhotonMapSettings& s, const Scene& scene) {
+  return s.caustic_radius > 0 ? s.caustic_radius : kCausticRadiusShareOfScene * scene.radius;
+}
 
 /// Final gather rays find photons where no camera path does.
 GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
                              Statistics& statistics) {
-  return {scene, global_settings(s, render), s, render, s.photons, s.guided && s.final_gather == 0, statistics};
+  return {scene,
+          global_settings(s, render),
+          global_radius(s, scene),
+          s,
+          render,
+          s.photons,
+          s.guided && s.final_gather == 0,
+          statistics};
 }
 GuidedPhotons caustic_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
                               Statistics& statistics) {
-  return {scene, caustic_settings(s, render), s, render, s.caustic_photons, s.guided, statistics};
+  return {scene,     caustic_settings(s, render), caustic_radius(s, scene), s, render, s.caustic_photons, s.guided,
+          statistics};
 }
 
 MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const RenderSettings& render) {
@@ -95,10 +115,8 @@ class PhotonMapper final : public Integrator {
       : settings_(settings),
         render_(render),
         done_(render.crop, scene.frame_count(), statistics_at_start(scene.frame_count())) {
-    const auto or_share = [&](float given, float share) { return given > 0 ? given : share * scene.radius; };
-    global_how_ = {settings.nearest, or_share(settings.radius, kRadiusShareOfScene), settings.photons};
-    caustic_how_ = {settings.nearest, or_share(settings.caustic_radius, kCausticRadiusShareOfScene),
-                    settings.caustic_photons};
+    global_how_ = {settings.nearest, global_radius(settings, scene), settings.photons};
+    caustic_how_ = {settings.nearest, caustic_radius(settings, scene), settings.caustic_photons};
   }
 
   int iterations() const override { return settings_.iterations; }
