@@ -57,7 +57,7 @@ class Learner {
         kinds_(photon.kinds),
         paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
         stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
-    photon_.stream = Stream::pilot, photon_.keep_ends = true;
+    photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
     HitPointSettings camera = hit_point;
     camera.sample_direct = false;
@@ -212,9 +212,9 @@ std::shared_ptr<const EmissionGuide> emission_guide(const Scene& scene, const Re
                                                     const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                     int photons, bool guided, Statistics& statistics) {
   if (!guided || render.file == nullptr) return std::make_shared<const EmissionGuide>();
-  const std::string settings = fmt::format("{} {} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth,
-                                           photon.least_alpha, photon.hidden, photon.share_paths, hit_point.max_depth,
-                                           hit_point.least_alpha, hit_point.radius, photons);
+  const std::string settings =
+      fmt::format("{} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth, photon.least_alpha,
+                  photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius, photons);
   const auto learned = render.file->emission(settings, [&] {
     PilotPaths pilot;
     EmissionGuide guide = learn_emission(*render.file->scene(scene), render, photon, hit_point, photons, pilot);

@@ -51,7 +51,8 @@ AttributeBegin Translate .6 .1 0 Shape "sphere" "float radius" .5 AttributeEnd
 
 constexpr const char* kPath =
     R"(Integrator "path" "integer maxdepth" 5 Sampler "independent" "integer pixelsamples" 3)";
-constexpr const char* kSppm = R"(Integrator "sppm" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
+constexpr const char* kSppm =
+    R"(Integrator "sppm" "string emission" "power" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 constexpr const char* kDsppm =
     R"(Integrator "dsppm" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 

@@ -115,11 +115,12 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
     EXPECT_EQ(given_up->estimate(frame), calm->estimate(frame));
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, CancellationBetweenBatches,
-                         ::testing::Values(R"("dsppm" "integer photons" 100000)",
-                                           R"("dsppm" "integer photons" 100000 "string estimator" "hj09")",
-                                           R"("sppm" "integer photons" 100000)",
-                                           R"("sppm" "integer photons" 100000 "string estimator" "hj09")"));
+INSTANTIATE_TEST_SUITE_P(
+    Integrators, CancellationBetweenBatches,
+    ::testing::Values(R"("dsppm" "string emission" "power" "integer photons" 100000)",
+                      R"("dsppm" "string emission" "power" "integer photons" 100000 "string estimator" "hj09")",
+                      R"("sppm" "string emission" "power" "integer photons" 100000)",
+                      R"("sppm" "string emission" "power" "integer photons" 100000 "string estimator" "hj09")"));
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Cancellation,
                          ::testing::Values(R"("dsppm" "integer photons" 30000)", R"("sppm" "integer photons" 30000)",

@@ -127,8 +127,8 @@ void expect_pixels(const Integrator& integrator, Frame frame, bool has_beam, int
 void expect_radii(const Settings& s) {
   Choices choices;
   choices.outputs = {"photons", "radius"};
-  TestScene test(beam(fmt::format(R"("{}" "string estimator" "{}" "integer photons" {} {})", s.integrator, s.estimator,
-                                  s.photons, s.parameters)),
+  TestScene test(beam(fmt::format(R"("{}" "string emission" "power" "string estimator" "{}" "integer photons" {} {})",
+                                  s.integrator, s.estimator, s.photons, s.parameters)),
                  choices);
   SCOPED_TRACE(s.integrator + " " + s.estimator + " " + s.parameters);
   for (const std::vector<FileFrame>& frames : test.intervals()) {

@@ -214,10 +214,11 @@ TEST_P(SurfaceOutputs, CountAsMemory) {
   EXPECT_EQ(least(with) - least(without), 2 * (5 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, SurfaceOutputs,
-                         testing::Values(R"("path")", R"("dsppm" "integer photons" 500)",
-                                         R"("sppm" "integer photons" 500)",
-                                         R"("photonmap" "integer photons" 500 "integer causticphotons" 500)"));
+INSTANTIATE_TEST_SUITE_P(
+    Integrators, SurfaceOutputs,
+    testing::Values(R"("path")", R"("dsppm" "string emission" "power" "integer photons" 500)",
+                    R"("sppm" "string emission" "power" "integer photons" 500)",
+                    R"("photonmap" "string emission" "power" "integer photons" 500 "integer causticphotons" 500)"));
 
 TEST(Albedo, IsTheShareOfLightThatComesBack) {
   const auto albedo = [](const std::string& material) {
