@@ -54,7 +54,7 @@ constexpr const char* kPath =
 constexpr const char* kSppm =
     R"(Integrator "sppm" "string emission" "power" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 constexpr const char* kDsppm =
-    R"(Integrator "dsppm" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
+    R"(Integrator "dsppm" "string emission" "power" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 
 constexpr const char* kOak = R"(MakeNamedMaterial "legs" "string type" "diffuse" "rgb reflectance" [.55 .38 .2])";
 constexpr const char* kSteel = R"(MakeNamedMaterial "legs" "string type" "conductor" "float roughness" .15)";
