@@ -60,7 +60,7 @@ class Learner {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
     HitPointSettings camera = hit_point;
-    camera.sample_direct = false;
+    camera.sample_direct = false, camera.share_paths = true;
     RenderSettings full = render;
     full.crop = {0, 0, render.width, render.height};
     tiles_ = trace_hit_points(sample, full, camera, kPilotIteration, {}, stride_);
