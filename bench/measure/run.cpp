@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "dspm/integrators/file_sample.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 

@@ -10,7 +10,6 @@
 #include "dspm/film/pixel_filter.h"
 #include "dspm/film/pixel_rect.h"
 #include "dspm/image/image.h"
-#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
@@ -20,6 +19,8 @@
 #include "dspm/system/state_stream.h"
 
 namespace dspm {
+
+class FileSample;
 
 /// Settings of the job that do not depend on the integrator.
 struct RenderSettings {

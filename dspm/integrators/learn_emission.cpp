@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dspm/integrators/emission_tree.h"
+#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dspm/integrators/file_sample.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
 #include "dspm/math/frames.h"

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/memory_use.h"
