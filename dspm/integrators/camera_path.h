@@ -14,6 +14,9 @@ struct CameraPath : PathState {
   const Camera* camera = nullptr;
   int pixel = 0;     // within the crop
   float length = 0;  // of the segments so far, in world units
+  Vec3 from = {};    // where the next segment starts: the last surface's point
+  // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
+  float pdf_w = 0;
 };
 
 /// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/direct_light.h"
 #include "dspm/integrators/joint_path.h"
@@ -81,16 +82,18 @@ class HitPointTracer {
 
   void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
-                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& light, const Light&) {
-                      see(path, lit, radiance, [&] { return light_element(scene_, light); });
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      see(path, lit, radiance * weight_of_escape(path, scene_light, light),
+                          [&] { return light_element(scene_, scene_light); });
                     });
   }
 
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
-    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light&) {
-      see(path, frames, radiance, [&] { return vertex.emitter_element(); });
+    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
+      see(path, frames, radiance * weight_of_hit(scene_, path, vertex, light),
+          [&] { return vertex.emitter_element(); });
     });
     if (path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
@@ -143,7 +146,8 @@ class HitPointTracer {
   /// Calls fn(f if it is constant) unless nothing can be gathered.
   template <class Fn>
   void end(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    if (settings_.sample_direct) add_direct_light(path, vertex, bsdf, choice, choice.lobes, [](float) { return 1.f; });
+    if (settings_.sample_direct)
+      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [](const Vec3&, float) { return 1.f; });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
@@ -174,10 +178,12 @@ class HitPointTracer {
   /// Calls fn(const BsdfSample&) unless the frames end.
   template <class Fn>
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    // No scattered ray finds a point, spot or distant light: a shadow ray does or, if its light came through specular
-    // lobes, the photons stored for this purpose.
+    // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
+    // light: what those send through specular lobes is left to the photons stored for this purpose.
     if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
-      add_direct_light(path, vertex, bsdf, choice, glossy, [](float pdf_w) { return pdf_w > 0 ? 0.f : 1.f; });
+      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const Vec3& wi, float pdf_w) {
+        return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, wi, Transport::radiance, choice.lobes)) : 1;
+      });
       const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
       if (has_hidden_) add_hit_point(out_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
     }
@@ -191,6 +197,7 @@ class HitPointTracer {
               std::span<const FrameFactor> factors) {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, sample);
+    branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& product) {
       const Rgb after = if_finite(product, path, vertex, frames);
@@ -204,12 +211,10 @@ class HitPointTracer {
   template <class Weight>
   void add_direct_light(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice,
                         LobeSet lobes, Weight&& weight) {
-    sample_direct_light(
-        scene_, path, vertex, path.frames, bsdf, lobes, out_.paths,
-        [&](const Vec3&, float pdf_w) { return weight(pdf_w); },
-        [&](FrameSet frames, const Rgb& radiance, auto&& giver) {
-          see(path, frames, radiance / choice.chance, giver);
-        });
+    sample_direct_light(scene_, path, vertex, path.frames, bsdf, lobes, out_.paths, weight,
+                        [&](FrameSet frames, const Rgb& radiance, auto&& giver) {
+                          see(path, frames, radiance / choice.chance, giver);
+                        });
   }
 
   /// `giver`: its source, blamed if it is not finite.

@@ -12,6 +12,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/direct_light.h"
@@ -30,15 +31,6 @@ namespace {
 
 constexpr int kTileSide = 16;
 
-struct TracedPath : CameraPath {
-  Vec3 from;  // where the segment starts: the last surface's point
-  // Of its direction, by solid angle; 0 from the camera and off specular lobes: no light sample competes.
-  float pdf_w = 0;
-};
-
-/// The balance heuristic's weight of a technique with density `own` against one with `other`.
-float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
-
 class PixelTracer {
  public:
   PixelTracer(const Scene& scene, const RenderSettings& render, int max_depth, SeenLightSums& out)
@@ -46,10 +38,7 @@ class PixelTracer {
 
   void trace(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
-        scene_, render_, x, y, iteration,
-        [&](const CameraPath& path) {
-          branches_.push({path, Vec3(), 0});
-        },
+        scene_, render_, x, y, iteration, [&](const CameraPath& path) { branches_.push(path); },
         [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
     branches_.follow(*this);
     branches_.count_path();
@@ -59,44 +48,39 @@ class PixelTracer {
   const Rejections& rejections() const { return rejections_; }
 
  private:
-  friend BranchingPath<TracedPath>;
+  friend BranchingPath<CameraPath>;
 
-  bool postpones(const TracedPath&, const HitPartition&) { return false; }
+  bool postpones(const CameraPath&, const HitPartition&) { return false; }
 
-  void arrived(const TracedPath& path, const Vertex& vertex) {
+  void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       add_emission(path, vertex, frames);
       if (path.bounces >= max_depth_) return;
       add_direct_light(path, vertex, frames, bsdf);
-      TracedPath branch = path;
+      CameraPath branch = path;
       branch.frames = frames;
       scatter(branch, vertex, bsdf);
     });
   }
 
-  void escaped(const TracedPath& path, FrameSet frames) {
+  void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float other = scene_light.probability * light.escaped_pdf_w(path.ray.direction);
-                      add(path, lit, path.throughput * radiance * (path.pdf_w > 0 ? balance(path.pdf_w, other) : 1),
+                      add(path, lit, path.throughput * radiance * weight_of_escape(path, scene_light, light),
                           [&] { return light_element(scene_, scene_light); });
                     });
   }
 
-  void lost(const TracedPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
+  void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
 
-  void add_emission(const TracedPath& path, const Vertex& vertex, FrameSet frames) {
+  void add_emission(const CameraPath& path, const Vertex& vertex, FrameSet frames) {
     for_each_emission(scene_, vertex, frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
-      float weight = 1;
-      if (path.pdf_w > 0) {
-        const float chosen = scene_.lights[static_cast<std::size_t>(vertex.shape.light)].probability;
-        weight = balance(path.pdf_w, chosen * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
-      }
-      add(path, lit, path.throughput * radiance * weight, [&] { return vertex.emitter_element(); });
+      add(path, lit, path.throughput * radiance * weight_of_hit(scene_, path, vertex, light),
+          [&] { return vertex.emitter_element(); });
     });
   }
 
-  void add_direct_light(const TracedPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+  void add_direct_light(const CameraPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
     const auto weight = [&](const Vec3& wi, float pdf_w) {
       return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, wi, Transport::radiance, bsdf.all_lobes())) : 1;
     };
@@ -105,7 +89,7 @@ class PixelTracer {
         [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(path, lit, path.throughput * radiance, giver); });
   }
 
-  void scatter(TracedPath& path, const Vertex& vertex, const Bsdf& bsdf) {
+  void scatter(CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
     const int bounce = path.bounces;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
@@ -121,7 +105,7 @@ class PixelTracer {
 
   /// `giver`: its source, blamed if it is not finite.
   template <class WhoGave>
-  void add(const TracedPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
+  void add(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance});
     reject(path, frames, giver());
   }
@@ -135,7 +119,7 @@ class PixelTracer {
   SeenLightSums& out_;
   PathCounts counts_;
   Rejections rejections_;
-  BranchingPath<TracedPath> branches_;
+  BranchingPath<CameraPath> branches_;
 };
 
 class Path final : public Integrator {

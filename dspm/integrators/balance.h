@@ -1,0 +1,27 @@
+// Two ways to find a light, a shadow ray from a surface and a ray that is scattered there and hits it, combined by the
+// balance heuristic. [Veach 1997, 9.2]
+#pragma once
+
+#include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// The weight of the way with density `own` if the other has density `other`.
+inline float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
+
+/// Of a light that the path hits at `vertex`.
+inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Vertex& vertex, const Light& light) {
+  if (path.pdf_w == 0) return 1;
+  const float chosen = scene.lights[static_cast<std::size_t>(vertex.shape.light)].probability;
+  return balance(path.pdf_w, chosen * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
+}
+
+/// Of an infinite light that the path meets as it leaves the scene.
+inline float weight_of_escape(const CameraPath& path, const SceneLight& scene_light, const Light& light) {
+  if (path.pdf_w == 0) return 1;
+  return balance(path.pdf_w, scene_light.probability * light.escaped_pdf_w(path.ray.direction));
+}
+
+}  // namespace dspm
