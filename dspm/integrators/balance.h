@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/direct_light.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/scene/scene.h"
 
@@ -14,14 +15,15 @@ inline float balance(float own, float other) { return own > 0 ? own / (own + oth
 /// Of a light that the path hits at `vertex`.
 inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Vertex& vertex, const Light& light) {
   if (path.pdf_w == 0) return 1;
-  const float chosen = scene.lights[static_cast<std::size_t>(vertex.shape.light)].probability;
-  return balance(path.pdf_w, chosen * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
+  const float samples = light_samples(scene, scene.lights[static_cast<std::size_t>(vertex.shape.light)]);
+  return balance(path.pdf_w, samples * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
 }
 
 /// Of an infinite light that the path meets as it leaves the scene.
-inline float weight_of_escape(const CameraPath& path, const SceneLight& scene_light, const Light& light) {
+inline float weight_of_escape(const Scene& scene, const CameraPath& path, const SceneLight& scene_light,
+                              const Light& light) {
   if (path.pdf_w == 0) return 1;
-  return balance(path.pdf_w, scene_light.probability * light.escaped_pdf_w(path.ray.direction));
+  return balance(path.pdf_w, light_samples(scene, scene_light) * light.escaped_pdf_w(path.ray.direction));
 }
 
 }  // namespace dspm

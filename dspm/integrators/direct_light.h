@@ -1,9 +1,12 @@
 // Direct light at a surface from one shadow ray, for all frames of a path at once.
 #pragma once
 
+#include <cmath>
+
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
+#include "dspm/math/frame_array.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
@@ -30,34 +33,121 @@ void for_each_open(const Scene& scene, const Ray& segment, FrameSet frames, Fn&&
   if (!open.empty()) fn(open, Rgb(1));
 }
 
-/// Samples a light and a direction with the path's random numbers for its next bounce and calls
-/// fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
+// Of a few lights, all are sampled; of more, half of the samples go by power, which a sky or a sun beyond everything
+// would take alone, and half to all lights alike.
+inline constexpr std::size_t kFewLights = 8;
+inline constexpr int kSamplesOfMany = 8;
+
+/// The mean number of samples that sample_direct_light() takes of a light.
+inline float light_samples(const Scene& scene, const SceneLight& light) {
+  if (scene.lights.size() <= kFewLights) return light.probability > 0 ? 1.f : 0.f;
+  return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
+}
+
+/// Calls fn(const SceneLight&) for each sample to be taken; one number u in [0, 1) spaces them all (systematic sampling).
+template <class Fn>
+void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
+  const bool few = scene.lights.size() <= kFewLights;
+  const float per_light = kSamplesOfMany / 2 / static_cast<float>(scene.lights.size());
+  float by_power = -u, alike = -u;
+  for (const SceneLight& light : scene.lights) {
+    if (few && light.probability > 0) fn(light);
+    if (few) continue;
+    for (by_power += kSamplesOfMany / 2 * light.probability; by_power > 0; by_power -= 1) fn(light);
+    for (alike += per_light; alike > 0; alike -= 1) fn(light);
+  }
+}
+
+/// One of the light samples at a vertex, chosen while they come, for frames that choose from the same ones.
+struct ChosenSample {
+  FrameSet frames;
+  float u;        // uniform in [0, 1), whatever has been chosen
+  float sum = 0;  // of the weights so far
+  float weight = 0;
+  const SceneLight* light = nullptr;
+  const Light* state = nullptr;
+  Illumination lit = {};
+  Rgb radiance = {};
+
+  /// Weights are roots of the radiance: light that is faint, but may be the only one in the open, has its chance.
+  void offer(const SceneLight& scene_light, const Light& of, const Illumination& from, const Rgb& scattered) {
+    const float offered = std::sqrt(max_component(scattered));
+    sum += offered;
+    const float chance = offered / sum;
+    if (u < chance) {
+      u /= chance;
+      weight = offered, light = &scene_light, state = &of, lit = from, radiance = scattered;
+    } else {
+      u = (u - chance) / (1 - chance);
+    }
+  }
+};
+
+/// Offers a sample of some of the frames to those that choose, which part if only some of them are among these.
+template <class Offer>
+void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer) {
+  for (std::size_t i = 0, count = choosing.size(); i < count; ++i) {
+    const FrameSet others = choosing[i].frames - frames;
+    if (others == choosing[i].frames) continue;
+    if (!others.empty()) {
+      choosing.add(choosing[i]).frames = others;
+      choosing[i].frames &= frames;
+    }
+    offer(choosing[i]);
+  }
+}
+
+/// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
+/// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
 /// `frames` in which nothing is in between. It is weighted by `weight(wi, pdf_w)`; pdf_w (by solid angle) includes the
-/// probability of choosing the light and is 0 for delta lights. Radiance that is not finite is passed on; giver() then
-/// returns its source.
+/// mean number of samples of the light and is 0 for delta lights. Radiance that is not finite is passed on; giver()
+/// then returns its source.
 template <class Weight, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
                          const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {
-  const ChosenLight chosen = scene.choose_light(path.random.number(path.bounces + 1, kLightChoice));
-  if (chosen.probability == 0) return;
-  const Vec2 u = path.random.pair(path.bounces + 1, kLightPoint);
+  const int bounce = path.bounces + 1;
+  const Vec2 u = path.random.pair(bounce, kLightPoint);
   const SurfacePoint& point = vertex.point;
-  scene.lights[static_cast<std::size_t>(chosen.index)].states.for_each(
-      frames, [&](FrameSet common, const Light& light) {
-        const auto lit = light.illuminate(point.p, u);
-        if (!lit) return;
-        const float pdf_w = chosen.probability * lit->pdf_w;
-        const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
-        const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : chosen.probability));
-        if (is_black(radiance)) return;
-        const auto giver = [&] {
-          return is_finite(f) ? SceneElement{SceneElement::Kind::light, chosen.index} : vertex.material_element();
-        };
-        if (!is_finite(radiance)) return fn(common, radiance, giver);
-        ++counts.shadow_rays;
-        for_each_open(scene, shadow_ray(point, *lit), common,
-                      [&](FrameSet open, const Rgb& transmittance) { fn(open, radiance * transmittance, giver); });
-      });
+  FrameArray<ChosenSample> choosing;
+  choosing.add({frames, path.random.pair(bounce, kLightDirection).x});
+  for_each_light_sample(scene, path.random.number(bounce, kLightChoice), [&](const SceneLight& scene_light) {
+    const float samples = light_samples(scene, scene_light);
+    scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
+      const auto lit = light.illuminate(point.p, u);
+      if (!lit) return;
+      const float pdf_w = samples * lit->pdf_w;
+      const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
+      const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : samples));
+      if (!is_finite(radiance)) {
+        const SceneElement giver = is_finite(f) ? light_element(scene, scene_light) : vertex.material_element();
+        fn(common, radiance, [&] { return giver; });
+      } else if (max_component(radiance) > 0) {
+        offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(scene_light, light, *lit, radiance); });
+      }
+    });
+  });
+  for (std::size_t i = 0; i < choosing.size(); ++i) {
+    const ChosenSample first = choosing[i];
+    if (first.frames.empty() || first.light == nullptr) continue;
+    // Frames that choose the same sample share its shadow ray.
+    FrameSet together;
+    const auto is_same = [&](const ChosenSample& other) {
+      return other.light == first.light && other.state == first.state;
+    };
+    for (const ChosenSample& chosen : choosing)
+      if (is_same(chosen)) together |= chosen.frames;
+    ++counts.shadow_rays;
+    for_each_open(scene, shadow_ray(point, first.lit), together, [&](FrameSet open, const Rgb& transmittance) {
+      for (const ChosenSample& chosen : choosing) {
+        const FrameSet lit = chosen.frames & open;
+        if (!is_same(chosen) || lit.empty()) continue;
+        fn(lit, chosen.radiance * (chosen.sum / chosen.weight) * transmittance,
+           [&] { return light_element(scene, *chosen.light); });
+      }
+    });
+    for (ChosenSample& chosen : choosing)
+      if (is_same(chosen)) chosen.frames = {};
+  }
 }
 
 }  // namespace dspm

@@ -83,7 +83,7 @@ class HitPointTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      see(path, lit, radiance * weight_of_escape(path, scene_light, light),
+                      see(path, lit, radiance * weight_of_escape(scene_, path, scene_light, light),
                           [&] { return light_element(scene_, scene_light); });
                     });
   }
