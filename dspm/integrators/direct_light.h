@@ -44,7 +44,8 @@ inline float light_samples(const Scene& scene, const SceneLight& light) {
   return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
 }
 
-/// Calls fn(const SceneLight&) for each sample to be taken; one number u in [0, 1) spaces them all (systematic sampling).
+/// Calls fn(const SceneLight&) for each sample to be taken. All are spaced by one number u in [0, 1): systematic
+/// sampling.
 template <class Fn>
 void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
   const bool few = scene.lights.size() <= kFewLights;

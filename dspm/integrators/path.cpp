@@ -184,7 +184,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   const int max_depth = params.integer("maxdepth", 5, "", "maximum number of bounces");
   params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
-                "accepted for pbrt compatibility; lights are always chosen by power");
+                "accepted for pbrt compatibility; dspm samples all lights, or eight of many");
   params.unsupported("regularize", "path regularisation");
   check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
