@@ -17,6 +17,8 @@ struct CameraPath : PathState {
   Vec3 from = {};    // where the next segment starts: the last surface's point
   // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
   float pdf_w = 0;
+  bool only_looks = false;  // for lights: it has left a hit point
+  Vec3 from_ng = {};        // if so, the hit point's normal
 };
 
 /// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or

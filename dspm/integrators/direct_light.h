@@ -100,9 +100,9 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
 
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
-/// `frames` in which nothing is in between. It is weighted by `weight(wi, pdf_w)`; pdf_w (by solid angle) includes the
-/// mean number of samples of the light and is 0 for delta lights. Radiance that is not finite is passed on; giver()
-/// then returns its source.
+/// `frames` in which nothing is in between. It is weighted by `weight(const SceneLight&, const Light&, const
+/// Illumination&, pdf_w)`; pdf_w (by solid angle) includes the mean number of samples of the light and is 0 for delta
+/// lights. Radiance that is not finite is passed on; giver() then returns its source.
 template <class Weight, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
                          const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {
@@ -118,7 +118,9 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w;
       const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
-      const Rgb radiance = f * lit->radiance * (weight(lit->wi, pdf_w) / (pdf_w > 0 ? pdf_w : samples));
+      if (is_black(f)) return;
+      const Rgb radiance =
+          f * lit->radiance * (weight(scene_light, light, *lit, pdf_w) / (pdf_w > 0 ? pdf_w : samples));
       if (!is_finite(radiance)) {
         const SceneElement giver = is_finite(f) ? light_element(scene, scene_light) : vertex.material_element();
         fn(common, radiance, [&] { return giver; });

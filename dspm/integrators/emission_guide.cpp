@@ -66,14 +66,18 @@ EmissionStart EmissionGuide::draw(const PathRandom& random) const {
 }
 
 float EmissionGuide::density(int light, const EmissionNumbers& numbers) const {
-  const Node* node = &nodes_[static_cast<std::size_t>(light)];
-  EmissionBox box;
-  while (node->first_child >= 0) {
-    const bool above = numbers[EmissionBox::slot(node->side)] >= box.middle(node->side);
-    box = box.half(node->side, above);
-    node = &nodes_[static_cast<std::size_t>(node->first_child + above)];
-  }
-  return static_cast<float>(node->probability / box.volume());
+  return static_cast<float>(density(nodes_[static_cast<std::size_t>(light)], {}, numbers));
+}
+
+// A side of which any number will do keeps its length of 1, and both halves of it count.
+double EmissionGuide::density(const Node& node, const EmissionBox& box, const EmissionNumbers& numbers) const {
+  if (node.first_child < 0) return node.probability / box.volume();
+  const std::size_t side = EmissionBox::slot(node.side);
+  const Node &below = nodes_[static_cast<std::size_t>(node.first_child)],
+             &above = nodes_[static_cast<std::size_t>(node.first_child) + 1];
+  if (numbers[side] == kAnyNumber) return density(below, box, numbers) + density(above, box, numbers);
+  const bool is_above = numbers[side] >= box.middle(node.side);
+  return density(is_above ? above : below, box.half(node.side, is_above), numbers);
 }
 
 void EmissionGuide::persist(StateStream& state, int lights) {

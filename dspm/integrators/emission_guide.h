@@ -1,5 +1,5 @@
 // Where photon paths start: a density over the lights and over the numbers that their emit() takes, constant on cells.
-// It knows nothing of lights, so it suits those of plugins as well.
+// It asks nothing else of lights, so it suits those of plugins as well.
 #pragma once
 
 #include <array>
@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "dspm/math/rng.h"
+#include "dspm/scene/scene.h"
 #include "dspm/system/state_stream.h"
 
 namespace dspm {
-
-/// The numbers of Light::emit: position x and y, direction x and y; each in [0, 1).
-using EmissionNumbers = std::array<float, 4>;
 
 /// A box of emission numbers; its sides are powers of two.
 struct EmissionBox {
@@ -61,7 +59,7 @@ class EmissionGuide {
   std::size_t cell_count() const { return cells_.size(); }
   /// Uses the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. Not if it is off.
   EmissionStart draw(const PathRandom& random) const;
-  /// With which it draws these numbers of the light. Not if it is off.
+  /// With which it draws these numbers of the light; over those that are kAnyNumber, the integral. Not if it is off.
   float density(int light, const EmissionNumbers& numbers) const;
   /// Loading throws std::runtime_error unless it finds a guide for that many lights.
   void persist(StateStream& state, int lights);
@@ -76,6 +74,8 @@ class EmissionGuide {
     double end;  // of its part of [0, 1)
     float density;
   };
+
+  double density(const Node& node, const EmissionBox& box, const EmissionNumbers& numbers) const;
 
   std::vector<Node> nodes_;
   std::vector<Cell> cells_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/learn_direct.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 
@@ -17,6 +18,7 @@ namespace dspm {
 /// What integrators with the same settings share.
 struct LearnedEmission {
   EmissionGuide guide;
+  LearnedDirect direct;
   std::size_t bytes_while_learning = 0;
 };
 

@@ -83,8 +83,9 @@ class HitPointTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      see(path, lit, radiance * weight_of_escape(scene_, path, scene_light, light),
-                          [&] { return light_element(scene_, scene_light); });
+                      const float weight = path.only_looks ? weight_of_look(path, scene_light, light, {{path.from, -path.ray.direction}, {}, -1})
+                                                           : weight_of_escape(scene_, path, scene_light, light);
+                      see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
                     });
   }
 
@@ -92,10 +93,13 @@ class HitPointTracer {
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
-      see(path, frames, radiance * weight_of_hit(scene_, path, vertex, light),
-          [&] { return vertex.emitter_element(); });
+      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+      const float weight = path.only_looks ? weight_of_look(path, scene_light, light,
+                                                            {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                                           : weight_of_hit(scene_, path, vertex, light);
+      see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
     });
-    if (path.bounces >= settings_.max_depth) return;
+    if (path.only_looks || path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
     arriving.length += vertex.hit.t, arriving.frames = vertex.frames;
     if (vertex.differs()) return scatter_together(arriving, vertex);
@@ -106,6 +110,10 @@ class HitPointTracer {
         end(arriving, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
           add_hit_point(out_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
+        });
+        sample_look(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
+          const FrameFactor f{frames, sample.weight / choice.chance};
+          look(arriving, vertex, sample, {&f, 1});
         });
       } else {
         scatter(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -119,19 +127,23 @@ class HitPointTracer {
   /// For a material that differs between the frames.
   [[gnu::noinline]] void scatter_together(const CameraPath& path, const Vertex& vertex) {
     FrameArray<End> ends;
-    FrameArray<Scattered> scattered;
+    FrameArray<Scattered> scattered, looks;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       CameraPath branch = path;
       branch.frames = frames;
       const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
-      if (choice.rough)
+      if (choice.rough) {
         end(branch, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
         });
-      else
+        sample_look(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
+          looks.add({frames, sample.weight / choice.chance, sample, true});
+        });
+      } else {
         scatter(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
           scattered.add({frames, sample.weight / choice.chance, sample, false});
         });
+      }
     });
     // Frames whose scattering functions are multiples of one another share a hit point.
     for_each_joint(ends, settings_.share_paths, [&](const End& first, std::span<const FrameFactor> factors) {
@@ -141,13 +153,20 @@ class HitPointTracer {
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
       extend(path, vertex, first.sample, factors);
     });
+    for_each_joint(looks, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
+      look(path, vertex, first.sample, factors);
+    });
   }
 
   /// Calls fn(f if it is constant) unless nothing can be gathered.
   template <class Fn>
   void end(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     if (settings_.sample_direct)
-      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [](const Vec3&, float) { return 1.f; });
+      add_direct_light(path, vertex, bsdf, choice, choice.lobes,
+                       [&](const SceneLight& light, const Light& state, const Illumination& lit, float) {
+                         if (settings_.direct == nullptr) return 1.f;
+                         return settings_.direct->weight_of_sample(light, state, lit, {vertex.point.p, vertex.point.ng});
+                       });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
@@ -181,9 +200,11 @@ class HitPointTracer {
     // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
     // light: what those send through specular lobes is left to the photons stored for this purpose.
     if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
-      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const Vec3& wi, float pdf_w) {
-        return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, wi, Transport::radiance, choice.lobes)) : 1;
-      });
+      add_direct_light(
+          path, vertex, bsdf, choice, choice.lobes,
+          [&](const SceneLight&, const Light&, const Illumination& lit, float pdf_w) {
+            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, lit.wi, Transport::radiance, choice.lobes)) : 1;
+          });
       const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
       if (has_hidden_) add_hit_point(out_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
     }
@@ -191,6 +212,32 @@ class HitPointTracer {
     if (!sample) return;
     if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_element());
     fn(*sample);
+  }
+
+  /// Calls fn(const BsdfSample&) if a ray that is scattered at the hit point may look for lights.
+  template <class Fn>
+  void sample_look(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
+    if (settings_.direct == nullptr || !settings_.direct->scatters()) return;
+    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
+    if (!sample) return;
+    if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_element());
+    fn(*sample);
+  }
+
+  void look(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,
+            std::span<const FrameFactor> factors) {
+    CameraPath& branch = branches_.push(path);
+    extend_ray(branch, vertex.point, sample);
+    branch.from = vertex.point.p, branch.from_ng = vertex.point.ng, branch.only_looks = true;
+    const auto keep = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+      return if_finite(after, path, vertex, frames);
+    };
+    if (!multiply(branch, factors, out_.strands, ByRatio::yes, keep)) branches_.drop();
+  }
+
+  float weight_of_look(const CameraPath& path, const SceneLight& scene_light, const Light& light,
+                       const DirectBalance::Start& start) const {
+    return settings_.direct->weight_of_scattered(scene_light, light, start, {path.from, path.from_ng});
   }
 
   void extend(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,

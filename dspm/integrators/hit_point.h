@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/direct_balance.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/strand.h"
@@ -40,6 +41,7 @@ struct HitPointSettings {
   float least_alpha = 0.25f;   // lobes at least this rough gather, smoother ones extend the path
   float radius = 0;            // 0: from the pixel's footprint
   bool sample_direct = false;  // direct light at the hit point by a shadow ray
+  const DirectBalance* direct = nullptr;  // with sample_direct: the weights of all ways to find direct light
   bool keep_bsdf = false;      // every hit point has its `scattering`
   bool share_paths = false;    // frames that differ only in appearance or light share paths; else they part
 };

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "dspm/integrators/emission_tree.h"
-#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"
@@ -59,9 +58,10 @@ class Learner {
         paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
         stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
+    photon_.direct = nullptr;
     for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
     HitPointSettings camera = hit_point;
-    camera.sample_direct = false, camera.share_paths = true;
+    camera.sample_direct = false, camera.direct = nullptr, camera.share_paths = true;
     RenderSettings full = render;
     full.crop = {0, 0, render.width, render.height};
     tiles_ = trace_hit_points(sample, full, camera, kPilotIteration, {}, stride_);
@@ -209,27 +209,35 @@ EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, 
   return Learner(sample, render, photon, hit_point, photons).learn(pilot);
 }
 
-std::shared_ptr<const EmissionGuide> emission_guide(const Scene& scene, const RenderSettings& render,
-                                                    const PhotonSettings& photon, const HitPointSettings& hit_point,
-                                                    int photons, bool guided, Statistics& statistics) {
-  if (!guided || render.file == nullptr) return std::make_shared<const EmissionGuide>();
+std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
+                                                        const PhotonSettings& photon, const HitPointSettings& hit_point,
+                                                        int photons, bool guided, Statistics& statistics) {
+  const bool both = hit_point.sample_direct && (photon.kinds & kDirectPhotons) != 0;
+  if (render.file == nullptr || !(guided || both)) return std::make_shared<const LearnedEmission>();
   const std::string settings =
-      fmt::format("{} {} {} {} {} {} {} {} {}", photon.seed, photon.kinds, photon.max_depth, photon.least_alpha,
-                  photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius, photons);
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {}", guided, both, photon.seed, photon.kinds, photon.max_depth,
+                  photon.least_alpha, photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius,
+                  photons);
   const auto learned = render.file->emission(settings, [&] {
-    PilotPaths pilot;
-    EmissionGuide guide = learn_emission(*render.file->scene(scene), render, photon, hit_point, photons, pilot);
-    statistics.counters.add("pilot rounds", static_cast<std::uint64_t>(pilot.rounds));
-    statistics.counters.add("paths a pilot round", pilot.of_a_round);
-    statistics.counters.add("found in first round", pilot.found_first);
-    statistics.counters.add("found in last round", pilot.found_last);
-    statistics.counters.add("guide cells", guide.cell_count());
-    return LearnedEmission{std::move(guide), pilot.bytes};
+    const std::shared_ptr<const Scene> sample = render.file->scene(scene);
+    LearnedEmission learns;
+    if (guided) {
+      PilotPaths pilot;
+      learns.guide = learn_emission(*sample, render, photon, hit_point, photons, pilot);
+      learns.bytes_while_learning = pilot.bytes;
+      statistics.counters.add("pilot rounds", static_cast<std::uint64_t>(pilot.rounds));
+      statistics.counters.add("paths a pilot round", pilot.of_a_round);
+      statistics.counters.add("found in first round", pilot.found_first);
+      statistics.counters.add("found in last round", pilot.found_last);
+      statistics.counters.add("guide cells", learns.guide.cell_count());
+    }
+    if (both) learns.direct = learn_direct(*sample, render, hit_point, photons, learns.guide);
+    return learns;
   });
   MemoryNeeds needs;
   needs.learning = learned->bytes_while_learning;
   expect_enough(render.memory, needs);
-  return {learned, &learned->guide};
+  return learned;
 }
 
 }  // namespace dspm

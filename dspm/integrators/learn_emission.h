@@ -1,7 +1,7 @@
 // Learns where photon paths should start, from pilot paths and from what the camera finds of them.
 #pragma once
 
-#include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/photon.h"
@@ -25,10 +25,10 @@ bool read_emission(ParamReader& params);
 EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
                              const HitPointSettings& hit_point, int photons, PilotPaths& pilot);
 
-/// By the settings that matter to it, remembered for this run; off if `guided` is false or render.file is null. Throws
-/// NotEnoughMemory if learning takes more than render.memory.
-std::shared_ptr<const EmissionGuide> emission_guide(const Scene& scene, const RenderSettings& render,
-                                                    const PhotonSettings& photon, const HitPointSettings& hit_point,
-                                                    int photons, bool guided, Statistics& statistics);
+/// By the settings that matter to it, remembered for this run; no guide if `guided` is false. Nothing is learned if
+/// render.file is null. Throws NotEnoughMemory if learning takes more than render.memory.
+std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
+                                                        const PhotonSettings& photon, const HitPointSettings& hit_point,
+                                                        int photons, bool guided, Statistics& statistics);
 
 }  // namespace dspm

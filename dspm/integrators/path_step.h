@@ -115,13 +115,21 @@ struct LobeChoice {
 // Rougher lobes are not specular: Ggx::kSmoothest exceeds this.
 inline constexpr float kLeastRoughness = 1e-4f;
 
+/// Lobes on which photons are gathered: those at least that rough. Frosted glass is followed however rough it is:
+/// hardly a photon finds its way to where the camera looks at it, but rays through it find lights well.
+inline LobeSet gathering_lobes(const Bsdf& bsdf, float least_alpha) {
+  constexpr float kRoughest = 1;
+  const LobeSet rough = bsdf.lobes(least_alpha);
+  return rough != 0 && bsdf.transmits(rough) ? bsdf.lobes(std::max(least_alpha, kRoughest)) : rough;
+}
+
 /// Lobes that extend the path although they are not specular.
 inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
-  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~bsdf.lobes(least_alpha));
+  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, least_alpha));
 }
 
 inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vec3& wo, float least_alpha) {
-  const LobeSet all = bsdf.all_lobes(), rough = bsdf.lobes(least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
+  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
   const float rough_chance = bsdf.lobe_probability(wo, rough);
   if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};

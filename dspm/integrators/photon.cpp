@@ -15,6 +15,7 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
+  int start = 0;        // index into the starts of this path
   bool hidden = false;  // see PhotonTrace::hidden
 };
 
@@ -47,6 +48,8 @@ class PhotonTracer {
   void start(const PathRandom& random) {
     const EmissionStart chosen = start_of(settings_.guide, scene_, random);
     if (chosen.density == 0) return;
+    chosen_light_ = chosen.light;
+    started_.clear();
     const EmissionNumbers& u = chosen.numbers;
     for (const PhotonStart& start : starts_.of(chosen.light)) {
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
@@ -56,7 +59,9 @@ class PhotonTracer {
         reject(start.frames, {SceneElement::Kind::light, chosen.light});
         continue;
       }
-      PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}, kDirectPhotons});
+      PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}});
+      path.start = static_cast<int>(started_.size());
+      started_.push_back({start.light, {emission->ray, emission->normal, emission->primitive}});
       path.random = random, path.strands = start.strands;
       path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.light)].is_delta;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
@@ -92,7 +97,7 @@ class PhotonTracer {
   void arrived(const PhotonPath& path, const Vertex& vertex) {
     if (vertex.differs()) return scatter_together(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (bsdf.lobes(settings_.least_alpha) != 0) store(path, vertex, frames);
+      if (gathering_lobes(bsdf, settings_.least_alpha) != 0) store(path, vertex, frames);
       if (is_hidden_on(path, bsdf)) store_hidden(path, vertex, frames);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
@@ -105,7 +110,7 @@ class PhotonTracer {
     FrameSet gathering, hidden;
     FrameArray<Scattered> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (bsdf.lobes(settings_.least_alpha) != 0) gathering |= frames;
+      if (gathering_lobes(bsdf, settings_.least_alpha) != 0) gathering |= frames;
       if (is_hidden_on(path, bsdf)) hidden |= frames;
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         scattered.add({frames, factor, sample, rough});
@@ -139,10 +144,17 @@ class PhotonTracer {
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }
+    if (path.kind == kDirectPhotons && settings_.direct != nullptr) flux *= weight_of_direct(path, point);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     photons.push_back({point.p, wi, flux, frames, strands});
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
+  }
+
+  float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
+    const auto& [light, start] = started_[static_cast<std::size_t>(path.start)];
+    return settings_.direct->weight_of_photon(scene_.lights[static_cast<std::size_t>(chosen_light_)], *light, start,
+                                              {point.p, point.ng});
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
@@ -211,6 +223,12 @@ class PhotonTracer {
   const PhotonSettings& settings_;
   const PhotonStarts& starts_;
   FrameSet frames_;
+  int chosen_light_ = 0;
+  struct Started {
+    const Light* light;
+    DirectBalance::Start start;
+  };
+  std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;
   BranchingPath<PhotonPath> branches_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/direct_balance.h"
 #include "dspm/integrators/emission_guide.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
@@ -41,6 +42,7 @@ struct PhotonSettings {
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
   const EmissionGuide* guide = nullptr;
+  const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool keep_ends = false;  // the traces say which photons are of which path
 };
 

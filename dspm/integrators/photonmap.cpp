@@ -54,15 +54,15 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
   return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
 }
 
-/// With the guide's pointer set: the guide outlives the settings.
+/// With the guide's pointer set.
 struct GuidedPhotons {
   PhotonSettings settings;
-  std::shared_ptr<const EmissionGuide> guide;
+  std::shared_ptr<const LearnedEmission> learned;
 
   GuidedPhotons(const Scene& scene, const PhotonSettings& of, float radius, const PhotonMapSettings& s,
                 const RenderSettings& render, int photons, bool guided, Statistics& statistics)
-      : settings(of), guide(emission_guide(scene, render, of, within(radius, s), photons, guided, statistics)) {
-    settings.guide = guide.get();
+      : settings(of), learned(emission_of_file(scene, render, of, within(radius, s), photons, guided, statistics)) {
+    settings.guide = &learned->guide;
   }
   static HitPointSettings within(float radius, const PhotonMapSettings& s) {
     HitPointSettings settings = hit_point_settings(s);
@@ -105,7 +105,7 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
   MemoryNeeds needs;
   needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count());
   needs.hit_points = hit_point_bytes(scene, render, hit_point_settings(s));
-  needs.photons = static_cast<std::size_t>(photons) + global.guide->bytes() + caustic.guide->bytes();
+  needs.photons = static_cast<std::size_t>(photons) + global.learned->guide.bytes() + caustic.learned->guide.bytes();
   return needs;
 }
 

@@ -67,14 +67,15 @@ class Progressive final : public Integrator {
     estimator_->persist(state);
     shrinkage_.persist(state);
     found_.persist(state);
-    persist_guide(state);
+    persist_learned(state);
     return true;
   }
 
  private:
   // [WG12 figure 3]
   void iterate(std::uint64_t iteration, const Scene& scene) {
-    if (guide_ == nullptr) learn(scene);
+    if (learned_ == nullptr) learn(scene);
+    balance_direct_light(scene);
     trace_camera_paths(scene, iteration);
     const float cell_size = mean_search_radius(scene);
     for (std::int64_t first = 0; first < batches_.photons; first += batches_.size) {
@@ -91,18 +92,32 @@ class Progressive final : public Integrator {
 
   void learn(const Scene& scene) {
     const StepTimer timer(statistics_.steps[kEmission]);
-    guide_ = emission_guide(scene, render_, settings_.photon, settings_.hit_point, settings_.photons, settings_.guided,
-                            statistics_);
-    settings_.photon.guide = guide_.get();
+    learned_ = emission_of_file(scene, render_, settings_.photon, settings_.hit_point, settings_.photons,
+                                settings_.guided, statistics_);
+    settings_.photon.guide = &learned_->guide;
   }
 
-  void persist_guide(StateStream& state) {
-    EmissionGuide guide = guide_ != nullptr ? *guide_ : EmissionGuide();
-    std::uint8_t learned = guide_ != nullptr;
-    state.value(learned);
-    guide.persist(state, lights_);
-    guide_ = learned != 0 ? std::make_shared<const EmissionGuide>(std::move(guide)) : nullptr;
-    settings_.photon.guide = guide_.get();
+  void persist_learned(StateStream& state) {
+    LearnedEmission emission = learned_ != nullptr ? *learned_ : LearnedEmission();
+    std::uint8_t is_learned = learned_ != nullptr;
+    state.value(is_learned);
+    state.value(emission.direct);
+    emission.guide.persist(state, lights_);
+    learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
+    settings_.photon.guide = learned_ != nullptr ? &learned_->guide : nullptr;
+  }
+
+  void balance_direct_light(const Scene& scene) {
+    if (!settings_.hit_point.sample_direct) return;
+    const bool by_photons = (settings_.photon.kinds & kDirectPhotons) != 0;
+    const LearnedDirect& learned = learned_->direct;
+    if (by_photons && !learned.by_rays) {
+      settings_.hit_point.sample_direct = false;
+      return;
+    }
+    direct_.emplace(scene, DirectWays{by_photons ? settings_.photons : 0, settings_.photon.guide,
+                                      shrinkage_.of(learned.radius), learned.photons_a_ray});
+    settings_.photon.direct = settings_.hit_point.direct = &*direct_;
   }
 
   // [WG12 4.1]
@@ -212,7 +227,8 @@ class Progressive final : public Integrator {
   RenderSettings render_;
   PhotonBatches batches_;
   int lights_;
-  std::shared_ptr<const EmissionGuide> guide_;  // null before the first iteration
+  std::shared_ptr<const LearnedEmission> learned_;  // null before the first iteration
+  std::optional<DirectBalance> direct_;             // of the iteration
   FoundPhotons found_;
   std::unique_ptr<PixelEstimator> estimator_;
   std::size_t pixel_bytes_ = 0;

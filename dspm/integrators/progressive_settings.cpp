@@ -25,8 +25,10 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.kz11 = params.choice("estimator", "kz11", {"hj09", "kz11"},
                          "hj09: each pixel shrinks its own radius; kz11: the radius depends only on the iteration") ==
            "kz11";
-  const bool sampled = params.choice("direct", "photons", {"photons", "sampled"},
-                                     "direct light by photons, or by shadow rays from the hit points") == "sampled";
+  const std::string direct =
+      params.choice("direct", "both", {"both", "photons", "sampled"},
+                    "direct light by photons, by shadow rays from the hit points, or by both, each weighted by how "
+                    "well it finds the light");
   s.guided = read_emission(params);
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones extend the path");
@@ -48,9 +50,9 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.seed = render.seed;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;
-  s.photon.kinds = sampled ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
+  s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.photon.share_paths = s.hit_point.share_paths = share_paths;
-  s.hit_point.sample_direct = sampled;
+  s.hit_point.sample_direct = direct != "photons";
   s.photon.hidden = true;
   return s;
 }

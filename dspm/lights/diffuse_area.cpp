@@ -76,6 +76,16 @@ class DiffuseArea final : public Light {
     return pdf(pdf_a(primitive, normal), dot(normal, start.direction));
   }
 
+  EmissionNumbers emission_numbers(const Ray& start, const Vec3& normal, int primitive) const override {
+    const float side = two_sided_ && dot(normal, start.direction) < 0 ? -1.f : 1.f;
+    const Vec3 local = Basis::around(side * normal).to_local(start.direction);
+    Vec2 direction = concentric_disk_numbers({local.x, local.y});
+    if (two_sided_) direction.x = 0.5f * (direction.x + (side < 0 ? 1.f : 0.f));
+    const auto place = placed_.area_numbers(primitive, start.origin);
+    if (!place) return {kAnyNumber, kAnyNumber, direction.x, direction.y};
+    return {primitives_.number(primitive, std::clamp(place->x, 0.f, 1.f)), place->y, direction.x, direction.y};
+  }
+
   std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const override {
     if (!(primitives_.total() > 0)) return std::nullopt;
     const Start s = sample_point(u);

@@ -35,6 +35,11 @@ class Distant final : public Light {
 
   EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
 
+  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
+    const Vec2 u = scene_.entering_numbers(start);
+    return {u.x, u.y, kAnyNumber, kAnyNumber};
+  }
+
   std::optional<Illumination> illuminate(const Vec3&, Vec2) const override {
     return Illumination{wi_, kInfinity, irradiance_, 0};
   }

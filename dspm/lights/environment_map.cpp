@@ -75,6 +75,18 @@ EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   return {direction_in(x, y, {rest_x, rest_y}), image_.at(x, y), row_probability * column_probability / solid_angle(y)};
 }
 
+Vec2 EnvironmentMap::sample_numbers(const Vec3& direction) const {
+  const Vec2 place = place_of(mapping_, direction);
+  const int x = cell(place.x, image_.width), y = cell(place.y, image_.height);
+  const float h = static_cast<float>(image_.height), row = static_cast<float>(y);
+  Vec2 rest{place.x * static_cast<float>(image_.width) - static_cast<float>(x), place.y * h - row};
+  if (mapping_ == SphereMapping::equirectangular) {
+    const float upper = std::cos(kPi * row / h), lower = std::cos(kPi * (row + 1) / h);
+    rest.y = std::clamp((direction.z - upper) / (lower - upper), 0.f, 1.f);
+  }
+  return {columns_[static_cast<std::size_t>(y)].number(x, rest.x), rows_.number(y, rest.y)};
+}
+
 Rgb EnvironmentMap::fluence() const {
   std::array<double, 3> sum{};
   for (int y = 0; y < image_.height; ++y)

@@ -28,6 +28,8 @@ class EnvironmentMap {
   float pdf_w(const Vec3& direction) const;
   /// Only if the map is not black.
   Sample sample(Vec2 u) const;
+  /// The u for which sample(u) has that direction.
+  Vec2 sample_numbers(const Vec3& direction) const;
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
     return a.mapping_ == b.mapping_ && a.image_ == b.image_;
   }

@@ -58,6 +58,11 @@ class Infinite final : public Light {
     return pdf(escaped_pdf_w(-start.direction));
   }
 
+  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
+    const Vec2 position = scene_.entering_numbers(start), direction = map_.sample_numbers(to_light(-start.direction));
+    return {position.x, position.y, direction.x, direction.y};
+  }
+
   std::optional<Illumination> illuminate(const Vec3&, Vec2 u) const override {
     if (map_.is_black()) return std::nullopt;
     const EnvironmentMap::Sample s = draw(u);

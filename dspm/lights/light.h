@@ -2,6 +2,7 @@
 // plugins.cpp is the table.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +27,11 @@ struct EmissionPdf {
   float direction = 0;  // by solid angle; if the light is infinitely far away, whatever the position
   bool delta_position = false, delta_direction = false;
 };
+
+/// The numbers that Light::emit takes: position x and y, direction x and y; each in [0, 1).
+using EmissionNumbers = std::array<float, 4>;
+/// In place of one: it may be any, because emit() does not use it, or it is not known.
+inline constexpr float kAnyNumber = -1;
 
 /// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power; `flux` times both
 /// densities is the radiance times |cos| to `normal`. Without a normal there is no cosine, and for a delta the radiance
@@ -59,6 +65,11 @@ class Light {
   /// The densities with which emit() draws this start and direction, for paths that came to the light another way;
   /// `normal` and `primitive` as in Emission. A delta is taken for granted. Zero: unknown, or never drawn.
   virtual EmissionPdf pdf_emit(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const { return {}; }
+  /// The numbers with which emit() draws this start and direction, but for rounding; kAnyNumber for those that do not
+  /// matter, or are not known: a method that learns which numbers to draw then weighs by the mean density over them.
+  virtual EmissionNumbers emission_numbers(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const {
+    return {kAnyNumber, kAnyNumber, kAnyNumber, kAnyNumber};
+  }
   /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
 

@@ -33,6 +33,11 @@ class Point final : public Light {
 
   EmissionPdf pdf_emit(const Ray&, const Vec3&, int) const override { return pdf(); }
 
+  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
+    const Vec2 u = uniform_sphere_numbers(start.direction);
+    return {kAnyNumber, kAnyNumber, u.x, u.y};
+  }
+
   std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
     const Vec3 d = p_ - p;
     const float distance = length(d);

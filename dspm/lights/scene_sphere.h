@@ -22,6 +22,11 @@ struct SceneSphere {
     constexpr float kClear = 1.01f;  // exceeds any rounding error
     return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};
   }
+  /// The u with which that line enters.
+  Vec2 entering_numbers(const Ray& line) const {
+    const Vec3 offset = Basis::around(-line.direction).to_local(line.origin - center);
+    return concentric_disk_numbers(Vec2{offset.x, offset.y} * (1 / radius));
+  }
 };
 
 }  // namespace dspm

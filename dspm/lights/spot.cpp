@@ -20,6 +20,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/lights/strength.h"
 #include "dspm/math/ray.h"
+#include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 
@@ -51,7 +52,7 @@ class Spot final : public Light {
   Rgb power() const override { return kPi * (inner_ + outer_) * intensity_; }
 
   std::optional<Emission> emit(Vec2, Vec2 u) const override {
-    const float share = 2 * inner_ / (inner_ + outer_);  // of the inner cone in the power
+    const float share = share_of_inner();
     const float versine =
         u.x < share ? inner_ * (u.x / share) : outer_ - (outer_ - inner_) * sample_falloff((u.x - share) / (1 - share));
     const float sine = std::sqrt(versine * (2 - versine)), phi = 2 * kPi * u.y;
@@ -61,6 +62,14 @@ class Spot final : public Light {
   }
 
   EmissionPdf pdf_emit(const Ray& start, const Vec3&, int) const override { return pdf(start.direction); }
+
+  EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
+    const float versine = 0.5f * length2(start.direction - basis_.z), share = share_of_inner();
+    const float x = (outer_ - versine) / (outer_ - inner_);
+    const float place = versine < inner_ || inner_ == outer_ ? share * (versine / inner_)
+                                                             : share + (1 - share) * (x * x * x * (2 - x));
+    return {kAnyNumber, kAnyNumber, std::clamp(place, 0.f, 1.f), turn_of(basis_.to_local(start.direction))};
+  }
 
   std::optional<Illumination> illuminate(const Vec3& p, Vec2) const override {
     const Vec3 d = p_ - p;
@@ -92,6 +101,9 @@ class Spot final : public Light {
   }
 
  private:
+  /// Of the power.
+  float share_of_inner() const { return 2 * inner_ / (inner_ + outer_); }
+
   EmissionPdf pdf(const Vec3& w) const { return {1, falloff(w) / (kPi * (inner_ + outer_)), true, false}; }
 
   float falloff(const Vec3& w) const {

@@ -37,12 +37,32 @@ Vec2 concentric_disk(Vec2 u) {
   return wide ? Vec2{r * angle.cos, r * angle.sin} : Vec2{r * angle.sin, r * angle.cos};
 }
 
+Vec2 concentric_disk_numbers(Vec2 p) {
+  const float r = std::hypot(p.x, p.y);
+  if (r == 0) return {0.5f, 0.5f};
+  const bool wide = std::abs(p.x) > std::abs(p.y);
+  const float along = std::copysign(r, wide ? p.x : p.y);
+  const float across = along * (wide ? std::atan(p.y / p.x) : std::atan(p.x / p.y)) / (kPi / 4);
+  const Vec2 square = wide ? Vec2{along, across} : Vec2{across, along};
+  return {0.5f * (square.x + 1), 0.5f * (square.y + 1)};
+}
+
 Vec3 cosine_hemisphere(Vec2 u) {
   const Vec2 d = concentric_disk(u);
   return {d.x, d.y, std::sqrt(std::max(1 - d.x * d.x - d.y * d.y, 0.f))};
 }
 
 Vec3 uniform_sphere(Vec2 u) { return at_height(1 - 2 * u.x, 4 * u.x * (1 - u.x), u.y); }
+
+float turn_of(const Vec3& w) {
+  const float turn = std::atan2(w.y, w.x) / (2 * kPi);
+  return turn < 0 ? std::min(turn + 1, kBelowOne) : turn;
+}
+
+Vec2 uniform_sphere_numbers(const Vec3& w) {
+  const float x = w.z > 0 ? (w.x * w.x + w.y * w.y) / (2 * (1 + w.z)) : 0.5f * (1 - w.z);
+  return {x, turn_of(w)};
+}
 
 Vec3 uniform_hemisphere(Vec2 u) { return at_height(1 - u.x, u.x * (2 - u.x), u.y); }
 
@@ -52,6 +72,10 @@ Vec3 uniform_cone(Vec2 u, float one_minus_cos_max) {
 }
 
 Vec2 uniform_triangle(Vec2 u) { return u.x < u.y ? Vec2{u.x / 2, u.y - u.x / 2} : Vec2{u.x - u.y / 2, u.y / 2}; }
+
+Vec2 uniform_triangle_numbers(Vec2 b) {
+  return b.x < b.y ? Vec2{2 * b.x, b.x + b.y} : Vec2{b.x + b.y, 2 * b.y};
+}
 
 Distribution1D::Distribution1D(std::span<const float> weights) {
   double total = 0;
@@ -75,6 +99,10 @@ Distribution1D::Choice Distribution1D::choose(float u) const {
   const int index = static_cast<int>(above - cdf_.begin()) - 1;
   const float begin = *(above - 1), width = *above - begin;
   return {index, width, std::min((u - begin) / width, kBelowOne)};
+}
+
+float Distribution1D::number(int index, float rest) const {
+  return cdf_[static_cast<std::size_t>(index)] + rest * probability(index);
 }
 
 float Distribution1D::probability(int index) const {

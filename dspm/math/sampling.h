@@ -11,13 +11,20 @@ namespace dspm {
 
 /// Uniform on the unit disk; neighbours stay neighbours. Density 1 / pi. [Shirley and Chiu 1997]
 Vec2 concentric_disk(Vec2 u);
+/// The u with concentric_disk(u) = p.
+Vec2 concentric_disk_numbers(Vec2 p);
 
 /// Density cos / pi per solid angle.
 Vec3 cosine_hemisphere(Vec2 u);
 inline float cosine_hemisphere_pdf_w(float cos_theta) { return std::max(cos_theta, 0.f) / kPi; }
 
 Vec3 uniform_sphere(Vec2 u);
+/// The u with uniform_sphere(u) = w.
+Vec2 uniform_sphere_numbers(const Vec3& w);
 inline constexpr float kUniformSpherePdfW = 1 / (4 * kPi);
+
+/// The azimuth of w as a fraction of a turn, in [0, 1).
+float turn_of(const Vec3& w);
 
 Vec3 uniform_hemisphere(Vec2 u);
 inline constexpr float kUniformHemispherePdfW = 1 / (2 * kPi);
@@ -29,6 +36,8 @@ inline float uniform_cone_pdf_w(float one_minus_cos_max) { return 1 / (2 * kPi *
 
 /// Barycentric coordinates (b1, b2) of a point uniform on a triangle's area; b0 = 1 - b1 - b2. [Heitz 2019]
 Vec2 uniform_triangle(Vec2 u);
+/// The u with uniform_triangle(u) = b.
+Vec2 uniform_triangle_numbers(Vec2 b);
 
 /// n weights as a density over [0, 1) that is constant on each of n equal bins, and as a choice among n items.
 class Distribution1D {
@@ -44,6 +53,8 @@ class Distribution1D {
 
   Choice choose(float u) const;
   float probability(int index) const;
+  /// The u for which choose(u) returns that index and rest.
+  float number(int index, float rest) const;
   int size() const { return static_cast<int>(cdf_.size()) - 1; }
   float total() const { return total_; }  // the sum of the weights
 

@@ -51,6 +51,7 @@ class Cylinder final : public Shape {
   float area(int) const override { return static_cast<float>(sweep_.phi_max() * r_ * (double{z_max_} - z_min_)); }
 
   Vec2 sample_area(int, Vec2 u) const override { return u; }
+  std::optional<Vec2> area_numbers(int, const Vec3& p) const override { return parameters(widen(p)); }
 
  private:
   std::optional<Vec2> parameters(const DoubleVec3& p) const {

@@ -58,6 +58,12 @@ class Disk final : public Shape {
     const double inner2 = double{inner_} * inner_, outer2 = double{r_} * r_;
     return {u.x, v_of(std::sqrt(outer2 + u.y * (inner2 - outer2)))};
   }
+  std::optional<Vec2> area_numbers(int, const Vec3& p) const override {
+    const auto u = sweep_.u_of(p.x, p.y);
+    if (!u) return std::nullopt;
+    const double rho = std::hypot(p.x, p.y);
+    return Vec2{*u, static_cast<float>((r_ - rho) * (r_ + rho) / ((double{r_} - inner_) * (double{r_} + inner_)))};
+  }
 
  private:
   std::optional<Vec2> parameters(const DoubleVec3& p) const {

@@ -67,6 +67,10 @@ float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
   return 1 / (shape->area(primitive) * area_scale(normalize(n)));
 }
 
+std::optional<Vec2> PlacedShape::area_numbers(int primitive, const Vec3& p) const {
+  return shape->area_numbers(primitive, in_object_space() ? to_world.inverse_point(p) : p);
+}
+
 float PlacedShape::area_scale(const Vec3& n) const {
   if (!in_object_space()) return 1;
   const Basis tangents = Basis::around(n);

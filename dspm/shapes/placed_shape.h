@@ -31,6 +31,8 @@ struct PlacedShape {
   AreaSample sample_area(int primitive, Vec2 u) const;
   /// The density of sample_area() at a point of the primitive whose normal, in the world, is ng.
   float pdf_a(int primitive, const Vec3& ng) const;
+  /// The numbers for which sample_area() gives that point of the world; nullopt if they are not known.
+  std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const;
   /// Factor from object to world area at a point whose object-space unit normal is n.
   float area_scale(const Vec3& n) const;
 

@@ -52,6 +52,9 @@ class Shape {
   virtual float area(int primitive) const = 0;
   /// The parameters of a point distributed uniformly over the primitive's area in object space.
   virtual Vec2 sample_area(int primitive, Vec2 u) const = 0;
+  /// The numbers for which sample_area() gives the point p of the primitive, in object space, but for rounding; nullopt
+  /// if they are not known.
+  virtual std::optional<Vec2> area_numbers(int /*primitive*/, const Vec3& /*p*/) const { return std::nullopt; }
 
   /// Trees treat triangles specially; null for everything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }

@@ -63,6 +63,11 @@ class Sphere final : public Shape {
     const double z = z_min_ + u.y * (double{z_max_} - z_min_), rho = std::sqrt(std::max(0.0, (r_ + z) * (r_ - z)));
     return {u.x, v_of(rho, z)};
   }
+  std::optional<Vec2> area_numbers(int, const Vec3& p) const override {
+    const auto u = sweep_.u_of(p.x, p.y);
+    if (!u) return std::nullopt;
+    return Vec2{*u, static_cast<float>((p.z - double{z_min_}) / (double{z_max_} - z_min_))};
+  }
 
  private:
   std::optional<Vec2> parameters(const DoubleVec3& p) const {

@@ -136,4 +136,12 @@ float TriangleMesh::area(int primitive) const {
 
 Vec2 TriangleMesh::sample_area(int, Vec2 u) const { return uniform_triangle(u); }
 
+std::optional<Vec2> TriangleMesh::area_numbers(int primitive, const Vec3& p) const {
+  const Vec3 &a = vertex(primitive, 0), e1 = vertex(primitive, 1) - a, e2 = vertex(primitive, 2) - a;
+  const Vec3 n = cross(e1, e2), to_p = p - a;
+  const float twice_area2 = length2(n);
+  if (!(twice_area2 > 0)) return std::nullopt;
+  return uniform_triangle_numbers({dot(cross(to_p, e2), n) / twice_area2, dot(cross(e1, to_p), n) / twice_area2});
+}
+
 }  // namespace dspm

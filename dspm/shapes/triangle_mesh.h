@@ -51,6 +51,7 @@ class TriangleMesh final : public Shape {
   SurfacePoint surface_point(int primitive, Vec2 uv) const override;
   float area(int primitive) const override;
   Vec2 sample_area(int primitive, Vec2 u) const override;
+  std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const override;
   const TriangleMesh* triangles() const override { return this; }
 
  private:

@@ -113,6 +113,7 @@ struct Way {
 constexpr Way kWays[] = {
     {R"("sppm" "string estimator" "hj09" "integer photons" 20000 "float radius" 0.03)", 2},
     {R"("dsppm" "string estimator" "kz11" "integer photons" 20000 "float radius" 0.03)", 2},
+    {R"("dsppm" "string direct" "photons" "integer photons" 20000 "float radius" 0.03)", 2},
     {R"("dsppm" "string estimator" "hj09" "string direct" "sampled" "integer photons" 20000 "float radius" 0.03)", 2},
     {R"("photonmap" "integer photons" 30000 "integer causticphotons" 20000 "float radius" 0.06 "float causticradius" 0.03)",
      1},

@@ -9,7 +9,7 @@
 namespace dspm::test {
 namespace {
 
-constexpr int kMaterials = 6, kSettings = 3;
+constexpr int kMaterials = 6, kSettings = 4;
 
 /// The light shines up from just above the floor; the camera sees a piece of the floor beside light and mesh.
 std::string octahedron(const std::string& integrator, const std::string& light, const std::string& material) {
@@ -57,7 +57,8 @@ class BentNormals : public testing::TestWithParam<Case> {};
 TEST_P(BentNormals, PhotonsBringWhatPathsFind) {
   const Tiles path = rendered(octahedron(R"("path" "integer maxdepth" 12)", GetParam().light, GetParam().material), 48);
   for (const char* settings :
-       {R"("string estimator" "kz11")", R"("string estimator" "hj09")", R"("string direct" "sampled")"}) {
+       {R"("string estimator" "kz11")", R"("string estimator" "hj09")", R"("string direct" "photons")",
+        R"("string direct" "sampled")"}) {
     const std::string integrator =
         fmt::format(R"("dsppm" "integer maxdepth" 12 "integer photons" 40000 "float radius" 0.06 {})", settings);
     const Verdict verdict = agreement(rendered(octahedron(integrator, GetParam().light, GetParam().material), 3), path,

@@ -51,6 +51,29 @@ TEST(EmissionGuide, DrawsWithTheDensityThatItClaims) {
   }
 }
 
+// Over a side that may be any, the density is the mean over that side.
+TEST(EmissionGuide, IntegratesOverNumbersThatMayBeAny) {
+  const EmissionGuide guide = learned();
+  for (int i = 0; i < 50; ++i) {
+    const EmissionStart start = draw(guide, i);
+    for (std::size_t side = 0; side < 4; ++side) {
+      EmissionNumbers numbers = start.numbers;
+      double sum = 0;
+      constexpr int kSteps = 1 << 14;  // finer than any cell
+      for (int step = 0; step < kSteps; ++step) {
+        numbers[side] = (static_cast<float>(step) + 0.5f) / kSteps;
+        sum += static_cast<double>(guide.density(start.light, numbers));
+      }
+      numbers[side] = kAnyNumber;
+      EXPECT_NEAR(static_cast<double>(guide.density(start.light, numbers)) * kSteps / sum, 1, 1e-4);
+    }
+  }
+  double all = 0;
+  for (int light = 0; light < 4; ++light)
+    all += static_cast<double>(guide.density(light, {kAnyNumber, kAnyNumber, kAnyNumber, kAnyNumber}));
+  EXPECT_NEAR(all, 1, 1e-5);
+}
+
 // The mean of 1 / density over the draws that fall into a region is the region's volume.
 TEST(EmissionGuide, CountsEveryRegionByItsVolume) {
   const EmissionGuide guide = learned();

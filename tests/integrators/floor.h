@@ -71,6 +71,8 @@ inline constexpr FloorIntegrator kFloorIntegrators[] = {
     {R"("sppm" "integer photons" {1} "string estimator" "hj09" "float radius" {0})", 2},
     {R"("dsppm" "integer photons" {1} "string estimator" "hj09" "float radius" {0})", 2},
     {R"("dsppm" "integer photons" {1} "string estimator" "kz11" "float radius" {0})", 2},
+    {R"("dsppm" "integer photons" {1} "string estimator" "hj09" "string direct" "photons" "float radius" {0})", 2},
+    {R"("dsppm" "integer photons" {1} "string estimator" "kz11" "string direct" "photons" "float radius" {0})", 2},
     {R"("dsppm" "integer photons" {1} "string estimator" "hj09" "string direct" "sampled" "float radius" {0})", 2},
     {R"("dsppm" "integer photons" {1} "string estimator" "kz11" "string direct" "sampled" "float radius" {0})", 2},
     {R"("photonmap" "integer photons" 1000 "integer causticphotons" {1} "float causticradius" {0})", 1},
@@ -79,7 +81,7 @@ inline constexpr FloorIntegrator kFloorIntegrators[] = {
 enum class By { all, photons };  // photons alone find points and directions by way of glass and mirrors
 
 inline void expect_picture(const Floor& floor, const Image& expected, By by = By::all) {
-  constexpr int kComparisons = 120;  // all of them together fail right integrators with a chance of 1%
+  constexpr int kComparisons = 160;  // all of them together fail right integrators with a chance of 1%
   constexpr int kQuarters = 2;       // many seeds and few figures make a sharp t-test
   const Tiles exact = tiles_of({{expected}}, kQuarters);
   for (const FloorIntegrator& integrator : kFloorIntegrators) {

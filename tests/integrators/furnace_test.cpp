@@ -30,6 +30,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000)", 2},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
+        Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "photons")", 2},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
 "integer causticphotons" 20000)",

@@ -58,7 +58,7 @@ TEST(GuidedEmission, ConvergesToWhatPathFinds) {
   constexpr int kRadius = 10;
   const std::string ball = "Translate 5 3 .5 Shape \"sphere\" \"float radius\" .5";
   const Tiles path = rendered(ground(R"("path" "integer maxdepth" 4)", ball, "", kRadius), 256, 16, 2);
-  for (const char* direct : {"photons", "sampled"}) {
+  for (const char* direct : {"both", "photons", "sampled"}) {
     const std::string words = fmt::format(
         R"("dsppm" "integer photons" 30000 "integer maxdepth" 4 "float radius" .03 "string direct" "{}")", direct);
     const Verdict verdict = agreement(rendered(ground(words, ball, "", kRadius), 8, 16, 2), path, {0.01 / 2, 0.01});
@@ -86,7 +86,7 @@ SharedCount found(const std::string& integrator) {
 }
 
 TEST(GuidedEmission, FindsAThousandTimesMore) {
-  for (const char* direct : {"photons", "sampled"}) {
+  for (const char* direct : {"both", "photons", "sampled"}) {
     const std::string start = fmt::format(R"("dsppm" "integer photons" 50000 "string direct" "{}")", direct);
     EXPECT_GT(found(start).done, 1000 * (found(start + R"( "string emission" "power")").done + 1)) << direct;
   }

@@ -16,6 +16,7 @@ using test::TestScene;
 
 constexpr const char* kVariants[] = {
     R"("dsppm" "integer photons" 4000 "string estimator" "hj09")",
+    R"("dsppm" "integer photons" 4000 "string direct" "photons")",
     R"("dsppm" "integer photons" 4000 "string estimator" "kz11" "string direct" "sampled")",
     R"("sppm" "integer photons" 4000 "string estimator" "hj09")",
     R"("sppm" "integer photons" 4000)",

@@ -199,6 +199,49 @@ TEST(Emission, DirectLightNamesThePointThatItSampled) {
   }
 }
 
+/// The light's emission numbers of what it emits lead to the same start again; `exceptions` of 1000 may differ, because
+/// rounding takes a direction to the next pixel.
+void expect_numbers(const Light& light, int exceptions, const std::string& name) {
+  int n = 0, different = 0;
+  for_each_emission(light, [&](const Emission& e) {
+    EmissionNumbers u = light.emission_numbers(e.ray, e.normal, e.primitive);
+    for (float& number : u) {
+      EXPECT_TRUE(number == kAnyNumber || (number >= 0 && number <= 1)) << name << " " << number;
+      number = number == kAnyNumber ? 0.37f : std::min(number, 0x1.fffffep-1f);
+    }
+    const auto again = light.emit({u[0], u[1]}, {u[2], u[3]});
+    ++n;
+    different += !again || length(again->ray.origin - e.ray.origin) > 1e-3f ||
+                         length(again->ray.direction - e.ray.direction) > 2e-3f
+                     ? 1
+                     : 0;
+  });
+  EXPECT_GT(n, 1000) << name;
+  EXPECT_LE(different * 1000, exceptions * n) << name << ": " << different << " of " << n;
+}
+
+TEST(EmissionNumbers, LeadToTheSameStart) {
+  for (const AreaLamp& lamp : area_lamps()) expect_numbers(*lamp.light, 2, lamp.name);
+  for (const NamedLight& named : points()) expect_numbers(*named.light, 1, named.name);
+  expect_numbers(*sun().light, 0, "distant");
+  const EnvironmentFile file(7, 7), wide(12, 6);
+  for (const EnvironmentFile* map : {&file, &wide})
+    for (const NamedLight& sky : skies(*map)) expect_numbers(*sky.light, 4, sky.name);
+}
+
+// Lights must say which numbers do not matter, or a guide's density over them would count as that of the start.
+TEST(EmissionNumbers, AreAnyIfTheyDoNotMatter) {
+  for (const NamedLight& named : points()) {
+    const Emission e = named.light->emit({.3f, .6f}, {.2f, .7f}).value();
+    const EmissionNumbers u = named.light->emission_numbers(e.ray, e.normal, e.primitive);
+    EXPECT_TRUE(u[0] == kAnyNumber && u[1] == kAnyNumber && u[2] >= 0 && u[3] >= 0) << named.name;
+  }
+  const NamedLight distant = sun();
+  const Emission e = distant.light->emit({.3f, .6f}, {.2f, .7f}).value();
+  const EmissionNumbers u = distant.light->emission_numbers(e.ray, e.normal, e.primitive);
+  EXPECT_TRUE(u[0] >= 0 && u[1] >= 0 && u[2] == kAnyNumber && u[3] == kAnyNumber);
+}
+
 // The primitives are summed one by one, so this holds up to rounding.
 TEST(Emission, PositionDensitiesIntegrateTo1) {
   constexpr int kSamples = 500;

@@ -1,0 +1,95 @@
+#include "dspm/integrators/direct_balance.h"
+
+#include <cmath>
+
+#include "dspm/integrators/kernel_size.h"
+#include "dspm/math/sampling.h"
+
+namespace dspm {
+namespace {
+
+/// The state of the light whose density photons of `state` are drawn with.
+const Light& drawn_as(const SceneLight& light, const Light& state) {
+  for (const SceneLight::Alike& alike : light.alike) {
+    if (!alike.factors.empty()) continue;  // states that differ by a colour are drawn with equal densities
+    for (const auto& other : alike.states)
+      if (other.object.get() == &state) return *alike.first;
+  }
+  return state;
+}
+
+}  // namespace
+
+DirectBalance::DirectBalance(const Scene& scene, const DirectWays& ways)
+    : scene_(scene),
+      guide_(ways.guide != nullptr && !ways.guide->is_off() ? ways.guide : nullptr),
+      photons_times_area_(kernel_size(ways.radius * ways.radius, static_cast<float>(ways.photons))),
+      photons_a_ray_(ways.photons_a_ray),
+      scatters_(!scene.infinite_lights.empty()) {}
+
+// So many photons that rays could hardly improve on them: none is traced.
+bool DirectBalance::Densities::enough_photons() const {
+  constexpr float kEnough = 8;
+  return !(photons < kEnough * (samples + scattered));
+}
+
+float DirectBalance::weight_of_photon(const SceneLight& light, const Light& state, const Start& start,
+                                      const Place& place) const {
+  const Densities d = densities(light, state, start, place, sample_pdf_w(light, state, start, place));
+  return d.enough_photons() ? 1 : d.photons / d.all();
+}
+
+float DirectBalance::weight_of_sample(const SceneLight& light, const Light& state, const Illumination& lit,
+                                      const Place& place) const {
+  const bool is_near = std::isfinite(lit.distance);
+  const Start start{{is_near ? place.p + lit.wi * lit.distance : place.p, -lit.wi}, lit.normal, lit.primitive};
+  const Densities d = densities(light, state, start, place, lit.pdf_w);
+  return d.enough_photons() ? 0 : d.samples / d.all();
+}
+
+float DirectBalance::weight_of_scattered(const SceneLight& light, const Light& state, const Start& start,
+                                         const Place& place) const {
+  const Densities d = densities(light, state, start, place, sample_pdf_w(light, state, start, place));
+  return d.enough_photons() ? 0 : d.scattered / d.all();
+}
+
+// Photons arrive with the density of their starts times cos / distance^2 by area, or without the square from infinitely
+// far away; the solid angle of a light's surface is its area times cos / distance^2.
+DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const Light& state, const Start& start,
+                                                  const Place& place, float sample_pdf_w) const {
+  const float cosine = std::abs(dot(place.ng, start.ray.direction)), samples = light_samples(scene_, light);
+  Densities d{0, photons_a_ray_ * samples, 0};
+  if (!light.is_delta) {
+    d.samples *= sample_pdf_w;
+    if (scatters_) d.scattered = photons_a_ray_ * cosine_hemisphere_pdf_w(cosine);
+  }
+  if (photons_times_area_ == 0) return d;
+  const Light& drawn = drawn_as(light, state);
+  const EmissionPdf pdf = drawn.pdf_emit(start.ray, start.normal, start.primitive);
+  d.photons =
+      photons_times_area_ * density_of(light, drawn, start) * pdf.position * pdf.direction * cosine;
+  if (light.is_delta && !pdf.delta_direction)
+    d.photons /= length2(place.p - start.ray.origin);
+  else if (!light.is_delta && !state.is_infinite())
+    d.photons /= std::abs(dot(start.normal, start.ray.direction));
+  return d;
+}
+
+/// Of a sample that happened to be that start.
+float DirectBalance::sample_pdf_w(const SceneLight& light, const Light& state, const Start& start,
+                                  const Place& place) const {
+  if (light.is_delta) return 0;
+  if (state.is_infinite()) return state.escaped_pdf_w(-start.ray.direction);
+  SurfacePoint on_light{};
+  on_light.p = start.ray.origin, on_light.ng = on_light.ns = start.normal;
+  return state.pdf_w(place.p, on_light, start.primitive);
+}
+
+/// Of the light and of the numbers that emit() gets.
+float DirectBalance::density_of(const SceneLight& light, const Light& state, const Start& start) const {
+  if (guide_ == nullptr) return light.probability;
+  return guide_->density(static_cast<int>(&light - scene_.lights.data()),
+                         state.emission_numbers(start.ray, start.normal, start.primitive));
+}
+
+}  // namespace dspm

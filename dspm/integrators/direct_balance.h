@@ -1,0 +1,70 @@
+// Direct light that photons, shadow rays and scattered rays bring to a hit point: each way is weighted by how well it
+// finds the path from the light. [Georgiev et al. 2012; Hachisuka et al. 2012; Veach 1997, 9.2]
+#pragma once
+
+#include <cstdint>
+
+#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/emission_guide.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// What weights rest on besides the scene.
+struct DirectWays {
+  std::int64_t photons = 0;              // paths of an iteration; 0: photons bring no direct light
+  const EmissionGuide* guide = nullptr;  // they are drawn with; null or off: by power
+  float radius = 0;                      // of a typical hit point in this iteration
+  float photons_a_ray = 1;               // so many photons are as good as one ray: the inverse of its relative variance
+};
+
+/// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon carries
+/// its weight in its flux: all hit points count as having the same radius, and as scattering like a matte surface.
+class DirectBalance {
+ public:
+  DirectBalance(const Scene& scene, const DirectWays& ways);
+
+  /// Whether scattered rays look for lights: they are good at finding a sky.
+  bool scatters() const { return scatters_; }
+
+  /// Where light starts, as in Emission.
+  struct Start {
+    Ray ray;
+    Vec3 normal;
+    int primitive;
+  };
+  /// Where it arrives.
+  struct Place {
+    Vec3 p, ng;
+  };
+
+  /// Of a photon that has come straight from the light.
+  float weight_of_photon(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
+  /// Of a sample that sample_direct_light() takes of the light.
+  float weight_of_sample(const SceneLight& light, const Light& state, const Illumination& lit,
+                         const Place& place) const;
+  /// Of a ray, scattered at the place, that meets the light.
+  float weight_of_scattered(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
+
+ private:
+  /// Densities by solid angle at the place, in photons. Of a delta light: numbers.
+  struct Densities {
+    float photons, samples, scattered;
+    float all() const { return photons + samples + scattered; }
+    bool enough_photons() const;
+  };
+  Densities densities(const SceneLight& light, const Light& state, const Start& start, const Place& place,
+                      float sample_pdf_w) const;
+  float sample_pdf_w(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
+  float density_of(const SceneLight& light, const Light& state, const Start& start) const;
+
+  const Scene& scene_;
+  const EmissionGuide* guide_;  // null: by power
+  float photons_times_area_;    // of a typical kernel
+  float photons_a_ray_;
+  bool scatters_;
+};
+
+}  // namespace dspm

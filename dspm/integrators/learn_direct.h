@@ -1,0 +1,21 @@
+// Learns how photons and rays should share the search for direct light, from what pilot rays of the camera find.
+#pragma once
+
+#include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+struct LearnedDirect {
+  float radius = 0;         // of a typical hit point: the median, initially
+  float photons_a_ray = 1;  // see DirectWays
+  bool by_rays = true;      // false: photons find so much that rays are not worth their time
+};
+
+/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide; 0: they bring no
+/// direct light.
+LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
+                           std::int64_t photons, const EmissionGuide& guide);
+
+}  // namespace dspm
