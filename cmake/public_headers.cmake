@@ -7,7 +7,8 @@ set(public_headers
   colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
-  integrators/counters.h integrators/dimension.h integrators/integrator.h integrators/output_info.h
+  integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h
+  integrators/output_info.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/tiles.h
   lights/light.h
@@ -32,7 +33,8 @@ set(toolkit_headers
   integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h
   integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_emission.h
   integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
-  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pixel_statistics.h
+  integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
+  integrators/pixel_statistics.h
   integrators/progressive.h
   integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h integrators/surface_kernel.h
   lights/aim.h lights/strength.h

@@ -50,7 +50,8 @@ void add_scene(CLI::App& app, Options& o) {
       ->check(kNamesAFile)
       ->type_name("DIR");
   app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
-  app.add_flag("--explain", o.explain, "say what is shared between frames and what is not, and why");
+  app.add_flag("--explain", o.explain,
+               "say what is shared between frames and what is not, and why; and where photons start");
   app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap or path, whatever the scene says")
       ->type_name("NAME");
   app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
@@ -130,6 +131,14 @@ void add_output(CLI::App& app, Options& o) {
            [&](const std::string& text) { o.checkpoint_every = parse_interval("--checkpoint-every", text); });
   app.add_option("--resume", o.resume, "continue from this checkpoint, and keep it up to date")
       ->check(kNamesAFile)
+      ->type_name("FILE");
+  CLI::Option* const save_guide =
+      app.add_option("--save-guide", o.save_guide, "keep what is learned about where photons start, for --guide")
+          ->check(kNamesAFile)
+          ->type_name("FILE");
+  app.add_option("--guide", o.guide, "start photons as this file says, and learn nothing")
+      ->check(kNamesAFile)
+      ->excludes(save_guide)
       ->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
   app.add_flag("--stats{table}", o.stats, "print a table of times and counts at the end; with FILE: as JSON");

@@ -20,6 +20,7 @@ struct Options : Choices, OutputSettings, CheckpointSettings {
   std::vector<std::string> modules;  // files with plugins
   std::string sandbox;               // the directory outside of which no file is touched; empty: no sandbox
   std::string described;             // [kind:]name
+  std::string guide, save_guide;     // files; empty: none
   std::vector<std::string> created;  // a new plugin's kind, name and folder
   bool explain = false, quiet = false;
 

@@ -2,13 +2,17 @@
 
 #include <chrono>
 #include <memory>
+#include <utility>
 
 #include "dspm/app/last_words.h"
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
 #include "dspm/app/watch.h"
+#include "dspm/checkpoint/guide_file.h"
+#include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
 #include "dspm/scene/scene.h"
+#include "dspm/session/explain_photons.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/session.h"
 #include "dspm/system/memory_use.h"
@@ -26,7 +30,15 @@ OtherFiles other_files(const Options& options) {
   if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
     files.read.push_back({options.resume, "the checkpoint to resume"});
   if (!options.checkpoint.empty()) files.written.push_back({options.checkpoint, "the checkpoint"});
+  if (!options.guide.empty()) files.read.push_back({options.guide, "the guide"});
+  if (!options.save_guide.empty()) files.written.push_back({options.save_guide, "the guide"});
   return files;
+}
+
+/// Once an integrator has been made, which has learned what it needs.
+void keep_guide(const Options& options, const Job& job) {
+  if (!options.guide.empty()) expect_guide_is_used(options.guide, job);
+  if (!options.save_guide.empty()) save_guide(options.save_guide, job);
 }
 
 /// Shows a session's progress, saves its checkpoints and writes its images.
@@ -57,6 +69,7 @@ class Render final : public SessionObserver {
     last_words_.begin(step, who);
   }
   void ready(const Scene& scene, Integrator& integrator, int iterations) override {
+    keep_guide(options_, loaded_.job);
     announce(scene, integrator, iterations);
     checkpoints_.begin(intervals_, integrator);
   }
@@ -70,6 +83,7 @@ class Render final : public SessionObserver {
   }
   void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
     progress_->step(static_cast<int>(progress.index), progress.iterations);
+    if (!std::exchange(has_said_what_is_found_, true)) say_what_is_found(integrator.statistics());
     if (checkpoints_.due(progress.iterations)) save(progress, integrator);
   }
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
@@ -85,6 +99,12 @@ class Render final : public SessionObserver {
 
  private:
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
+  void say_what_is_found(const Statistics& statistics) {
+    for (const EmissionReport& report : statistics.emission) {
+      progress_->clear();
+      messages_.say("{}", summary_of(report));
+    }
+  }
   void save(const IntervalProgress& progress, Integrator& integrator) {
     saved_ = progress.iterations;
     results_.attempt(checkpoints_.path(), [&] {
@@ -115,6 +135,7 @@ class Render final : public SessionObserver {
   std::vector<FrameList> intervals_;
   int saved_ = 0;  // iterations of the interval that the checkpoint holds
   bool has_checkpoint_ = false;
+  bool has_said_what_is_found_ = false;
   RunReport report_;
   std::unique_ptr<Progress> progress_;
 };
@@ -156,9 +177,13 @@ void Render::announce(const Scene& scene, const Integrator& integrator, int iter
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
 }
 
-void explain(const World& world, const std::vector<FrameList>& intervals) {
-  for (const FrameList& interval : intervals)
-    for (const std::string& line : world.explain(interval)) print_message(fmt::format("{}\n", line));
+void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
+  const auto print = [](const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) print_message(fmt::format("{}\n", line));
+  };
+  for (const FrameList& interval : render.intervals()) print(loaded.world->explain(interval));
+  render.step_begins("learning where photons start", in_words("integrator", loaded.job.integrator));
+  print(explain_photons(loaded, render.intervals().front(), messages));
 }
 
 /// Calls task(render, loaded scene, messages) once all is ready. `step`: names the preparation.
@@ -174,10 +199,15 @@ int with_render(const Options& options, const char* step, const Task& task) {
   last_words.begin(step, "");
   return naming_memory_step([&] { return watch.step(); },
                             [&] {
-                              const LoadedScene loaded(options.scenes, options, messages);
+                              LoadedScene loaded(options.scenes, options, messages);
+                              // What only counts must not take memory that was meant for the render.
+                              loaded.job.settings.count_found =
+                                  (options.explain || !options.stats.empty()) && options.memory == 0;
+                              loaded.job.settings.learn_at_once = !options.guide.empty() || !options.save_guide.empty();
+                              if (!options.guide.empty()) load_guide(options.guide, loaded.job);
                               const InterruptRequests interrupts;
                               Render render(loaded, options, memory, messages, watch, last_words);
-                              if (options.explain) explain(*loaded.world, render.intervals());
+                              if (options.explain) explain(loaded, render, messages);
                               return task(render, loaded, messages);
                             });
 }
@@ -190,9 +220,10 @@ int render_scene(const Options& options) {
 }
 
 int check_scene(const Options& options) {
-  return with_render(options, "checking the scene", [](Render&, const LoadedScene& loaded, Messages& messages) {
+  return with_render(options, "checking the scene", [&](Render&, const LoadedScene& loaded, Messages& messages) {
     const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
     make_integrator(loaded.job, *scene, messages);
+    keep_guide(options, loaded.job);
     messages.say("scene ok: {}", summary_of(loaded));
     return 0;
   });

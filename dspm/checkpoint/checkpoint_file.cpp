@@ -22,7 +22,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);  // like the numbers in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
-constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20, kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
+constexpr std::size_t kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
 constexpr int kMostIterations = 1'000'000'000;
 constexpr std::size_t kBlock = 1 << 20;
 
@@ -49,20 +49,6 @@ class LoadingStream final : public StateStream {
   std::uint64_t left_;
 };
 
-void persist(std::string& text, StateStream& state) {
-  std::vector<char> bytes(text.begin(), text.end());
-  state.list(bytes, kMostText);
-  text.assign(bytes.begin(), bytes.end());
-}
-
-void persist(Fact& fact, StateStream& state) {
-  persist(fact.name, state);
-  persist(fact.text, state);
-  std::uint8_t digest = fact.is_digest;
-  state.value(digest);
-  fact.is_digest = digest != 0;
-}
-
 void persist(IntervalState& interval, StateStream& state) {
   state.list(interval.frames, kMostFrames);
   state.value(interval.iterations);
@@ -72,11 +58,10 @@ void persist(IntervalState& interval, StateStream& state) {
 }
 
 /// One by one: a large count without contents must not allocate.
-template <class T>
-void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
+void persist(std::vector<IntervalState>& all, StateStream& state) {
   std::uint64_t count = all.size();
   state.value(count);
-  if (count > most) fail("it has too many entries");
+  if (count > kMostIntervals) fail("it has too many entries");
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i == all.size()) all.emplace_back();
     persist(all[i], state);
@@ -84,8 +69,8 @@ void persist(std::vector<T>& all, std::size_t most, StateStream& state) {
 }
 
 void persist_head(std::vector<Fact>& facts, std::vector<IntervalState>& intervals, StateStream& state) {
-  persist(facts, kMostFacts, state);
-  persist(intervals, kMostIntervals, state);
+  dspm::persist(facts, state);
+  persist(intervals, state);
 }
 
 std::uint64_t head_bytes(std::vector<Fact>& facts, std::vector<IntervalState>& intervals) {

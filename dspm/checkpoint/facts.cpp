@@ -4,7 +4,9 @@
 
 #include <map>
 #include <set>
+#include <stdexcept>
 
+#include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/lang/canonical.h"
 #include "dspm/math/frames.h"
@@ -15,6 +17,8 @@ namespace dspm {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20;
 
 Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& where = {}) {
   return {std::move(name), fmt::format("{:016x}", digest), true, where};
@@ -47,6 +51,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   static const PluginUse kUsual{kUsualPixelFilter, {}, {}, {}};
   const PluginUse& filter = job.description->filter ? *job.description->filter : kUsual;
   facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));
+  if (s.file != nullptr && s.file->given()) facts.push_back(digest_fact("the guide (--guide)", *s.file->given()));
 }
 
 /// It decides ties and how lights are chosen.
@@ -85,6 +90,12 @@ std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>&
 std::vector<Fact> facts_of(const Job& job) {
   std::vector<Fact> facts;
   add_settings(job, facts);
+  for (Fact& fact : facts_of_scene(job)) facts.push_back(std::move(fact));
+  return facts;
+}
+
+std::vector<Fact> facts_of_scene(const Job& job) {
+  std::vector<Fact> facts;
   std::vector<ElementDigest> elements = digests_of(*job.description);
   add_order(elements, facts);
   for (ElementDigest& element : elements)
@@ -93,26 +104,41 @@ std::vector<Fact> facts_of(const Job& job) {
   return facts;
 }
 
-void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics) {
-  constexpr const char* kWayOut = "a checkpoint continues only the same scene; to start over, use another checkpoint";
+void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
+             const Since& since) {
   auto before = by_name(then);
   for (const Fact& fact : now) {
     std::vector<const Fact*>& same = before[fact.name];
     if (same.empty()) {
-      diagnostics.error(fact.where, fmt::format("{} is new since the checkpoint", fact.name), kWayOut);
+      diagnostics.error(fact.where, fmt::format("{} is new since {}", fact.name, since.what), since.way_out);
       continue;
     }
     const Fact& old = *same.back();
     same.pop_back();
     if (old.text == fact.text) continue;
     diagnostics.error(fact.where,
-                      fact.is_digest ? fmt::format("{} has changed since the checkpoint", fact.name)
-                                     : fmt::format("{}: {} now, {} in the checkpoint", fact.name, fact.text, old.text),
-                      kWayOut);
+                      fact.is_digest ? fmt::format("{} has changed since {}", fact.name, since.what)
+                                     : fmt::format("{}: {} now, {} in {}", fact.name, fact.text, old.text, since.what),
+                      since.way_out);
   }
   for (const auto& [name, left] : before)
     for (std::size_t i = 0; i < left.size(); ++i)
-      diagnostics.error({}, fmt::format("{} has been removed since the checkpoint", name), kWayOut);
+      diagnostics.error({}, fmt::format("{} has been removed since {}", name, since.what), since.way_out);
+}
+
+// One by one: a large count without contents must not allocate.
+void persist(std::vector<Fact>& facts, StateStream& state) {
+  std::uint64_t count = facts.size();
+  state.value(count);
+  if (count > kMostFacts) throw std::runtime_error("it has too many entries");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i == facts.size()) facts.emplace_back();
+    state.text(facts[i].name, kMostText);
+    state.text(facts[i].text, kMostText);
+    std::uint8_t digest = facts[i].is_digest;
+    state.value(digest);
+    facts[i].is_digest = digest != 0;
+  }
 }
 
 }  // namespace dspm

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/system/state_stream.h"
 #include "dspm/world/job.h"
 
 namespace dspm {
@@ -18,9 +19,19 @@ struct Fact {
 /// To be called after the world is made, as the files read for it are included. Settings that change no pixel are not
 /// (names of images, iterations to go, threads, the accelerator), nor is the memory bound, which only changes rounding.
 std::vector<Fact> facts_of(const Job& job);
+/// Those of the scene itself: its description and the files that were read.
+std::vector<Fact> facts_of_scene(const Job& job);
 
+/// Whose facts `then` are, and the hint to each error.
+struct Since {
+  const char* what = "the checkpoint";
+  const char* way_out = "a checkpoint continues only the same scene; to start over, use another checkpoint";
+};
 /// An error for each fact that differs or is in only one of the lists: in the order of `now`, then those only in
 /// `then`.
-void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics);
+void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
+             const Since& since = {});
+
+void persist(std::vector<Fact>& facts, StateStream& state);
 
 }  // namespace dspm

@@ -87,7 +87,7 @@ float DirectBalance::sample_pdf_w(const SceneLight& light, const Light& state, c
 
 /// Of the light and of the numbers that emit() gets.
 float DirectBalance::density_of(const SceneLight& light, const Light& state, const Start& start) const {
-  if (guide_ == nullptr) return light.probability;
+  if (guide_ == nullptr) return light.photon_probability;
   return guide_->density(static_cast<int>(&light - scene_.lights.data()),
                          state.emission_numbers(start.ray, start.normal, start.primitive));
 }

@@ -80,6 +80,16 @@ double EmissionGuide::density(const Node& node, const EmissionBox& box, const Em
   return density(is_above ? above : below, box.half(node.side, is_above), numbers);
 }
 
+std::vector<double> EmissionGuide::shares(std::size_t lights) const {
+  std::vector<double> shares(lights);
+  double begin = 0;
+  for (const Cell& cell : cells_) {
+    shares[static_cast<std::size_t>(cell.light)] += (cell.end - begin) / cells_.back().end;
+    begin = cell.end;
+  }
+  return shares;
+}
+
 void EmissionGuide::persist(StateStream& state, int lights) {
   std::vector<Node> nodes = nodes_;
   state.list(nodes, 2 * kMostCells + static_cast<std::size_t>(lights));

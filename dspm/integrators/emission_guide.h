@@ -57,6 +57,8 @@ class EmissionGuide {
 
   bool is_off() const { return nodes_.empty(); }
   std::size_t cell_count() const { return cells_.size(); }
+  /// By light, of the paths that it starts; zeros if it is off.
+  std::vector<double> shares(std::size_t lights) const;
   /// Uses the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. Not if it is off.
   EmissionStart draw(const PathRandom& random) const;
   /// With which it draws these numbers of the light; over those that are kAnyNumber, the integral. Not if it is off.

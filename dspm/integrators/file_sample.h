@@ -5,10 +5,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/learn_direct.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
@@ -20,6 +22,8 @@ struct LearnedEmission {
   EmissionGuide guide;
   LearnedDirect direct;
   std::size_t bytes_while_learning = 0;
+  std::int32_t lights = 0;
+  EmissionReport report;
 };
 
 class FileSample {
@@ -46,6 +50,16 @@ class FileSample {
     for (const auto& [settings, known] : known_) sum += known->guide.bytes();
     return sum;
   }
+  bool has_learned() const;
+  /// Guides and what is told of them, but not what was only counted.
+  void persist(StateStream& state);
+  /// From now on, no other guide may be learned. `digest`: of what was loaded.
+  void take_as_given(std::uint64_t digest) { given_ = digest; }
+  std::optional<std::uint64_t> given() const { return given_; }
+  /// Throws UsageError if guides are given, and none for these settings and lights.
+  void expect_known(const std::string& settings, std::size_t lights);
+  /// Whether a guide that is given was asked for.
+  bool is_used() const { return is_used_; }
   /// To measure a run with all it takes.
   void forget() { known_.clear(); }
 
@@ -53,6 +67,8 @@ class FileSample {
   std::vector<FileFrame> frames_;
   MakeScene make_;
   std::map<std::string, std::shared_ptr<const LearnedEmission>> known_;
+  std::optional<std::uint64_t> given_;
+  bool is_used_ = false;
 };
 
 }  // namespace dspm

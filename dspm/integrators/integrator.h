@@ -34,6 +34,9 @@ struct RenderSettings {
   std::vector<std::string> outputs;  // to be written next to radiance
   bool in_camera_space = false;      // outputs that are positions or normals; else in world space
   std::shared_ptr<FileSample> file;  // for what an integrator learns; may be null
+  bool count_found =
+      false;  // count for Statistics::emission which photon paths are found, even if none are learned from
+  bool learn_at_once = false;  // not before the first iteration: Statistics::emission is wanted now
 };
 
 class Integrator {

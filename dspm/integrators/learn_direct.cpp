@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 namespace {
@@ -74,6 +76,17 @@ double relative_variance(const std::vector<double>& a, const std::vector<double>
 }
 
 }  // namespace
+
+void LearnedDirect::persist(StateStream& state) {
+  std::uint8_t rays = by_rays;
+  state.value(radius);
+  state.value(photons_a_ray);
+  state.value(rays);
+  by_rays = rays != 0;
+  const auto is_possible = [](float number) { return std::isfinite(number) && number >= 0; };
+  if (!is_possible(radius) || !is_possible(photons_a_ray) || rays > 1)
+    throw std::runtime_error("its record of how direct light is found is damaged");
+}
 
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
                            std::int64_t photons, const EmissionGuide& guide) {

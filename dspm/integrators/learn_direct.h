@@ -4,6 +4,7 @@
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/scene/scene.h"
+#include "dspm/system/state_stream.h"
 
 namespace dspm {
 
@@ -11,6 +12,9 @@ struct LearnedDirect {
   float radius = 0;         // of a typical hit point: the median, initially
   float photons_a_ray = 1;  // see DirectWays
   bool by_rays = true;      // false: photons find so much that rays are not worth their time
+
+  /// Loading throws std::runtime_error if the values are not possible.
+  void persist(StateStream& state);
 };
 
 /// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide; 0: they bring no

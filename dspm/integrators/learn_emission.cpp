@@ -33,21 +33,6 @@ constexpr int kTrialRounds = 2, kLeastRounds = 6, kMostRounds = 16;  // at the f
 constexpr double kLeastGain = 1.25;    // in time to the same variance, or the guide is off
 constexpr double kLeastGrowth = 1.05;  // in paths found, over two rounds
 
-/// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
-struct Found {
-  EmissionStart start;
-  double squares;
-};
-
-struct Round {
-  EmissionGuide guide;  // that its paths were drawn with
-  std::vector<Found> found;
-  std::uint64_t paths = 0, work = 0;  // rays and photons
-
-  double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(paths); }
-  double cost() const { return static_cast<double>(work) / static_cast<double>(paths); }
-};
-
 class Learner {
  public:
   Learner(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
@@ -59,7 +44,7 @@ class Learner {
         stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.direct = nullptr;
-    for (const SceneLight& light : sample.lights) usual_.push_back(light.probability);
+    for (const SceneLight& light : sample.lights) usual_.push_back(light.photon_probability);
     HitPointSettings camera = hit_point;
     camera.sample_direct = false, camera.direct = nullptr, camera.share_paths = true;
     RenderSettings full = render;
@@ -68,11 +53,18 @@ class Learner {
   }
 
   EmissionGuide learn(PilotPaths& pilot) {
-    const Round first = trace(EmissionGuide(), 1);
+    const PilotRound first = trace_first(pilot);
     EmissionGuide guide = fine(first.found_share() < kFew ? coarse() : EmissionGuide(), first, pilot);
-    pilot.rounds = static_cast<int>(rounds_), pilot.of_a_round = first.paths, pilot.found_first = first.found.size();
-    pilot.bytes = bytes_;
+    pilot.rounds = rounds_, pilot.bytes = bytes_;
     return guide;
+  }
+
+  /// Without a guide.
+  PilotRound trace_first(PilotPaths& pilot) {
+    PilotRound first = trace(EmissionGuide(), 1);
+    pilot.rounds = 1, pilot.of_a_round = first.paths, pilot.found_first = first.found.size();
+    pilot.count(first, scene_, photon_);
+    return first;
   }
 
  private:
@@ -81,7 +73,7 @@ class Learner {
     photon_.kinds = kAllPhotons;
     EmissionGuide guide;
     for (float scale = kWidest; scale >= 1; scale /= kShrink) {
-      std::vector<Round> rounds;
+      std::vector<PilotRound> rounds;
       for (int i = 0; i < kWideRounds && (i == 0 || rounds.back().found_share() < kEnough); ++i) {
         rounds.push_back(trace(guide, scale));
         guide = guide_after(rounds);
@@ -91,25 +83,27 @@ class Learner {
     return guide;
   }
 
-  EmissionGuide fine(EmissionGuide guide, const Round& first, PilotPaths& pilot) {
-    std::vector<Round> rounds;
+  EmissionGuide fine(EmissionGuide guide, const PilotRound& first, PilotPaths& pilot) {
+    std::vector<PilotRound> rounds;
     for (int i = 0; i < kMostRounds; ++i) {
       rounds.push_back(trace(guide, 1));
-      pilot.found_last = rounds.back().found.size();
-      if (i == kTrialRounds && !(gain(rounds.back(), first) > kLeastGain)) return {};
+      if (i == kTrialRounds) pilot.gain = gain(rounds.back(), first);
+      if (i == kTrialRounds && !(pilot.gain > kLeastGain)) return {};
       guide = guide_after(rounds);
       if (i >= kLeastRounds &&
           rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
         break;
     }
+    pilot.gain = gain(rounds.back(), first);
+    pilot.count(rounds.back(), scene_, photon_);
     return guide;
   }
 
   /// `scale`: of the search radius.
-  Round trace(const EmissionGuide& guide, float scale) {
+  PilotRound trace(const EmissionGuide& guide, float scale) {
     const VisiblePoints matte = visible(&HitPointTile::hit_points, scale),
                         glossy = visible(&HitPointTile::glossy, scale);
-    Round round{guide, {}, static_cast<std::uint64_t>(paths_)};
+    PilotRound round{guide, {}, rounds_, static_cast<std::uint64_t>(paths_)};
     photon_.guide = &guide;
     for (std::int64_t first = 0; first < paths_; first += kPathsAtOnce) {
       traces_ =
@@ -130,7 +124,7 @@ class Learner {
                          std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
   }
 
-  void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, Round& round) const {
+  void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, PilotRound& round) const {
     std::vector<std::vector<double>> squares(traces_.size());  // by trace and path
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
@@ -155,29 +149,31 @@ class Learner {
   }
 
   double usual(int light) const { return static_cast<double>(usual_[static_cast<std::size_t>(light)]); }
+  /// The scene's factor to what a light gets of the paths. Boxes get paths by the root of what their records add up to.
+  double favour(int light) const { return static_cast<double>(scene_.lights[static_cast<std::size_t>(light)].photons); }
   double density(const EmissionGuide& guide, const EmissionStart& start) const {
     return guide.is_off() ? usual(start.light) : static_cast<double>(guide.density(start.light, start.numbers));
   }
 
   /// A path counts as drawn from the mixture of all rounds; else those that were unlikely in their own round would
   /// outweigh all others. [Veach 1997, 9.2]
-  EmissionGuide guide_after(const std::vector<Round>& rounds) {
+  EmissionGuide guide_after(const std::vector<PilotRound>& rounds) {
     std::vector<EmissionRecord> records;
-    for (const Round& round : rounds)
+    for (const PilotRound& round : rounds)
       for (const auto& [start, squares] : round.found) {
         double mixture = 0;
-        for (const Round& other : rounds) mixture += density(other.guide, start);
-        const auto own = static_cast<double>(start.density);
-        records.push_back({start.light, start.numbers, squares * own * own / mixture});
+        for (const PilotRound& other : rounds) mixture += density(other.guide, start);
+        const auto own = static_cast<double>(start.density), wanted = favour(start.light);
+        records.push_back({start.light, start.numbers, squares * own * own / mixture * wanted * wanted});
       }
     // The records, once more by light and box, and the tree.
     bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
-                                  records.size() * (2 * sizeof(Found) + sizeof(EmissionRecord)) + kTreeBytes);
+                                  records.size() * (2 * sizeof(FoundPath) + sizeof(EmissionRecord)) + kTreeBytes);
     return guide_from(records, usual_);
   }
 
   /// The time that the same variance would take without a guide, over that with the round's.
-  double gain(const Round& round, const Round& without) const {
+  double gain(const PilotRound& round, const PilotRound& without) const {
     double variance = 0, usual_variance = 0;
     for (const auto& [start, squares] : round.found)
       variance += squares, usual_variance += squares * static_cast<double>(start.density) / usual(start.light);
@@ -209,31 +205,35 @@ EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, 
   return Learner(sample, render, photon, hit_point, photons).learn(pilot);
 }
 
+void count_found(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+                 const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
+  Learner(sample, render, photon, hit_point, photons).trace_first(pilot);
+}
+
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                         int photons, bool guided, Statistics& statistics) {
   const bool both = hit_point.sample_direct && (photon.kinds & kDirectPhotons) != 0;
-  if (render.file == nullptr || !(guided || both)) return std::make_shared<const LearnedEmission>();
+  if (render.file == nullptr || !(guided || both || render.count_found))
+    return std::make_shared<const LearnedEmission>();
   const std::string settings =
-      fmt::format("{} {} {} {} {} {} {} {} {} {} {}", guided, both, photon.seed, photon.kinds, photon.max_depth,
-                  photon.least_alpha, photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius,
-                  photons);
+      fmt::format("{} {} {} {} {} {} {} {} {}", guided, both, photon.kinds, photon.max_depth, photon.least_alpha,
+                  photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius);
+  if (guided) render.file->expect_known(settings, scene.lights.size());
   const auto learned = render.file->emission(settings, [&] {
+    PilotPaths pilot;
+    LearnedEmission result;
     const std::shared_ptr<const Scene> sample = render.file->scene(scene);
-    LearnedEmission learns;
-    if (guided) {
-      PilotPaths pilot;
-      learns.guide = learn_emission(*sample, render, photon, hit_point, photons, pilot);
-      learns.bytes_while_learning = pilot.bytes;
-      statistics.counters.add("pilot rounds", static_cast<std::uint64_t>(pilot.rounds));
-      statistics.counters.add("paths a pilot round", pilot.of_a_round);
-      statistics.counters.add("found in first round", pilot.found_first);
-      statistics.counters.add("found in last round", pilot.found_last);
-      statistics.counters.add("guide cells", learns.guide.cell_count());
-    }
-    if (both) learns.direct = learn_direct(*sample, render, hit_point, photons, learns.guide);
-    return learns;
+    if (guided)
+      result.guide = learn_emission(*sample, render, photon, hit_point, photons, pilot);
+    else if (render.count_found)
+      count_found(*sample, render, photon, hit_point, photons, pilot);
+    if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guide);
+    result.bytes_while_learning = pilot.bytes, result.lights = static_cast<std::int32_t>(sample->lights.size());
+    if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guide, guided);
+    return result;
   });
+  if (learned->report.rounds > 0) statistics.emission.put(learned->report);
   MemoryNeeds needs;
   needs.learning = learned->bytes_while_learning;
   expect_enough(render.memory, needs);

@@ -15,8 +15,9 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
-  int start = 0;        // index into the starts of this path
-  bool hidden = false;  // see PhotonTrace::hidden
+  int start = 0;         // index into the starts of this path
+  bool hidden = false;   // see PhotonTrace::hidden
+  bool caustics = true;  // see SceneLight
 };
 
 unsigned kind_after(const PhotonPath& path, bool rough) {
@@ -63,7 +64,8 @@ class PhotonTracer {
       path.start = static_cast<int>(started_.size());
       started_.push_back({start.light, {emission->ray, emission->normal, emission->primitive}});
       path.random = random, path.strands = start.strands;
-      path.hidden = settings_.hidden && scene_.lights[static_cast<std::size_t>(chosen.light)].is_delta;
+      const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
+      path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();
         continue;
@@ -163,8 +165,9 @@ class PhotonTracer {
     if (path.bounces + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
-    if (kind_after(path, choice.rough) == kDiffusePhotons && !(settings_.kinds & kDiffusePhotons))
-      return balance(path, frames, &EnergyBalance::terminated);
+    const bool wanted = kind_after(path, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0
+                                                                          : path.caustics && vertex.shape.caustics;
+    if (!wanted) return balance(path, frames, &EnergyBalance::terminated);
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, choice.lobes);
     const bool valid = !sample || is_finite(sample->wi);
     if (!valid) reject(frames, vertex.material_element());

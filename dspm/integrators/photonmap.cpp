@@ -79,8 +79,9 @@ float caustic_radius(const PhotonMapSettings& s, const Scene& scene) {
 }
 
 /// Final gather rays find photons where no camera path does.
-GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, const RenderSettings& render,
+GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, RenderSettings render,
                              Statistics& statistics) {
+  render.count_found &= s.final_gather == 0;
   return {scene,
           global_settings(s, render),
           global_radius(s, scene),
@@ -114,7 +115,7 @@ class PhotonMapper final : public Integrator {
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
       : settings_(settings),
         render_(render),
-        done_(render.crop, scene.frame_count(), statistics_at_start(scene.frame_count())) {
+        done_(render.crop, scene.frame_count(), statistics_at_start(settings, scene, render)) {
     global_how_ = {settings.nearest, global_radius(settings, scene), settings.photons};
     caustic_how_ = {settings.nearest, caustic_radius(settings, scene), settings.caustic_photons};
   }
@@ -145,10 +146,13 @@ class PhotonMapper final : public Integrator {
   }
 
  private:
-  static Statistics statistics_at_start(int frames) {
+  static Statistics statistics_at_start(const PhotonMapSettings& settings, const Scene& scene,
+                                        const RenderSettings& render) {
     Statistics statistics;
     statistics.steps = {{"photon maps"}, {"hit points"}, {"gather"}};
-    statistics.energy.resize(static_cast<std::size_t>(frames));
+    statistics.energy.resize(static_cast<std::size_t>(scene.frame_count()));
+    if (render.learn_at_once)
+      global_photons(scene, settings, render, statistics), caustic_photons(scene, settings, render, statistics);
     return statistics;
   }
 

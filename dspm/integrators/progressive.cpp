@@ -28,7 +28,8 @@ class Progressive final : public Integrator {
         lights_(static_cast<int>(scene.lights.size())),
         found_(render.crop.count(), scene.frame_count(), render.outputs) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
-    if (render.memory > 0) learn(scene);  // how much memory photons take depends on where they start
+    // How much memory photons take depends on where they start.
+    if (render.memory > 0 || render.learn_at_once) learn(scene);
     batches_ = batches_within_memory(settings_, scene, render, estimator);
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
@@ -101,7 +102,7 @@ class Progressive final : public Integrator {
     LearnedEmission emission = learned_ != nullptr ? *learned_ : LearnedEmission();
     std::uint8_t is_learned = learned_ != nullptr;
     state.value(is_learned);
-    state.value(emission.direct);
+    emission.direct.persist(state);
     emission.guide.persist(state, lights_);
     learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
     settings_.photon.guide = learned_ != nullptr ? &learned_->guide : nullptr;

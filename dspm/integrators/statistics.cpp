@@ -13,6 +13,7 @@ void Statistics::persist(StateStream& state) {
   state.value(energy);
   state.value(bytes);
   counters.persist(state);
+  emission.persist(state);
 }
 
 }  // namespace dspm

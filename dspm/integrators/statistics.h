@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/integrators/counters.h"
+#include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/rejections.h"
 #include "dspm/system/state_stream.h"
 
@@ -46,7 +47,7 @@ struct PathCounts {
 /// Flux in W summed over the three channels, by frame: emitted = absorbed + escaped + terminated + roulette.
 struct EnergyBalance {
   double emitted = 0, absorbed = 0, escaped = 0;
-  double terminated = 0;  // cut off by the maximum depth, or because photons of this kind are not stored
+  double terminated = 0;  // cut off by the maximum depth, or because photons of this kind are not stored or wanted
   double roulette = 0;    // lost by paths that Russian roulette ends, less the gain of the survivors: 0 on average
 
   EnergyBalance& operator+=(const EnergyBalance& o) {
@@ -79,6 +80,7 @@ struct Statistics {
   std::size_t bytes = 0;              // peak size of the integrator's own buffers
   int photon_batches = 1;             // per iteration
   Counters counters;                  // of a plugin's own
+  EmissionReports emission;           // where photon paths start; empty if nothing was learned or counted
 
   /// The members that accumulate over iterations.
   void persist(StateStream& state);

@@ -12,10 +12,12 @@
 #include "dspm/film/pixel_filter.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/lights/light.h"
+#include "dspm/lights/photon_controls.h"
 #include "dspm/materials/material.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shape.h"
+#include "dspm/shapes/shape_caustics.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
@@ -33,6 +35,19 @@ void add(std::vector<CatalogueEntry>& entries, const PluginTable<AnyPlugin>& plu
   for (const AnyPlugin& plugin : plugins)
     entries.push_back({std::string(plugins.kind()), std::string(plugin.name), std::string(plugin.sentence),
                        origin_of(plugin), [&plugin, &context...] { return describe(plugin, context...); }});
+}
+
+/// What dspm reads for plugins of that kind, besides what they read.
+void add_common(std::vector<CatalogueEntry>& entries, std::string_view kind, void (*read)(ParamReader&)) {
+  for (CatalogueEntry& entry : entries)
+    if (entry.kind == kind)
+      entry.params = [own = std::move(entry.params), read] {
+        std::vector<ParamInfo> all = own();
+        Diagnostics ignored;
+        ParamReader reader(all, ignored);
+        read(reader);
+        return all;
+      };
 }
 
 }  // namespace
@@ -59,6 +74,9 @@ std::vector<CatalogueEntry> all_plugins() {
   add(entries, pixel_filter_plugins());
   add(entries, accel_plugins(), no_shapes, no_frames);
   add(entries, integrator_plugins(), scene, settings);
+  add_common(entries, shape_plugins().kind(), [](ParamReader& params) { read_shape_caustics(params); });
+  for (const auto* lights : {&light_plugins(), &area_light_plugins()})
+    add_common(entries, lights->kind(), [](ParamReader& params) { read_photon_controls(params); });
   return entries;
 }
 

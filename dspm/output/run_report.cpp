@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dspm/math/frames.h"
+#include "dspm/output/emission_table.h"
 #include "dspm/output/json.h"
 #include "dspm/system/memory_use.h"
 #include "dspm/system/readable.h"
@@ -87,6 +88,8 @@ void write_work(JsonWriter& json, const Statistics& s) {
     json.end_object();
   }
   json.end_object();
+  json.key("emission");
+  write(json, s.emission);
   json.member("photon_tests", s.photon_tests);
   json.member("invalid", s.rejections.count());
   json.key("counters").begin_object();
@@ -128,6 +131,7 @@ void RunReport::add(const Statistics& interval, const std::vector<FileFrame>& of
   sum.energy.insert(sum.energy.end(), interval.energy.begin(), interval.energy.end());
   if (!interval.energy.empty()) frames.insert(frames.end(), of_interval.begin(), of_interval.end());
   sum.counters += interval.counters;
+  for (const EmissionReport& report : interval.emission) sum.emission.put(report);
   sum.bytes = std::max(sum.bytes, interval.bytes);
 }
 
@@ -158,6 +162,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   text += fmt::format("  {:<24}{:>16}\n", "photon tests", grouped(s.photon_tests));
   for (const Counters::Entry& counter : s.counters)
     text += fmt::format("  {:<24}{:>16}\n", counter.name, grouped(counter.value));
+  text += table_of(s.emission);
   text += fmt::format("\n  {:<24}{:>16}{:>18}\n", "paths", "camera", "photon");
   const auto line = [&](const char* name, std::uint64_t camera, std::uint64_t photon) {
     text += fmt::format("  {:<24}{:>16}{:>18}\n", name, grouped(camera), grouped(photon));

@@ -48,8 +48,7 @@ struct FrameFactor {
   Rgb factor;
 };
 
-/// A light and the probability that a photon path or a direct light sample chooses it, proportional to its mean power
-/// over all frames of the file.
+/// A light and how often it is chosen, in proportion to its mean power over all frames of the file.
 struct SceneLight {
   /// States whose photons start alike: like those of `first`, a state of the file, times a weight.
   struct Alike {
@@ -59,14 +58,17 @@ struct SceneLight {
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;
-  float probability = 0;
-  std::vector<Alike> alike;  // all states, grouped
-  bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
+  float probability = 0;         // of a direct light sample
+  float photon_probability = 0;  // of a photon path: the mean power times `photons`, over the sum of all lights
+  std::vector<Alike> alike;      // all states, grouped
+  bool is_delta = false;         // no ray can hit it: it has no surface and is not infinite
+  float photons = 1;             // the scene's factor to its share of the photon paths
+  bool caustics = true;          // false: its photons end where they would go on to a caustic
 };
 
 struct ChosenLight {
   int index;
-  float probability;
+  float probability;  // of a photon path
 };
 
 /// A scene element made by a plugin, for messages.
@@ -91,14 +93,15 @@ class Scene {
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
   std::vector<SceneLight> lights;
-  std::vector<int> infinite_lights;  // those that implement escaped()
+  std::span<const std::string> light_names;  // distinct
+  std::vector<int> infinite_lights;          // those that implement escaped()
   FrameStates<Camera> camera;
   std::vector<Transform> camera_to_world;  // by frame
   std::unique_ptr<Accel> accel;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
-  /// Chooses a light by the lights' probabilities; probability 0 if there are none.
+  /// Chooses a photon path's light by photon_probability; probability 0 if there are none.
   ChosenLight choose_light(float u) const;
   SurfacePoint surface_point(const RayHit& hit) const {
     return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);

@@ -21,6 +21,7 @@ struct PlacedShape {
   Transform to_world;  // identity for static meshes: their vertices are in world space
   FrameSet frames;
   bool flip_normals = false;  // ReverseOrientation
+  bool caustics = true;       // false: photons end where it would throw them into a caustic
   int material = -1;          // index into the scene's materials
   int light = -1;             // index into the scene's lights, if this shape emits
   int object = -1;            // index into the scene's object names

@@ -97,6 +97,12 @@ std::string read_stream(std::istream& stream, std::size_t expected) {
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path) {
+  std::string bytes = read_other_bytes(path);
+  note_file_read(path, bytes);
+  return bytes;
+}
+
+std::string read_other_bytes(const std::filesystem::path& path) {
   expect_allowed(path);
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -108,9 +114,7 @@ std::string read_bytes(const std::filesystem::path& path) {
   const std::uintmax_t size = is_regular_file(status) ? std::filesystem::file_size(path, ignored) : 0;
   if (size > kMostBytes) throw std::runtime_error("it is larger than 16 GiB");
   try {
-    std::string bytes = read_stream(file, size);
-    note_file_read(path, bytes);
-    return bytes;
+    return read_stream(file, size);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(fmt::format("there is not enough memory for its {} bytes", size));
   }

@@ -9,6 +9,8 @@ namespace dspm {
 
 /// Unchanged. Throws std::runtime_error with a sentence that does not name the file.
 std::string read_bytes(const std::filesystem::path& path);
+/// The same of a file that is no part of the scene: files_read() will not name it.
+std::string read_other_bytes(const std::filesystem::path& path);
 
 /// Likewise; gzip-compressed files are expanded, whatever their name.
 std::string read_file(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -38,6 +39,12 @@ class StateStream {
     expect(static_cast<std::size_t>(count) * sizeof(T));
     values.resize(static_cast<std::size_t>(count));
     bytes(values.data(), values.size() * sizeof(T));
+  }
+  /// The same for a text of at most that many bytes.
+  void text(std::string& text, std::size_t most) {
+    std::vector<char> bytes(text.begin(), text.end());
+    list(bytes, most);
+    text.assign(bytes.begin(), bytes.end());
   }
 
  protected:

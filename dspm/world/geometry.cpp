@@ -10,7 +10,9 @@
 #include "dspm/params/params.h"
 #include "dspm/shapes/mesh_check.h"
 #include "dspm/shapes/mesh_repair.h"
+#include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/world/same_in_all_frames.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
@@ -54,6 +56,7 @@ struct Geometry::Source {
   Timeline<ParamList> params;
   std::vector<MadeShapes> made;                                   // by state of `params`
   std::vector<int> materials;                                     // by index of what was made
+  bool caustics = true;                                           // see PlacedShape
   std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and index: shared by all places
 };
 
@@ -85,8 +88,10 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   Source source;
   source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));
   const int errors = diagnostics_.error_count();
+  expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics_);
   for (const ParamList& params : source.params.states) {
     ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
+    source.caustics = read_shape_caustics(reader);
     source.made.push_back(plugin->make(reader));
     if (diagnostics_.error_count() > errors) return;
   }
@@ -189,6 +194,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();
       world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
+      world.placed.caustics = source.caustics;
       world.placed.material = source.materials[i];
       world.placed.object = object;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;

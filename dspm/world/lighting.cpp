@@ -8,6 +8,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/world/same_in_all_frames.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
@@ -43,6 +44,7 @@ class LightMaker {
     if (!light) return light;
     light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
     light->is_delta = !light->infinite;
+    light->short_name = use.name.empty() ? use.type : use.name;
     return light;
   }
 
@@ -56,10 +58,18 @@ class LightMaker {
           return LightState{light_params(description_, use, use.name, f), {}, shape};
       return std::nullopt;
     });
-    return finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
+    auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
+    if (light) light->short_name = use.name.empty() ? object_of(emitter) : use.name;
+    return light;
   }
 
  private:
+  std::string object_of(const Emitter& emitter) const {
+    if (emitter.shapes.empty()) return emitter.use->type;
+    const WorldShape& shape = geometry_.shapes()[static_cast<std::size_t>(emitter.shapes.front())];
+    return geometry_.object_names()[static_cast<std::size_t>(shape.placed.object)];
+  }
+
   template <class At>
   Timeline<LightState> timeline(At&& at) const {
     return Timeline<LightState>::of(description_.frames.count(), at,
@@ -72,12 +82,14 @@ class LightMaker {
     light.name = std::move(name), light.use = &use;
     light.states.state_of = states.state_of;
     const int errors = diagnostics_.error_count();
+    for (const char* each : {kPhotonsParam, kCausticsParam}) expect_same_in_all_frames(use, each, diagnostics_);
     for (const LightState& state : states.states) {
       LightContext context;
       context.to_world = Transform(state.placement);
       context.scene_center = sphere_.center, context.scene_radius = sphere_.radius;
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
       ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
+      light.controls = read_photon_controls(reader);
       light.states.states.emplace_back(plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
     }
@@ -116,6 +128,32 @@ float mean_power(const WorldLight& light) {
   return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
 }
 
+constexpr float kLeastShare = 0x1p-20f;  // a random number of 24 bits chooses it
+
+/// Sets the probabilities.
+void share_out(std::vector<WorldLight>& lights, Diagnostics& diagnostics) {
+  double total = 0, all_photons = 0;
+  const auto weight = [](const WorldLight& light) {
+    return static_cast<double>(light.probability) * static_cast<double>(light.controls.photons);
+  };
+  for (WorldLight& light : lights) {
+    light.probability = mean_power(light);
+    if (!std::isfinite(light.probability))
+      diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
+                        "make it darker, or the scene smaller");
+    total += static_cast<double>(light.probability), all_photons += weight(light);
+  }
+  for (WorldLight& light : lights) {
+    light.photon_probability = all_photons > 0 ? static_cast<float>(weight(light) / all_photons) : 0;
+    light.probability = total > 0 ? static_cast<float>(static_cast<double>(light.probability) / total) : 0;
+    if (light.photon_probability < kLeastShare && light.probability >= kLeastShare)
+      diagnostics.error(
+          light.use->where,
+          fmt::format("the lights' \"photons\" leave {} less than one photon path in a million", light.name),
+          fmt::format("by power it would have {:.2g}%", 100 * light.probability));
+  }
+}
+
 }  // namespace
 
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
@@ -126,16 +164,8 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
   if (diagnostics.error_count() > 0) return lights;
-  double total = 0;
-  for (WorldLight& light : lights) {
-    light.probability = mean_power(light);
-    if (!std::isfinite(light.probability))
-      diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
-                        "make it darker, or the scene smaller");
-    total += static_cast<double>(light.probability);
-  }
+  share_out(lights, diagnostics);
   for (WorldLight& light : lights) light.alike = group_alike(light.states.states);
-  for (WorldLight& light : lights) light.probability = total > 0 ? static_cast<float>(light.probability / total) : 0;
   return lights;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/lights/light.h"
+#include "dspm/lights/photon_controls.h"
 #include "dspm/math/frames.h"
 #include "dspm/world/bounding_sphere.h"
 #include "dspm/world/geometry.h"
@@ -13,11 +14,14 @@ namespace dspm {
 
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
-  float probability = 0;                // in proportion to the mean power over all frames
+  float probability = 0;         // in proportion to the mean power over all frames
+  float photon_probability = 0;  // in proportion to that times `photons`
+  PhotonControls controls;
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
-  bool is_delta = false;  // neither infinite nor of a shape
-  std::string name;       // for messages
+  bool is_delta = false;   // neither infinite nor of a shape
+  std::string name;        // for messages
+  std::string short_name;  // as the scene gives it, or of its type or its shape
   const PluginUse* use = nullptr;
 };
 

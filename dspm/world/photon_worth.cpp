@@ -58,7 +58,7 @@ std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vecto
       Power there = of_states[i][static_cast<std::size_t>(state)];
       if (!(there.power > 0)) continue;
       if (there.infinitely_far) of_frame.by_reach = radius * radius, there.power *= radius * radius;
-      flux += there.power, variance += there.power * there.power / static_cast<double>(lights[i].probability);
+      flux += there.power, variance += there.power * there.power / static_cast<double>(lights[i].photon_probability);
     }
     if (variance > 0) of_frame.by_choice = flux * flux / variance;
   }

@@ -4,6 +4,7 @@
 
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/sharing.h"
@@ -93,6 +94,7 @@ struct World::Impl {
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());
     lights = make_lights(text, geometry, sphere, diagnostics);
+    for (const WorldLight& light : lights) light_names.add(light.short_name);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
@@ -129,6 +131,7 @@ struct World::Impl {
   Geometry geometry;
   BoundingSphere sphere;
   std::vector<WorldLight> lights;
+  DistinctNames light_names;
   Timeline<std::shared_ptr<const Camera>> camera;
   const AccelPlugin* accel = nullptr;
   ParamList accel_params;
@@ -150,9 +153,11 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->material_names = impl_->looks.material_names();
   for (const WorldLight& light : impl_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
-    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
-                             alike_in(light, scene->file_frames), light.is_delta});
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability, light.photon_probability,
+                             alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
+                             light.controls.caustics});
   }
+  scene->light_names = impl_->light_names.all();
   scene->camera = cut(impl_->camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
   Diagnostics ignored;

@@ -43,5 +43,16 @@ TEST(Catalogue, DescribesParametersInColumnsAsWideAsTheirContents) {
   EXPECT_GE(count, 5);
 }
 
+// What dspm reads for all lights and all shapes is listed with what they read themselves.
+TEST(Catalogue, DescribesWhatPhotonsAreTold) {
+  for (const CatalogueEntry& plugin : all_plugins()) {
+    std::string names;
+    for (const ParamInfo& info : plugin.params()) names += " " + info.name;
+    const bool is_light = plugin.kind == "light" || plugin.kind == "area light";
+    EXPECT_EQ(names.ends_with(" photons caustics"), is_light) << plugin.kind << " " << plugin.name << names;
+    EXPECT_EQ(names.ends_with(" caustics"), is_light || plugin.kind == "shape") << plugin.kind << names;
+  }
+}
+
 }  // namespace
 }  // namespace dspm

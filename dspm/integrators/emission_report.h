@@ -1,0 +1,60 @@
+// Where photon paths start, and how many of them hit points find: what pilot paths told, for --stats and --explain.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dspm/system/state_stream.h"
+
+namespace dspm {
+
+class EmissionGuide;
+class Scene;
+
+/// Of one kind of an integrator's photons. What is found is a sample: of the pilot paths, by pilot pixels of the whole
+/// image, in a few frames of the file.
+struct EmissionReport {
+  enum class Start : std::uint8_t { asked_by_power, guided, guide_would_not_pay };
+  /// A light, or all that are not listed.
+  struct OfLight {
+    std::string name;
+    double by_power = 0, share = 0;        // of the paths: without "photons" and guide; as they start in this run
+    std::uint64_t started = 0, found = 0;  // pilot paths
+  };
+
+  std::string photons;  // which of the integrator's: "photons", "caustic photons"
+  Start start = Start::asked_by_power;
+  std::uint64_t rounds = 0, paths = 0;         // of pilot paths; in a round
+  std::uint64_t found_without = 0, found = 0;  // of a round's paths: without a guide; as they start in this run
+  std::uint64_t cells = 0;                     // of the guide
+  double gain = 0;                             // the time to the same variance without the guide, over that with it
+  std::vector<OfLight> lights;                 // where most paths start, then the others as one
+
+  double share_found() const { return paths > 0 ? static_cast<double>(found) / static_cast<double>(paths) : 0; }
+
+  /// `started`, `found`: pilot paths by light. The guide is the one that the run has.
+  void add_lights(const Scene& scene, const EmissionGuide& guide, const std::vector<std::uint64_t>& started,
+                  const std::vector<std::uint64_t>& found);
+  void persist(StateStream& state);
+};
+
+/// The reports of an integrator: one of each kind of photons.
+class EmissionReports {
+ public:
+  /// Replaces that of the same photons.
+  void put(const EmissionReport& report);
+  void persist(StateStream& state);
+  auto begin() const { return reports_.begin(); }
+  auto end() const { return reports_.end(); }
+
+ private:
+  std::vector<EmissionReport> reports_;
+};
+
+/// For the log: how many paths are found, by light.
+std::string summary_of(const EmissionReport& report);
+/// For --explain, one sentence each: what was learned, or why nothing was; then light by light.
+std::vector<std::string> in_words(const EmissionReport& report);
+
+}  // namespace dspm

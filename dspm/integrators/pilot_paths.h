@@ -1,0 +1,44 @@
+// Photon paths that are traced to learn where the others should start, in rounds.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/emission_report.h"
+#include "dspm/integrators/photon.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
+struct FoundPath {
+  EmissionStart start;
+  double squares;
+};
+
+struct PilotRound {
+  EmissionGuide guide;  // that its paths were drawn with
+  std::vector<FoundPath> found;
+  std::uint64_t number = 0, paths = 0, work = 0;  // work: rays and photons
+
+  double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(paths); }
+  double cost() const { return static_cast<double>(work) / static_cast<double>(paths); }
+};
+
+/// What learning took, and the paths of a round of which a hit point finds a photon.
+struct PilotPaths {
+  std::uint64_t rounds = 0, of_a_round = 0, found_first = 0;  // the first round does without a guide
+  std::vector<std::uint64_t> started, found;                  // by light, in a round that starts paths as the run does
+  double gain = 0;                                            // see EmissionReport
+  std::size_t bytes = 0;                                      // at most
+
+  /// Takes this round for one that starts paths as the run does.
+  void count(const PilotRound& round, const Scene& scene, const PhotonSettings& photon);
+};
+
+/// Of a run with that guide. `guided`: it was to have one, if it pays.
+EmissionReport report_of(const PilotPaths& pilot, const Scene& scene, const PhotonSettings& photon,
+                         const EmissionGuide& guide, bool guided);
+
+}  // namespace dspm

@@ -1,0 +1,16 @@
+// Where photon paths started and how many were found, light by light: a part of the report of a run.
+#pragma once
+
+#include <string>
+
+#include "dspm/integrators/emission_report.h"
+#include "dspm/output/json.h"
+
+namespace dspm {
+
+/// Empty if there are no reports.
+std::string table_of(const EmissionReports& reports);
+/// An array.
+void write(JsonWriter& json, const EmissionReports& reports);
+
+}  // namespace dspm
