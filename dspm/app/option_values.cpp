@@ -140,6 +140,14 @@ Interval parse_interval(const char* option, std::string_view text) {
   return {.seconds = parse_duration(option, text)};
 }
 
+double parse_share(const char* option, std::string_view text) {
+  const bool percent = text.ends_with('%');
+  const double share = number<double>(text.substr(0, text.size() - percent)).value_or(0) / (percent ? 100 : 1);
+  if (!(share > 0 && share < 1))
+    throw UsageError(fmt::format("{} {}: expected an error between 0 and 1 such as 2% or 0.02", option, text));
+  return share;
+}
+
 std::size_t parse_bytes(const char* option, std::string_view text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
   const double bytes = number<double>(text.substr(0, end)).value_or(0) * bytes_of(text.substr(end));

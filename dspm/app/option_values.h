@@ -17,6 +17,8 @@ std::vector<Moment> parse_frames(std::string_view text);
 double parse_duration(const char* option, std::string_view text);
 /// A duration with a unit, or a bare number of iterations.
 Interval parse_interval(const char* option, std::string_view text);
+/// "2%" or "0.02": above 0, below 1.
+double parse_share(const char* option, std::string_view text);
 /// "2G", "1.5GiB", "800M": bytes. K, M, G and T count in thousands, Ki, Mi, Gi and Ti in 1024s; a bare number is bytes.
 std::size_t parse_bytes(const char* option, std::string_view text);
 std::array<double, 4> parse_crop_window(std::string_view text);

@@ -84,6 +84,9 @@ void add_work(CLI::App& app, Options& o) {
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
+  add_text(app, "--until-error", "ERROR",
+           "stop when every frame's estimated error is below this: 2%, 0.02; half of the pixels are farther off",
+           [&](const std::string& text) { o.until_error = parse_share("--until-error", text); });
   add_text(app, "--patience", "TIME", "say who is at work if a step takes longer than this (default: 1m)",
            [&](const std::string& text) { o.patience = parse_duration("--patience", text); });
   add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",

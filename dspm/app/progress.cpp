@@ -40,10 +40,12 @@ void Progress::clear() {
 }
 
 void Progress::begin(int interval, int iterations) {
+  trend_.clear();
   before_ += std::max(0.0, share_done(interval, iterations) - share_done(interval, 0));
 }
 
-void Progress::step(int interval, int iterations) {
+void Progress::step(int interval, int iterations, std::optional<double> error) {
+  if (error) trend_.add(iterations, *error);
   if (quiet_ || elapsed() < next_) return;
   next_ = elapsed() + (terminal_ ? kSecondsBetweenBars : kSecondsBetweenLines);
   const std::string line = text(interval, iterations);
@@ -59,10 +61,13 @@ double Progress::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-/// By iterations or by time, whichever ends first.
+/// By iterations, error or time, whichever ends first.
 double Progress::share_done(int interval, int iterations) const {
   double share = 0;
-  if (extent_.iterations > 0) share = (interval + iterations / double(extent_.iterations)) / extent_.intervals;
+  if (extent_.iterations > 0) share = iterations / double(extent_.iterations);
+  if (extent_.until_error > 0)
+    if (const auto all = trend_.iterations_until(extent_.until_error)) share = std::max(share, iterations / *all);
+  if (extent_.iterations > 0 || extent_.until_error > 0) share = (interval + std::min(share, 1.0)) / extent_.intervals;
   if (extent_.time_limit > 0) share = std::max(share, elapsed() / extent_.time_limit);
   return std::min(share, 1.0);
 }
@@ -71,6 +76,8 @@ std::string Progress::text(int interval, int iterations) const {
   std::string line = fmt::format("iteration {}", iterations);
   if (extent_.iterations > 0) line += fmt::format("/{}", extent_.iterations);
   if (extent_.intervals > 1) line += fmt::format(" of frame interval {}/{}", interval + 1, extent_.intervals);
+  if (trend_.now() && extent_.until_error > 0)
+    line += fmt::format(", error {} of {}", readable_share(*trend_.now()), readable_share(extent_.until_error));
   line += fmt::format(", {}", readable_time(elapsed()));
   const double share = share_done(interval, iterations);
   if (share == 0) return line;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
+
+#include "dspm/app/error_trend.h"
 
 namespace dspm {
 
@@ -15,6 +18,7 @@ class Progress {
     int iterations = 0;     // in each interval; 0: until stopped
     double time_limit = 0;  // seconds over all intervals; 0: none
     int intervals = 1;
+    double until_error = 0;  // of each interval; 0: none
   };
   /// `terminal`: a bar on a line that is overwritten.
   Progress(const Extent& extent, bool quiet, bool terminal = stderr_is_terminal());
@@ -25,8 +29,8 @@ class Progress {
 
   /// That many iterations of the interval were done in an earlier run.
   void begin(int interval, int iterations);
-  /// `iterations` of the interval (counted from 0) are done.
-  void step(int interval, int iterations);
+  /// `iterations` of the interval (counted from 0) are done. `error`: estimated, if it is known.
+  void step(int interval, int iterations, std::optional<double> error = {});
   /// Clears the bar's line, as other output follows.
   void clear();
 
@@ -36,6 +40,7 @@ class Progress {
   double share_done(int interval, int iterations) const;
 
   Extent extent_;
+  ErrorTrend trend_;
   bool quiet_, terminal_;
   double before_ = 0;      // the fraction that earlier runs have done
   double next_ = 0;        // seconds at which the next line is due

@@ -82,7 +82,7 @@ class Render final : public SessionObserver {
     return before;
   }
   void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
-    progress_->step(static_cast<int>(progress.index), progress.iterations);
+    progress_->step(static_cast<int>(progress.index), progress.iterations, progress.error);
     if (!std::exchange(has_said_what_is_found_, true)) say_what_is_found(integrator.statistics());
     if (checkpoints_.due(progress.iterations)) save(progress, integrator);
   }
@@ -164,17 +164,22 @@ void Render::interval_ends(const IntervalProgress& progress, const Scene& scene,
 void Render::announce(const Scene& scene, const Integrator& integrator, int iterations) {
   const Job& job = loaded_.job;
   const PixelRect& crop = job.settings.crop;
+  const std::string count = iterations > 0             ? counted(static_cast<std::size_t>(iterations), "iteration")
+                            : options_.until_error > 0 ? "iterations"
+                                                       : "endless iterations";
+  const std::string error =
+      options_.until_error > 0 ? fmt::format(" until the error is {}", readable_share(options_.until_error)) : "";
   const std::string limit =
       options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
-  messages_.say("{}: {} of {} x {} pixels, {}, {}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
-                crop.height(), job.integrator,
-                iterations > 0 ? counted(static_cast<std::size_t>(iterations), "iteration") : "endless iterations",
-                limit, counted(static_cast<std::size_t>(thread_count()), "thread"));
+  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
+                crop.height(), job.integrator, count, error, limit,
+                counted(static_cast<std::size_t>(thread_count()), "thread"));
   messages_.say("{}: {}", job.integrator, integrator.settings());
   messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
                 readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));
   progress_ = std::make_unique<Progress>(
-      Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size())}, options_.quiet);
+      Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size()), options_.until_error},
+      options_.quiet);
 }
 
 void explain(const LoadedScene& loaded, Render& render, Messages& messages) {

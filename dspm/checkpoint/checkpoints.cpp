@@ -108,14 +108,14 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
 }
 
 IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
-  if (!writes()) return {interval, 0, 0};
+  if (!writes()) return {.index = interval};
   const std::vector<IntervalState>& states = last_->intervals();
   const IntervalState& state = states[interval];
-  if (state.iterations == 0) return {interval, 0, 0};
+  if (state.iterations == 0) return {.index = interval};
   last_->load(interval, integrator);
   messages_.say("resumed after iteration {}{}", state.iterations,
                 states.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states.size()) : "");
-  return {interval, state.iterations, state.seconds};
+  return {.index = interval, .iterations = state.iterations, .seconds = state.seconds};
 }
 
 void Checkpoints::save(const IntervalProgress& progress, Integrator& integrator) {

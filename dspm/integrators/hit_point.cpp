@@ -187,6 +187,8 @@ class HitPointTracer {
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = path.pixel;
     hit.radius = radius(path);
+    if (&hit_points == &out_.hit_points)
+      out_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));
     out_.paths.weighted += ended.strands != 0;
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(out_.scatterings.size());
@@ -304,10 +306,15 @@ void clear(HitPointTile& tile) {
   tile.scatterings.clear();
   tile.strands.clear();
   tile.seen.clear();
+  tile.radii_in_pixels = 0;
   tile.paths = {}, tile.rejections = {};
 }
 
 }  // namespace
+
+std::size_t hit_point_tile_count(const PixelRect& crop) {
+  return static_cast<std::size_t>(tile_count(crop, kTileSide));
+}
 
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
   for (const HitPointTile& tile : tiles) statistics.camera += tile.paths, statistics.rejections += tile.rejections;
@@ -325,7 +332,7 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride) {
-  reuse.resize(static_cast<std::size_t>(tile_count(render.crop, kTileSide)));
+  reuse.resize(hit_point_tile_count(render.crop));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     clear(tile);

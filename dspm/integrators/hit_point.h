@@ -53,6 +53,7 @@ struct HitPointTile {
   std::vector<Scattering> scatterings;
   StrandTable strands;
   std::vector<SeenLight> seen;
+  double radii_in_pixels = 0;  // the sum over hit points of initial radius over pixel spacing
   PathCounts paths;
   Rejections rejections;
 
@@ -62,6 +63,7 @@ struct HitPointTile {
   }
 };
 
+std::size_t hit_point_tile_count(const PixelRect& crop);
 /// Adds the tiles' counts to `statistics`.
 void account(const std::vector<HitPointTile>& tiles, Statistics& statistics);
 std::size_t bytes_of(const std::vector<HitPointTile>& tiles);

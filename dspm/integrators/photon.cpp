@@ -162,7 +162,10 @@ class PhotonTracer {
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
   template <class Fn>
   void scatter(const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf, Fn&& fn) {
-    if (path.bounces + 1 >= settings_.max_depth) return balance(path, frames, &EnergyBalance::terminated);
+    if (path.bounces + 1 >= settings_.max_depth) {
+      balance(path, frames, &EnergyBalance::too_deep);
+      return balance(path, frames, &EnergyBalance::terminated);
+    }
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
     const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
     const bool wanted = kind_after(path, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0

@@ -10,6 +10,7 @@
 #include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/photon_batches.h"
+#include "dspm/integrators/typical_hit_point.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/parallel.h"
@@ -26,7 +27,8 @@ class Progressive final : public Integrator {
       : settings_(settings),
         render_(render),
         lights_(static_cast<int>(scene.lights.size())),
-        found_(render.crop.count(), scene.frame_count(), render.outputs) {
+        found_(render.crop.count(), scene.frame_count(), render.outputs),
+        found_by_tile_(hit_point_tile_count(render.crop)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     // How much memory photons take depends on where they start.
     if (render.memory > 0 || render.learn_at_once) learn(scene);
@@ -68,6 +70,7 @@ class Progressive final : public Integrator {
     estimator_->persist(state);
     shrinkage_.persist(state);
     found_.persist(state);
+    found_by_tile_.persist(state);
     persist_learned(state);
     return true;
   }
@@ -88,6 +91,7 @@ class Progressive final : public Integrator {
     }
     estimator_->end_iteration();
     shrinkage_.end_iteration(settings_.alpha);
+    statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
     ++statistics_.iterations;
   }
 
@@ -147,9 +151,14 @@ class Progressive final : public Integrator {
   float mean_search_radius(const Scene& scene) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     std::vector<double> sums(tiles_.size());
+    shrunk_.assign(tiles_.size(), 1);
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
-      for (const HitPoint& hit : tile.hit_points)
+      double initial = 0;
+      for (const HitPoint& hit : tile.hit_points) {
         sums[t] += std::sqrt(static_cast<double>(estimator_->search_radius2(hit)));
+        initial += static_cast<double>(hit.radius);
+      }
+      if (initial > 0) shrunk_[t] = sums[t] / initial;
     });
     std::size_t count = 0;
     for (const HitPointTile& tile : tiles_) count += tile.hit_points.size();
@@ -189,6 +198,7 @@ class Progressive final : public Integrator {
       }
     });
     account(counts, statistics_);
+    found_by_tile_.add(counts);
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
@@ -231,6 +241,8 @@ class Progressive final : public Integrator {
   std::shared_ptr<const LearnedEmission> learned_;  // null before the first iteration
   std::optional<DirectBalance> direct_;             // of the iteration
   FoundPhotons found_;
+  FoundByTile found_by_tile_;
+  std::vector<double> shrunk_;  // by tile: radius over initial radius
   std::unique_ptr<PixelEstimator> estimator_;
   std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;

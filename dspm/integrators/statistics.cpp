@@ -11,6 +11,7 @@ void Statistics::persist(StateStream& state) {
   state.value(photon_tests);
   rejections.persist(state);
   state.value(energy);
+  state.value(typical);
   state.value(bytes);
   counters.persist(state);
   emission.persist(state);

@@ -49,16 +49,23 @@ struct EnergyBalance {
   double emitted = 0, absorbed = 0, escaped = 0;
   double terminated = 0;  // cut off by the maximum depth, or because photons of this kind are not stored or wanted
   double roulette = 0;    // lost by paths that Russian roulette ends, less the gain of the survivors: 0 on average
+  double too_deep = 0;    // the part of `terminated` that the maximum depth cut off
 
   EnergyBalance& operator+=(const EnergyBalance& o) {
     emitted += o.emitted, absorbed += o.absorbed, escaped += o.escaped;
-    terminated += o.terminated, roulette += o.roulette;
+    terminated += o.terminated, roulette += o.roulette, too_deep += o.too_deep;
     return *this;
   }
   EnergyBalance operator*(double s) const {
-    return {emitted * s, absorbed * s, escaped * s, terminated * s, roulette * s};
+    return {emitted * s, absorbed * s, escaped * s, terminated * s, roulette * s, too_deep * s};
   }
   friend bool operator==(const EnergyBalance&, const EnergyBalance&) = default;
+};
+
+/// The median over tiles of pixels, of those where photons were found.
+struct TypicalHitPoint {
+  double photons = 0;           // found so far
+  double radius_in_pixels = 0;  // of the last search, in pixel spacings; 0: none
 };
 
 struct StepTime {
@@ -77,10 +84,13 @@ struct Statistics {
   SharedCount photons_found;          // tests passed; separate renders with their own radii find no more
   Rejections rejections;              // contributions that were not finite
   std::vector<EnergyBalance> energy;  // by frame; empty if no photons are traced
-  std::size_t bytes = 0;              // peak size of the integrator's own buffers
-  int photon_batches = 1;             // per iteration
-  Counters counters;                  // of a plugin's own
-  EmissionReports emission;           // where photon paths start; empty if nothing was learned or counted
+  TypicalHitPoint typical;            // of progressive integrators
+  // By frame: the estimated error, see error_estimate.h. Empty: none is asked for, or it is too early.
+  std::vector<double> errors;
+  std::size_t bytes = 0;     // peak size of the integrator's own buffers
+  int photon_batches = 1;    // per iteration
+  Counters counters;         // of a plugin's own
+  EmissionReports emission;  // where photon paths start; empty if nothing was learned or counted
 
   /// The members that accumulate over iterations.
   void persist(StateStream& state);

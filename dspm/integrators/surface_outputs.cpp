@@ -7,7 +7,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/camera_path.h"
-#include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/make_beside.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -232,19 +232,6 @@ std::vector<Kind> kinds_in(const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), surface_outputs()[static_cast<std::size_t>(kind)].name) != names.end())
       kinds.push_back(static_cast<Kind>(kind));
   return kinds;
-}
-
-/// Leaves `taken` bytes of the memory to the outputs.
-std::unique_ptr<Integrator> make_beside(std::size_t taken, const MakeWithin& make, std::size_t memory) {
-  if (memory == 0) return make(0);
-  try {
-    std::unique_ptr<Integrator> made = make(memory > taken ? memory - taken : 1);
-    if (made == nullptr || taken < memory) return made;
-    throw NotEnoughMemory({.pixels = made->statistics().bytes});  // it does not look at its memory
-  } catch (NotEnoughMemory& error) {
-    error.least.pixels += taken;
-    throw;
-  }
 }
 
 }  // namespace

@@ -3,19 +3,16 @@
 // it is filtered like the image.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "dspm/integrators/integrator.h"
+#include "dspm/integrators/make_beside.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
 
 /// All of them, for every scene; those of ids without names.
 const std::vector<OutputInfo>& surface_outputs();
-
-/// Makes an integrator that may hold that many bytes; 0: no bound.
-using MakeWithin = std::function<std::unique_ptr<Integrator>(std::size_t memory)>;
 
 /// The integrator that `make` returns (null if it failed), together with those of the surface outputs in
 /// `render.outputs` that it does not declare itself. `memory`: bytes for both; 0: no bound. Throws NotEnoughMemory.

@@ -139,13 +139,15 @@ Image Output::developed(Image image) const {
   return image;
 }
 
-void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
-                   std::uint64_t photons, double seconds) {
+void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
+                   const FrameFigures& figures) {
   const Image image = developed(std::move(radiance));
   ExrHeader header = this->header(frame);
-  header.integers["iterations"] = iterations;
-  header.numbers["photons"] = static_cast<double>(photons);
-  header.numbers["seconds"] = seconds;
+  header.integers["iterations"] = figures.iterations;
+  header.numbers["photons"] = static_cast<double>(figures.photons);
+  header.numbers["seconds"] = figures.seconds;
+  if (figures.error) header.numbers["error"] = *figures.error;
+  if (figures.error && figures.radius_in_pixels > 0) header.numbers["radius in pixels"] = figures.radius_in_pixels;
   std::vector<ExrLayer> more;
   for (const OutputLayer& layer : layers) {
     more.push_back({layer.info.channels, &layer.image, layer.info.single ? ExrPixels::single : pixels_of(job_.film)});

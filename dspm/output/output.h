@@ -30,6 +30,15 @@ struct OutputLayer {
   Image image;
 };
 
+/// How an image came about, for its header.
+struct FrameFigures {
+  int iterations = 0;
+  std::uint64_t photons = 0;  // paths
+  double seconds = 0;
+  std::optional<double> error = {};  // estimated
+  double radius_in_pixels = 0;       // within which photons are gathered; 0: none are
+};
+
 /// The other files of a run, which Output must not replace.
 struct OtherFiles {
   std::vector<NamedFile> read, written;
@@ -48,8 +57,7 @@ class Output {
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
   /// WriteError, but tries its PNG anyway.
-  void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, int iterations,
-             std::uint64_t photons, double seconds);
+  void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures);
   /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.

@@ -73,10 +73,10 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
       black_out_invalid(*image, kRadiance, frame, job_, messages_);
       if (images == Images::last) output_.add_to_video(*image);
     };
-    const auto write_image = [this, frame, image, layers, seconds, iterations = statistics.iterations,
-                              photons = statistics.photon.paths] {
-      output_.write(frame, *image, *layers, iterations, photons, seconds);
-    };
+    FrameFigures figures{statistics.iterations, statistics.photon.paths, seconds, std::nullopt,
+                         statistics.typical.radius_in_pixels};
+    if (j < statistics.errors.size()) figures.error = statistics.errors[j];
+    const auto write_image = [this, frame, image, layers, figures] { output_.write(frame, *image, *layers, figures); };
     // Later no integrator is left to ask for the last images.
     const bool keep = images == Images::last && keep_failed_;
     if (faults_.attempt(name, estimate))

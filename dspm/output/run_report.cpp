@@ -91,6 +91,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
   json.key("emission");
   write(json, s.emission);
   json.member("photon_tests", s.photon_tests);
+  json.member("photons_at_typical_hit_point", s.typical.photons);
   json.member("invalid", s.rejections.count());
   json.key("counters").begin_object();
   for (const Counters::Entry& counter : s.counters) json.member(key_of(counter.name), counter.value);
@@ -109,6 +110,7 @@ void write_energy(JsonWriter& json, const RunReport& report) {
     json.member("escaped", energy->escaped);
     json.member("terminated", energy->terminated);
     json.member("roulette", energy->roulette);
+    json.member("too_deep", energy->too_deep);
     json.end_object();
   }
   json.end_array();
@@ -130,6 +132,8 @@ void RunReport::add(const Statistics& interval, const std::vector<FileFrame>& of
   sum.rejections += interval.rejections;
   sum.energy.insert(sum.energy.end(), interval.energy.begin(), interval.energy.end());
   if (!interval.energy.empty()) frames.insert(frames.end(), of_interval.begin(), of_interval.end());
+  for (std::size_t j = 0; j < interval.errors.size(); ++j) errors[of_interval[j]] = interval.errors[j];
+  if (iterations.size() == 1 || interval.typical.photons < sum.typical.photons) sum.typical = interval.typical;
   sum.counters += interval.counters;
   for (const EmissionReport& report : interval.emission) sum.emission.put(report);
   sum.bytes = std::max(sum.bytes, interval.bytes);
@@ -195,6 +199,11 @@ std::string json_of(const Job& job, const RunReport& report) {
   json.end_object();
   write_work(json, s);
   write_energy(json, report);
+  if (!report.errors.empty()) {
+    json.key("errors").begin_array();  // frame by frame
+    for (const auto& [frame, error] : report.errors) json.value(error);
+    json.end_array();
+  }
   json.key("memory").begin_object();
   json.member("peak_bytes", peak_memory());
   json.member("tree_bytes", report.tree_bytes);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct RunReport {
   int threads = 0;
   std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
-  Statistics statistics;          // all intervals together
-  std::vector<FileFrame> frames;  // of the energy balances, in their order
+  Statistics statistics;               // all intervals together
+  std::vector<FileFrame> frames;       // of the energy balances, in their order
+  std::map<FileFrame, double> errors;  // estimated
 
   /// Adds the work of the integrator of an interval of these frames.
   void add(const Statistics& interval, const std::vector<FileFrame>& of_interval);

@@ -1,6 +1,7 @@
 // Watches a session, saves it and stops it. No function needs to be overridden.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "dspm/integrators/integrator.h"
@@ -11,9 +12,10 @@ namespace dspm {
 
 /// How far a frame interval has come.
 struct IntervalProgress {
-  std::size_t index = 0;  // of the interval
-  int iterations = 0;     // done, in this run and those that it resumes
-  double seconds = 0;     // that they took
+  std::size_t index = 0;             // of the interval
+  int iterations = 0;                // done, in this run and those that it resumes
+  double seconds = 0;                // that they took
+  std::optional<double> error = {};  // of the worst frame, if it is estimated and known; see Statistics::errors
 };
 
 class SessionObserver {
@@ -27,7 +29,7 @@ class SessionObserver {
   /// The first interval is ready to be rendered. `iterations`: of each interval; 0: until stopped.
   virtual void ready(const Scene&, Integrator&, int /*iterations*/) {}
   /// May load an earlier state into the integrator; returns its progress.
-  virtual IntervalProgress interval_begins(std::size_t index, Integrator&) { return {index, 0, 0}; }
+  virtual IntervalProgress interval_begins(std::size_t index, Integrator&) { return {.index = index}; }
   virtual void iteration_done(const IntervalProgress&, Integrator&) {}
   /// Time to save the images of this interval.
   virtual void images_due(const IntervalProgress&, Integrator&, Images) {}

@@ -1,5 +1,6 @@
 #include "dspm/session/session.h"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -14,6 +15,12 @@ namespace dspm {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+std::optional<double> worst_error(const Integrator& integrator) {
+  const std::vector<double> errors = integrator.statistics().errors;
+  if (errors.empty()) return std::nullopt;
+  return *std::max_element(errors.begin(), errors.end());
+}
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -38,7 +45,8 @@ Session::Session(const LoadedScene& loaded, const std::vector<FrameList>& interv
       settings_(settings),
       messages_(messages),
       observer_(observer),
-      integrator_(in_words("integrator", loaded.job.integrator)) {}
+      integrator_(in_words("integrator", loaded.job.integrator)),
+      warnings_(loaded.job, messages) {}
 
 void Session::run() {
   for (std::size_t i = 0; i < intervals_.size() && !observer_.end_wanted(); ++i) render_interval(i);
@@ -54,9 +62,10 @@ void Session::render_interval(std::size_t index) {
   const std::unique_ptr<Integrator> integrator =
       make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
   const int iterations = loaded_.job.iterations(*integrator);
-  if (iterations == 0 && settings_.time_limit == 0 && intervals_.size() > 1)
-    throw UsageError(fmt::format("the first of {} frame intervals would never end: give --time-limit or --iterations",
-                                 intervals_.size()));
+  if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
+    throw UsageError(
+        fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",
+                    intervals_.size()));
   if (index == 0) observer_.ready(*scene, *integrator, iterations);
   const IntervalProgress progress = iterate_to_the_end(index, *scene, *integrator, iterations);
   observer_.interval_ends(progress, *scene, *integrator);
@@ -66,6 +75,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
                                              int iterations) {
   const double seconds = settings_.time_limit > 0 ? time_share(index) : 0;
   IntervalProgress progress = observer_.interval_begins(index, integrator);
+  progress.error = worst_error(integrator);
   const double seconds_before = progress.seconds;
   const int first = progress.iterations;
   const Clock::time_point begin = Clock::now();
@@ -73,8 +83,10 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   if (iterations > 0 && progress.iterations >= iterations)
     messages_.say("{} done, none is left; ask for more with --iterations",
                   counted(static_cast<std::size_t>(progress.iterations), "iteration"));
+  const auto is_good = [&] { return progress.error && *progress.error <= loaded_.job.until_error; };
+  if (is_good()) messages_.say("the error is as small as wanted already; ask for less with --until-error");
   const auto finished = [&] {
-    return (iterations > 0 && progress.iterations >= iterations) || observer_.end_wanted() ||
+    return (iterations > 0 && progress.iterations >= iterations) || is_good() || observer_.end_wanted() ||
            (settings_.time_limit > 0 && progress.iterations > 0 && seconds_since(begin) >= seconds);
   };
   const auto expected = [&] {
@@ -84,7 +96,9 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   while (!finished() && iterate(progress, scene, integrator, expected())) {
     ++progress.iterations;
     progress.seconds = seconds_before + seconds_since(begin);
+    progress.error = worst_error(integrator);
     observer_.iteration_done(progress, integrator);
+    if (progress.iterations == RunWarnings::kFirstLook) warnings_.look(integrator.statistics(), iterations);
     const bool wanted = observer_.images_wanted();
     if (wanted)
       messages_.say("writing the images after {}, as requested",
@@ -94,7 +108,21 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   }
   progress.seconds = seconds_before + seconds_since(begin);
   if (progress.iterations > 0) write(progress, integrator, SessionObserver::Images::last);
+  judge(progress, integrator);
   return progress;
+}
+
+void Session::judge(const IntervalProgress& progress, const Integrator& integrator) {
+  const Statistics statistics = integrator.statistics();
+  warnings_.look(statistics, progress.iterations);
+  if (loaded_.job.until_error == 0) return;
+  warnings_.look_at_errors(statistics, intervals_[progress.index]);
+  const std::string iterations = counted(static_cast<std::size_t>(progress.iterations), "iteration");
+  if (!progress.error) return messages_.say("{} are too few to estimate the error", iterations);
+  const double radius = statistics.typical.radius_in_pixels;
+  messages_.say("{}: the estimated error is {}{}{}", iterations, readable_share(*progress.error),
+                *progress.error > loaded_.job.until_error ? ", more than was wanted" : "",
+                radius > 0 ? fmt::format("; not in it is the blur of photons, within {:.1f} pixels", radius) : "");
 }
 
 // Photons in batches have room for the copy in the plan of --memory. Without a bound it must not be most of the memory.

@@ -1,5 +1,5 @@
 // A render without a command line: frame intervals one after the other, each iterated until its iterations are done,
-// its time is up, or the observer wants an end. The observer decides what happens to the images.
+// its error is small enough, its time is up, or the observer wants an end. The observer decides what happens to the images.
 #pragma once
 
 #include <chrono>
@@ -11,6 +11,7 @@
 #include "dspm/session/load.h"
 #include "dspm/session/memory_bound.h"
 #include "dspm/session/observer.h"
+#include "dspm/session/run_warnings.h"
 #include "dspm/session/write_schedule.h"
 
 namespace dspm {
@@ -45,6 +46,8 @@ class Session {
   bool can_copy(Integrator& integrator, std::size_t index) const;
   void iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
                            double expected) const;
+  /// Says what the interval has come to.
+  void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
   /// Seconds for the interval: an equal share of the time that the intervals before it left.
   double time_share(std::size_t index) const;
@@ -56,6 +59,7 @@ class Session {
   Messages& messages_;
   SessionObserver& observer_;
   const std::string integrator_;  // as messages name it
+  RunWarnings warnings_;
   Clock::time_point begin_ = Clock::now();
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "dspm/integrators/error_estimate.h"
 #include "dspm/integrators/surface_outputs.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -173,6 +174,7 @@ std::string Job::frames_in_words() const {
 
 int Job::iterations(const Integrator& made) const {
   if (chosen_iterations) return *chosen_iterations;
+  if (until_error > 0) return 0;
   const int asked = made.iterations();
   return quick && asked > 0 ? std::max(1, asked / 4) : asked;
 }
@@ -185,7 +187,8 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
     bounded.memory = bytes;
     return plugin->make(reader, scene, bounded);
   };
-  std::unique_ptr<Integrator> made = with_surface_outputs(make, scene, settings, memory);
+  const auto make_with_outputs = [&](std::size_t bytes) { return with_surface_outputs(make, scene, settings, bytes); };
+  std::unique_ptr<Integrator> made = with_error_estimate(make_with_outputs, scene, settings, memory);
   if (made == nullptr && diagnostics.error_count() == 0)
     diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
   if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
@@ -210,6 +213,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
 
   job.accel = accel_of(description, choices, diagnostics);
   job.chosen_iterations = choices.iterations, job.quick = choices.quick;
+  job.until_error = choices.until_error, job.settings.estimate_error = choices.until_error > 0;
 
   const SamplerSettings sampler = read_sampler(description.sampler, diagnostics);
   RenderSettings& settings = job.settings;

@@ -35,7 +35,8 @@ struct Job {
   SourceLocation where;  // of the Integrator directive
   std::string accel;     // a plugin's name; empty: the usual one
   std::optional<int> chosen_iterations;
-  bool quick = false;  // a quarter of the iterations
+  bool quick = false;      // a quarter of the iterations
+  double until_error = 0;  // ends the render, see RenderSettings::estimate_error; 0: iterations do
 
   /// The frame's moment, and the name of its variation; empty: none.
   Moment moment(FileFrame frame) const { return description->frames.moment(frame); }
@@ -43,7 +44,7 @@ struct Job {
   /// "25 frames", "8 variations" or "200 frames (8 variations)".
   std::string frames_in_words() const;
 
-  /// How many to do in all: as chosen, else as the integrator says; 0: until stopped.
+  /// How many to do in all: as chosen; else 0 (until stopped) if an error is to be reached; else as the integrator says.
   int iterations(const Integrator& made) const;
   /// `memory`: bytes that it may hold; 0: no bound. Throws NotEnoughMemory if they are too few.
   std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,

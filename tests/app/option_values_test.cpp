@@ -54,6 +54,23 @@ TEST(ParseInterval, IsATimeOrACount) {
   EXPECT_THROW(parse_interval("--write-every", "-4"), UsageError);
 }
 
+TEST(ParseShare, IsAPercentageOrAFraction) {
+  EXPECT_DOUBLE_EQ(parse_share("--until-error", "2%"), 0.02);
+  EXPECT_DOUBLE_EQ(parse_share("--until-error", "0.02"), 0.02);
+  EXPECT_DOUBLE_EQ(parse_share("--until-error", ".5%"), 0.005);
+}
+
+TEST(ParseShare, RefusesWhatIsNone) {
+  for (const char* text : {"", "%", "0", "0%", "-2%", "2", "100%", "2%%", "2 %", "two", "nan", "inf", "1e-400"})
+    EXPECT_THROW(parse_share("--until-error", text), UsageError) << text;
+  try {
+    parse_share("--until-error", "2");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(), "--until-error 2: expected an error between 0 and 1 such as 2% or 0.02");
+  }
+}
+
 TEST(ParseBytes, KnowsThousandsAnd1024s) {
   EXPECT_EQ(parse_bytes("--memory", "4096"), 4096u);
   EXPECT_EQ(parse_bytes("--memory", "512B"), 512u);

@@ -29,6 +29,8 @@ TEST(Options, ReadsTheUsualOnes) {
   EXPECT_EQ(o.half, false);
 }
 
+TEST(Options, UntilErrorIsAShare) { EXPECT_DOUBLE_EQ(parse_options({"a", "--until-error", "2%"}).until_error, 0.02); }
+
 TEST(Options, SppIsAnotherNameOfIterations) { EXPECT_EQ(parse_options({"a", "--spp", "9"}).iterations, 9); }
 
 TEST(Options, StatsTakesItsFileOnlyBehindAnEqualSign) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace dspm {
@@ -33,6 +34,32 @@ TEST(Progress, FillsItsBar) {
   EXPECT_EQ(first_bar({.iterations = 10}, 0, 10), "[" + half + half + "] iteration 10/10");
   EXPECT_EQ(first_bar({.iterations = 8, .intervals = 2}, 1, 4),
             "[" + half + quarter + std::string(8, ' ') + "] iteration 4/8 of frame interval 2/2");
+}
+
+TEST(Progress, ForetellsWhenAnErrorIsReached) {
+  ErrorTrend trend;
+  EXPECT_FALSE(trend.iterations_until(0.01));
+  trend.add(16, 0.04);
+  EXPECT_DOUBLE_EQ(*trend.iterations_until(0.02), 64);  // as for independent iterations
+  trend.add(17, 0.04);                                  // not estimated anew
+  trend.add(64, 0.02);
+  EXPECT_DOUBLE_EQ(*trend.iterations_until(0.01), 256);
+  EXPECT_DOUBLE_EQ(*trend.iterations_until(0.02), 64);
+  EXPECT_DOUBLE_EQ(*trend.iterations_until(0.03), 64);
+  trend.add(128, 0.02 * std::pow(2, -0.35));  // slower
+  EXPECT_NEAR(*trend.iterations_until(0.01), 64 * std::pow(2, 1 / 0.35), 1e-6);
+}
+
+TEST(Progress, ShowsTheError) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress({.iterations = 0, .intervals = 1, .until_error = 0.02}, false, true);
+    progress.step(0, 16, 0.04);
+  }
+  const std::string text = testing::internal::GetCapturedStderr(), quarter(8, '=');
+  EXPECT_EQ(text.substr(1, text.find(", 0") - 1),
+            "[" + quarter + std::string(24, ' ') + "] iteration 16, error 4% of 2%")
+      << text;
 }
 
 TEST(Progress, HasNoBarWithoutAnEnd) { EXPECT_EQ(first_bar({.iterations = 0}, 0, 5), "iteration 5"); }

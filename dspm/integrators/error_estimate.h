@@ -1,0 +1,28 @@
+// The error of an integrator's images, estimated while it iterates, from the images alone: so for every integrator,
+// plugins included.
+//
+// After N iterations the image is the mean E_N of N independent ones, so E_N - E_N/2 = (B - A) / 2, where A and B are the
+// means of the two halves. Every iteration has the weight 1/N in it, half of them with a minus: its variance is that of
+// E_N, however the iterations' variances differ. Its values scatter around zero as those of E_N do around their mean.
+// Hence the median over pixels of |E_N - E_N/2| / E_N estimates that of the true relative error: half of the pixels are
+// farther off. What it does not see is what both halves have in common: the blur of the photons' radius, or
+// photonmap's photons, which are the same in all iterations.
+#pragma once
+
+#include <memory>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/make_beside.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// The integrator that `make` returns (null if it failed); if `render.estimate_error`, its statistics have the errors
+/// of all frames, of the luminance, after 8, 10, 12, 14, 16, 18, ... iterations, eight times until their number has
+/// doubled. Between them they stay. Constant light needs no iterations, so pixels that show it are left out, as are
+/// black ones; a black frame has no error. Keeps half a megabyte per frame. `memory`: bytes for both; 0: no bound.
+/// Throws NotEnoughMemory.
+std::unique_ptr<Integrator> with_error_estimate(const MakeWithin& make, const Scene& scene,
+                                                const RenderSettings& render, std::size_t memory);
+
+}  // namespace dspm

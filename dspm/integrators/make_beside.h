@@ -1,0 +1,18 @@
+// How an integrator is made that another one wraps, if memory is bounded.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "dspm/integrators/integrator.h"
+
+namespace dspm {
+
+/// Makes an integrator that may hold that many bytes; 0: no bound.
+using MakeWithin = std::function<std::unique_ptr<Integrator>(std::size_t memory)>;
+
+/// Leaves `taken` bytes of the memory to what wraps the integrator. Throws NotEnoughMemory, with both in its figures.
+std::unique_ptr<Integrator> make_beside(std::size_t taken, const MakeWithin& make, std::size_t memory);
+
+}  // namespace dspm

@@ -1,0 +1,36 @@
+// Warns when a run goes badly, by what its integrator has counted, and says what to do. Each warning comes once in a
+// run: early if the rest of the run cannot mend it, else at the end of a frame interval.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "dspm/integrators/statistics.h"
+#include "dspm/math/frames.h"
+#include "dspm/session/messages.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+class RunWarnings {
+ public:
+  static constexpr int kFirstLook = 8;
+  /// The photons and the radius of shorter runs are not judged: their pictures are expected to be rough.
+  static constexpr int kMoreThanAPreview = 32;
+
+  RunWarnings(const Job& job, Messages& messages) : job_(job), messages_(messages) {}
+
+  /// After iterations of a frame interval, of so many in all: those done at its end; 0: unknown.
+  void look(const Statistics& statistics, int all);
+  /// At the end of an interval of these frames: those whose error is zero.
+  void look_at_errors(const Statistics& statistics, const std::vector<FileFrame>& frames);
+
+ private:
+  void warn_once(const std::string& what, const std::string& message, const std::string& hint);
+
+  const Job& job_;
+  Messages& messages_;
+  std::set<std::string> warned_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,94 @@
+// The estimated error against the true one.
+#include "dspm/integrators/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dspm/image/image.h"
+#include "dspm/testing/scenes.h"
+#include "dspm/testing/test_scene.h"
+#include "dspm/world/choices.h"
+
+namespace dspm::test {
+namespace {
+
+constexpr int kIterations = 32;
+
+/// A box with a mirror ball and a matte one.
+std::string scene(const std::string& integrator) {
+  return box("Integrator " + integrator, R"(
+AttributeBegin Material "conductor" Translate -0.4 -0.6 0.2 Shape "sphere" "float radius" 0.4 AttributeEnd
+AttributeBegin Translate 0.5 -0.7 -0.2 Shape "sphere" "float radius" 0.3 AttributeEnd)");
+}
+
+struct Rendered {
+  Image image;
+  double estimated = 0;
+};
+
+Rendered rendered(const std::string& text, std::uint64_t seed, int iterations) {
+  Choices choices;
+  choices.seed = seed, choices.until_error = 0.01;
+  TestScene test(text, choices);
+  const auto scene = test.scene(test.all_frames());
+  const auto integrator = test.integrator(*scene);
+  for (int i = 0; i < iterations; ++i) integrator->iterate(i, *scene);
+  return {integrator->estimate(0), integrator->statistics().errors.at(0)};
+}
+
+double true_error(const Image& image, const Image& truth) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    const double value = luminance(image.pixels[i]), right = luminance(truth.pixels[i]);
+    if (std::abs(value - right) > 1e-5 * right) errors.push_back(std::abs(value - right) / right);
+  }
+  std::nth_element(errors.begin(), errors.begin() + std::ptrdiff_t(errors.size() / 2), errors.end());
+  return errors[errors.size() / 2];
+}
+
+/// What runs of other seeds give on average: so it has the same blur as each of them.
+Image mean_of_seeds(const std::string& text, int seeds) {
+  Image sum(32, 32);
+  for (int seed = 0; seed < seeds; ++seed) {
+    const Image image = rendered(text, 100 + static_cast<std::uint64_t>(seed), kIterations).image;
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += image.pixels[i] / static_cast<float>(seeds);
+  }
+  return sum;
+}
+
+void expect_estimates(const std::string& text, const Image& truth) {
+  double estimated = 0, actual = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const Rendered run = rendered(text, seed, kIterations);
+    estimated += run.estimated / 4, actual += true_error(run.image, truth) / 4;
+  }
+  EXPECT_NEAR(estimated / actual, 1, 0.2);
+}
+
+class ErrorEstimate : public testing::TestWithParam<std::string> {};
+
+TEST_P(ErrorEstimate, IsTheErrorAgainstTheMeanOfOtherRuns) {
+  const std::string text = scene(GetParam());
+  expect_estimates(text, mean_of_seeds(text, 30));
+}
+
+/// Runs of other seeds have other maps.
+TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
+  const std::string text = scene(R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)");
+  double estimated = 0, actual = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const Rendered run = rendered(text, seed, kIterations);
+    estimated += run.estimated, actual += true_error(run.image, rendered(text, seed, 30 * kIterations).image);
+  }
+  EXPECT_NEAR(estimated / actual, 1, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Integrators, ErrorEstimate,
+    testing::Values(R"("dsppm" "integer photons" 3000)", R"("dsppm" "integer photons" 3000 "string estimator" "hj09")",
+                    R"("dsppm" "integer photons" 3000 "string direct" "sampled")", R"("path" "integer maxdepth" 6)"));
+
+}  // namespace
+}  // namespace dspm::test

@@ -1,0 +1,78 @@
+// Warnings in runs that go badly, and none in those that do not.
+#include "dspm/session/run_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "dspm/session/session.h"
+#include "dspm/testing/scenes.h"
+
+namespace dspm::test {
+namespace {
+
+struct Heard final : Messages {
+  Heard() : Messages(true) {}
+  void print(std::string_view text) const override { all += text; }
+  mutable std::string all;
+};
+
+/// What a run of the box with a ball in it is warned of.
+std::string warnings(const std::string& integrator) {
+  Diagnostics diagnostics;
+  std::string text = box("Integrator " + integrator,
+                         R"(AttributeBegin Translate 0 -0.6 0 Shape "sphere" "float radius" 0.4 AttributeEnd)");
+  const LoadedScene loaded("test.dsc", text, {}, diagnostics);
+  Heard messages;
+  MemoryBound memory(0);
+  SessionObserver observer;
+  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, 0, {}, messages, observer);
+  Session(loaded, intervals, memory, {}, messages, observer).run();
+  return messages.all;
+}
+
+TEST(RunWarnings, AGoodRunHasNone) {
+  for (const char* integrator : {"dsppm", "sppm", "photonmap", "path"})
+    EXPECT_EQ(warnings('"' + std::string(integrator) + R"(" "integer iterations" 32)" +
+                       (std::string(integrator).ends_with("sppm") ? R"( "integer photons" 20000)" : "")),
+              "")
+        << integrator;
+}
+
+TEST(RunWarnings, FewPhotonsMakeGrain) {
+  const std::string text = warnings(R"("dsppm" "integer iterations" 40 "integer photons" 30)");
+  EXPECT_NE(text.find("warning: 8 iterations have found "), std::string::npos) << text;
+  EXPECT_NE(text.find("\"string direct\" \"sampled\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("warning:"), text.rfind("warning:")) << text;
+}
+
+TEST(RunWarnings, ManyIterationsMakeUpForFewPhotons) {
+  EXPECT_EQ(warnings(R"("dsppm" "integer iterations" 300 "integer photons" 400)"), "");
+}
+
+TEST(RunWarnings, TheHintIsWhatTheSceneDoesNotSayYet) {
+  const std::string text = warnings(
+      R"("dsppm" "integer iterations" 40 "integer photons" 30 "string direct" "sampled" "string emission" "power")");
+  EXPECT_EQ(text.find("\"sampled\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"string emission\" \"guided\""), std::string::npos) << text;
+}
+
+TEST(RunWarnings, AWideRadiusBlurs) {
+  const std::string text = warnings(R"("dsppm" "integer iterations" 40 "integer photons" 2000 "float radius" 3)");
+  EXPECT_NE(text.find("what is finer than that is blurred"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"float radius\""), std::string::npos) << text;
+}
+
+TEST(RunWarnings, ALowMaximumDepthCutsLight) {
+  const std::string text = warnings(R"("dsppm" "integer iterations" 8 "integer photons" 5000 "integer maxdepth" 2)");
+  EXPECT_NE(text.find("of the photons' flux"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"integer maxdepth\""), std::string::npos) << text;
+}
+
+TEST(RunWarnings, ShortRunsAreNotJudged) {
+  EXPECT_EQ(warnings(R"("dsppm" "integer iterations" 7 "integer photons" 10 "float radius" 3 "integer maxdepth" 1)"),
+            "");
+}
+
+}  // namespace
+}  // namespace dspm::test
