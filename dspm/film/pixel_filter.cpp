@@ -34,6 +34,15 @@ float FilterProfile::sample(float u) const {
   return radius_ * (2 * position - 1);
 }
 
+float FilterProfile::density(float offset) const {
+  if (!(std::abs(offset) <= radius_)) return 0;
+  const auto steps = static_cast<float>(weights_.size() - 1);
+  const float position = (offset / radius_ + 1) / 2 * steps;
+  const auto i = std::min(static_cast<std::size_t>(position), weights_.size() - 2);
+  const float t = position - static_cast<float>(i);
+  return (weights_[i] * (1 - t) + weights_[i + 1] * t) * steps / (2 * radius_);
+}
+
 namespace {
 
 float read_radius(ParamReader& reader, const char* name, float fallback) {

@@ -19,6 +19,8 @@ class FilterProfile {
   /// `weights` at the nodes from -radius to radius: not negative, not all 0; at least two.
   FilterProfile(float radius, std::vector<float> weights);
   float sample(float u) const;
+  /// Of sample().
+  float density(float offset) const;
   float radius() const { return radius_; }
 
  private:
@@ -32,6 +34,8 @@ class PixelFilter {
   PixelFilter(FilterProfile x, FilterProfile y) : x_(std::move(x)), y_(std::move(y)) {}
   /// The offset from the pixel's centre, in pixels, for two numbers in [0, 1).
   Vec2 sample(Vec2 u) const { return {x_.sample(u.x), y_.sample(u.y)}; }
+  /// Of sample(), by area in pixels.
+  float density(Vec2 offset) const { return x_.density(offset.x) * y_.density(offset.y); }
   Vec2 radius() const { return {x_.radius(), y_.radius()}; }
 
  private:

@@ -39,11 +39,11 @@ float DirectBalance::weight_of_photon(const SceneLight& light, const Light& stat
   return d.enough_photons() ? 1 : d.photons / d.all();
 }
 
-float DirectBalance::weight_of_sample(const SceneLight& light, const Light& state, const Illumination& lit,
-                                      const Place& place) const {
+float DirectBalance::weight_of_sample(const LightSample& sample, const Place& place) const {
+  const Illumination& lit = sample.lit;
   const bool is_near = std::isfinite(lit.distance);
   const Start start{{is_near ? place.p + lit.wi * lit.distance : place.p, -lit.wi}, lit.normal, lit.primitive};
-  const Densities d = densities(light, state, start, place, lit.pdf_w);
+  const Densities d = densities(sample.scene_light, sample.light, start, place, lit.pdf_w);
   return d.enough_photons() ? 0 : d.samples / d.all();
 }
 
@@ -66,8 +66,7 @@ DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const
   if (photons_times_area_ == 0) return d;
   const Light& drawn = drawn_as(light, state);
   const EmissionPdf pdf = drawn.pdf_emit(start.ray, start.normal, start.primitive);
-  d.photons =
-      photons_times_area_ * density_of(light, drawn, start) * pdf.position * pdf.direction * cosine;
+  d.photons = photons_times_area_ * density_of(light, drawn, start) * pdf.position * pdf.direction * cosine;
   if (light.is_delta && !pdf.delta_direction)
     d.photons /= length2(place.p - start.ray.origin);
   else if (!light.is_delta && !state.is_infinite())

@@ -43,8 +43,7 @@ class DirectBalance {
   /// Of a photon that has come straight from the light.
   float weight_of_photon(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
   /// Of a sample that sample_direct_light() takes of the light.
-  float weight_of_sample(const SceneLight& light, const Light& state, const Illumination& lit,
-                         const Place& place) const;
+  float weight_of_sample(const LightSample& sample, const Place& place) const;
   /// Of a ray, scattered at the place, that meets the light.
   float weight_of_scattered(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
 

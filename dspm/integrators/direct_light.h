@@ -59,6 +59,14 @@ void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
   }
 }
 
+/// A sample of a light, as seen from a vertex.
+struct LightSample {
+  const SceneLight& scene_light;
+  const Light& light;
+  const Illumination& lit;
+  float pdf_w;  // by solid angle; includes the mean number of samples of the light; 0 for a delta light
+};
+
 /// One of the light samples at a vertex, chosen while they come, for frames that choose from the same ones.
 struct ChosenSample {
   FrameSet frames;
@@ -100,9 +108,8 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
 
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
-/// `frames` in which nothing is in between. It is weighted by `weight(const SceneLight&, const Light&, const
-/// Illumination&, pdf_w)`; pdf_w (by solid angle) includes the mean number of samples of the light and is 0 for delta
-/// lights. Radiance that is not finite is passed on; giver() then returns its source.
+/// `frames` in which nothing is in between. It is weighted by `weight(const LightSample&)`. Radiance that is not finite
+/// is passed on; giver() then returns its source.
 template <class Weight, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
                          const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {
@@ -119,8 +126,8 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
       const float pdf_w = samples * lit->pdf_w;
       const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
       if (is_black(f)) return;
-      const Rgb radiance =
-          f * lit->radiance * (weight(scene_light, light, *lit, pdf_w) / (pdf_w > 0 ? pdf_w : samples));
+      const LightSample sample{scene_light, light, *lit, pdf_w};
+      const Rgb radiance = f * lit->radiance * (weight(sample) / (pdf_w > 0 ? pdf_w : samples));
       if (!is_finite(radiance)) {
         const SceneElement giver = is_finite(f) ? light_element(scene, scene_light) : vertex.material_element();
         fn(common, radiance, [&] { return giver; });

@@ -83,7 +83,8 @@ class HitPointTracer {
   void escaped(const CameraPath& path, FrameSet frames) {
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float weight = path.only_looks ? weight_of_look(path, scene_light, light, {{path.from, -path.ray.direction}, {}, -1})
+                      const float weight = path.only_looks ? weight_of_look(path, scene_light, light,
+                                                                            {{path.from, -path.ray.direction}, {}, -1})
                                                            : weight_of_escape(scene_, path, scene_light, light);
                       see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
                     });
@@ -94,9 +95,10 @@ class HitPointTracer {
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
       const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
-      const float weight = path.only_looks ? weight_of_look(path, scene_light, light,
-                                                            {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
-                                           : weight_of_hit(scene_, path, vertex, light);
+      const float weight = path.only_looks
+                               ? weight_of_look(path, scene_light, light,
+                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                               : weight_of_hit(scene_, path, vertex, light);
       see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
     });
     if (path.only_looks || path.bounces >= settings_.max_depth) return;
@@ -162,11 +164,10 @@ class HitPointTracer {
   template <class Fn>
   void end(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     if (settings_.sample_direct)
-      add_direct_light(path, vertex, bsdf, choice, choice.lobes,
-                       [&](const SceneLight& light, const Light& state, const Illumination& lit, float) {
-                         if (settings_.direct == nullptr) return 1.f;
-                         return settings_.direct->weight_of_sample(light, state, lit, {vertex.point.p, vertex.point.ng});
-                       });
+      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
+        if (settings_.direct == nullptr) return 1.f;
+        return settings_.direct->weight_of_sample(sample, {vertex.point.p, vertex.point.ng});
+      });
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
@@ -202,11 +203,10 @@ class HitPointTracer {
     // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
     // light: what those send through specular lobes is left to the photons stored for this purpose.
     if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
-      add_direct_light(
-          path, vertex, bsdf, choice, choice.lobes,
-          [&](const SceneLight&, const Light&, const Illumination& lit, float pdf_w) {
-            return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, lit.wi, Transport::radiance, choice.lobes)) : 1;
-          });
+      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
+        if (!(sample.pdf_w > 0)) return 1.f;
+        return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, choice.lobes));
+      });
       const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
       if (has_hidden_) add_hit_point(out_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
     }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPilotPixels = 4096;
 constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 41;  // no iteration of the camera has that number
-constexpr float kLater = 0.55f;         // of the initial radius: that after 64 iterations
+constexpr float kLater = 0.55f;                                    // of the initial radius: that after 64 iterations
 constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all
 constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at most 2
 
@@ -54,7 +54,8 @@ class Pilot {
   std::vector<HitPointTile> trace(const DirectBalance* balance, int again) const {
     HitPointSettings settings = settings_;
     settings.sample_direct = balance != nullptr, settings.direct = balance;
-    return trace_hit_points(scene_, render_, settings, kPilotIteration + static_cast<std::uint64_t>(again), {}, stride_);
+    return trace_hit_points(scene_, render_, settings, kPilotIteration + static_cast<std::uint64_t>(again), {},
+                            stride_);
   }
 
   const Scene& scene_;

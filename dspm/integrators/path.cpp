@@ -81,8 +81,9 @@ class PixelTracer {
   }
 
   void add_direct_light(const CameraPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const auto weight = [&](const SceneLight&, const Light&, const Illumination& lit, float pdf_w) {
-      return pdf_w > 0 ? balance(pdf_w, bsdf.pdf_w(vertex.wo, lit.wi, Transport::radiance, bsdf.all_lobes())) : 1;
+    const auto weight = [&](const LightSample& sample) {
+      if (!(sample.pdf_w > 0)) return 1.f;
+      return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, bsdf.all_lobes()));
     };
     sample_direct_light(
         scene_, path, vertex, frames, bsdf, bsdf.all_lobes(), counts_, weight,

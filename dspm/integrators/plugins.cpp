@@ -3,6 +3,7 @@
 #include "dspm/integrators/path.h"
 #include "dspm/integrators/photonmap.h"
 #include "dspm/integrators/sppm.h"
+#include "dspm/integrators/vcm/vcm.h"
 
 namespace dspm {
 
@@ -14,6 +15,7 @@ PluginTable<IntegratorPlugin>& integrator_plugins() {
           {{"path", "path tracing, the unbiased reference", make_path}},
           {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
           {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
+          {{"vcm", "vertex connection and merging: bidirectional paths and photons, all frames together", make_vcm}},
       },
       {"lightpath", "randomwalk", "bdpt", "mlt", "ambientocclusion", "function"});
   return table;

@@ -66,8 +66,8 @@ class Spot final : public Light {
   EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
     const float versine = 0.5f * length2(start.direction - basis_.z), share = share_of_inner();
     const float x = (outer_ - versine) / (outer_ - inner_);
-    const float place = versine < inner_ || inner_ == outer_ ? share * (versine / inner_)
-                                                             : share + (1 - share) * (x * x * x * (2 - x));
+    const float place =
+        versine < inner_ || inner_ == outer_ ? share * (versine / inner_) : share + (1 - share) * (x * x * x * (2 - x));
     return {kAnyNumber, kAnyNumber, std::clamp(place, 0.f, 1.f), turn_of(basis_.to_local(start.direction))};
   }
 

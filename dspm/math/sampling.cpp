@@ -73,9 +73,7 @@ Vec3 uniform_cone(Vec2 u, float one_minus_cos_max) {
 
 Vec2 uniform_triangle(Vec2 u) { return u.x < u.y ? Vec2{u.x / 2, u.y - u.x / 2} : Vec2{u.x - u.y / 2, u.y / 2}; }
 
-Vec2 uniform_triangle_numbers(Vec2 b) {
-  return b.x < b.y ? Vec2{2 * b.x, b.x + b.y} : Vec2{b.x + b.y, 2 * b.y};
-}
+Vec2 uniform_triangle_numbers(Vec2 b) { return b.x < b.y ? Vec2{2 * b.x, b.x + b.y} : Vec2{b.x + b.y, 2 * b.y}; }
 
 Distribution1D::Distribution1D(std::span<const float> weights) {
   double total = 0;

@@ -147,7 +147,7 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene,
                          ::testing::Values(R"("dsppm")", R"("sppm")", R"("photonmap")",
-                                           R"("photonmap" "integer finalgather" 2)", R"("path")"));
+                                           R"("photonmap" "integer finalgather" 2)", R"("path")", R"("vcm")"));
 
 TEST(SenselessScene, IsRefused) {
   const TemporaryDirectory directory;

@@ -72,7 +72,8 @@ std::string name_of(const testing::TestParamInfo<Run>& info) { return "Case" + s
 INSTANTIATE_TEST_SUITE_P(Integrators, Resumed,
                          testing::Values(Run{{"--integrator", "dsppm"}}, Run{{"--integrator", "sppm"}},
                                          Run{{"--integrator", "photonmap"}}, Run{{}, kFinalGather},
-                                         Run{{"--integrator", "path"}}, Run{{"--integrator", "dsppm", "--seed", "9"}}),
+                                         Run{{"--integrator", "path"}}, Run{{"--integrator", "vcm"}},
+                                         Run{{"--integrator", "dsppm", "--seed", "9"}}),
                          name_of);
 
 /// The whole run's, in the statistics.

@@ -116,7 +116,7 @@ TEST_F(Bounds, TexturesThatDouble) {
 }
 
 TEST_F(Bounds, PathsWithoutEnd) {
-  for (const char* integrator : {"dsppm", "sppm", "photonmap", "path"})
+  for (const char* integrator : {"dsppm", "sppm", "photonmap", "path", "vcm"})
     expect_refused_scene(
         scene("Shape \"sphere\"\n", fmt::format("Integrator \"{}\" \"integer maxdepth\" 10001\n", integrator)),
         {"maxdepth must lie between", "and 10000"});

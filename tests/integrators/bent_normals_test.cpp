@@ -82,7 +82,7 @@ TEST(LeaningNormals, ReceiveByTheirOwnCosine) {
   for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 20000 "float radius" 0.2)",
                                  R"("dsppm" "integer photons" 20000 "float radius" 0.2 "string estimator" "hj09")",
                                  R"("sppm" "integer photons" 20000 "float radius" 0.2)",
-                                 R"("dsppm" "string direct" "sampled")", R"("photonmap")"}) {
+                                 R"("dsppm" "string direct" "sampled")", R"("photonmap")", R"("vcm")"}) {
     const Tiles seen = rendered(std::string("Integrator ") + integrator + R"(
 LookAt 0 0 3  0 0 0  0 1 0
 Camera "perspective" "float fov" 40

@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                       R"("sppm" "string emission" "power" "integer photons" 50000 "string estimator" "hj09")",
                       R"("photonmap" "string emission" "power" "integer photons" 20000 "integer causticphotons" 20000)",
                       R"("photonmap" "string emission" "power" "integer photons" 20000 "integer finalgather" 2)",
-                      R"("path")"));
+                      R"("path")", R"("vcm" "string emission" "power" "integer photons" 20000)"));
 
 }  // namespace
 }  // namespace dspm

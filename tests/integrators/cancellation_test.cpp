@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Cancellation,
                          ::testing::Values(R"("dsppm" "integer photons" 30000)", R"("sppm" "integer photons" 30000)",
                                            R"("path" "integer maxdepth" 20)",
                                            R"("photonmap" "integer photons" 30000 "integer causticphotons" 30000)",
-                                           R"("photonmap" "integer photons" 30000 "integer finalgather" 2)"));
+                                           R"("photonmap" "integer photons" 30000 "integer finalgather" 2)",
+                                           R"("vcm" "integer photons" 30000)"));
 
 }  // namespace
 }  // namespace dspm::test

@@ -32,7 +32,8 @@ LookAt 0 0 1  0 0 0  0 1 0
 Camera "perspective" "float fov" 60
 Film "rgb" "integer xresolution" 32 "integer yresolution" 32
 WorldBegin
-)") + lights + "Material \"diffuse\" Shape \"disk\" \"float radius\" 2\n";
+)") + lights +
+         "Material \"diffuse\" Shape \"disk\" \"float radius\" 2\n";
 }
 
 EmissionGuide some_guide(const Scene& scene) {
@@ -61,7 +62,8 @@ float sum_of_weights(const DirectBalance& balance, const SceneLight& light, cons
   } else if (state.pdf_emit(start.ray, start.normal, start.primitive).delta_direction) {
     lit.distance = kInfinity;
   }
-  float sum = balance.weight_of_photon(light, state, start, place) + balance.weight_of_sample(light, state, lit, place);
+  float sum = balance.weight_of_photon(light, state, start, place) +
+              balance.weight_of_sample({light, state, lit, lit.pdf_w}, place);
   if (!light.is_delta) sum += balance.weight_of_scattered(light, state, start, place);
   return sum;
 }
@@ -71,7 +73,8 @@ TEST(DirectBalance, WeightsAddUpToOne) {
     const TestScene test(room((sky + kLamps).c_str()));
     const auto scene = test.scene({FileFrame(0)});
     const EmissionGuide guide = some_guide(*scene);
-    for (const DirectWays& ways : {DirectWays{}, DirectWays{20'000, nullptr, 0.05f, 3}, DirectWays{30'000, &guide, 0.05f, 2}}) {
+    for (const DirectWays& ways :
+         {DirectWays{}, DirectWays{20'000, nullptr, 0.05f, 3}, DirectWays{30'000, &guide, 0.05f, 2}}) {
       const DirectBalance balance(*scene, ways);
       EXPECT_EQ(balance.scatters(), !sky.empty());
       int shared = 0;

@@ -101,7 +101,8 @@ TEST_P(FilmPoint, IsThePixelsMiddleWithoutJitter) {
 INSTANTIATE_TEST_SUITE_P(Integrators, FilmPoint,
                          testing::Values("\"path\"", "\"dsppm\" \"integer photons\" 1",
                                          "\"sppm\" \"integer photons\" 1 \"string estimator\" \"hj09\"",
-                                         "\"photonmap\" \"integer photons\" 1 \"integer causticphotons\" 1"));
+                                         "\"photonmap\" \"integer photons\" 1 \"integer causticphotons\" 1",
+                                         "\"vcm\" \"integer photons\" 100"));
 
 // A disk of radius 0.1 before a lens of radius 0.5 that is focused at infinity: at any pixel the rays are parallel and
 // cover the lens, so the share of them that meets the disk is (0.1 / 0.5)^2, wherever in view the disk is.

@@ -76,6 +76,7 @@ inline constexpr FloorIntegrator kFloorIntegrators[] = {
     {R"("dsppm" "integer photons" {1} "string estimator" "hj09" "string direct" "sampled" "float radius" {0})", 2},
     {R"("dsppm" "integer photons" {1} "string estimator" "kz11" "string direct" "sampled" "float radius" {0})", 2},
     {R"("photonmap" "integer photons" 1000 "integer causticphotons" {1} "float causticradius" {0})", 1},
+    {R"("vcm" "integer photons" {1} "float radius" {0})", 2},
 };
 
 enum class By { all, photons };  // photons alone find points and directions by way of glass and mirrors

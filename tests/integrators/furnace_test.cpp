@@ -43,12 +43,14 @@ INSTANTIATE_TEST_SUITE_P(
              2},
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 4
 "integer causticphotons" 20000)",
-             1}));
+             1},
+        Case{R"("vcm" "integer maxdepth" 40 "integer photons" 8000)", 2},
+        Case{R"("vcm" "integer maxdepth" 40 "bool merge" false)", 4}));
 
 class OpenFurnace : public testing::TestWithParam<const char*> {};
 
 TEST_P(OpenFurnace, ShowsTheAlbedo) {
-  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 5000)"}) {
+  for (const char* integrator : {R"("path")", R"("dsppm" "integer photons" 5000)", R"("vcm" "integer photons" 2000)"}) {
     const Verdict verdict = check_open_furnace(GetParam(), integrator, 8, {0.01, 0.01});
     EXPECT_TRUE(verdict.passed) << integrator << " " << GetParam() << ": " << verdict.message;
   }

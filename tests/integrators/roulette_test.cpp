@@ -76,7 +76,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Roulette,
                          testing::Values(R"("path")", R"("sppm" "integer photons" 100)",
                                          R"("dsppm" "integer photons" 100 "string estimator" "hj09")",
                                          R"("dsppm" "integer photons" 100 "string direct" "sampled")",
-                                         R"("photonmap" "integer photons" 100 "integer causticphotons" 100)"));
+                                         R"("photonmap" "integer photons" 100 "integer causticphotons" 100)",
+                                         R"("vcm" "integer photons" 100)"));
 
 }  // namespace
 }  // namespace dspm::test

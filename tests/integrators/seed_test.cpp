@@ -22,7 +22,7 @@ Translate 0 0 -3 Shape "disk" "float radius" 2
 }
 
 TEST(Seed, IsThatOfPhotons) {
-  for (const char* integrator : {"dsppm", "sppm", "photonmap"}) {
+  for (const char* integrator : {"dsppm", "sppm", "photonmap", "vcm"}) {
     const Image image = disk(integrator, 1);
     EXPECT_EQ(image, disk(integrator, 1)) << integrator;
     EXPECT_FALSE(image == disk(integrator, 2)) << integrator;

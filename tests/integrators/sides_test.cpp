@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Sides,
                          testing::Values(R"("dsppm" "string estimator" "kz11" )" + kPhotons,
                                          R"("dsppm" "string estimator" "hj09" )" + kPhotons, "\"sppm\" " + kPhotons,
                                          R"("photonmap" "integer photons" 100000 "integer causticphotons" 1000)",
-                                         "\"path\""),
+                                         "\"path\"", R"("vcm" "integer photons" 5000)"),
                          [](const auto& of) { return "Case" + std::to_string(of.index); });
 
 }  // namespace

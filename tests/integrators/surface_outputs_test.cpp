@@ -216,7 +216,8 @@ TEST_P(SurfaceOutputs, CountAsMemory) {
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, SurfaceOutputs,
-    testing::Values(R"("path")", R"("dsppm" "string emission" "power" "integer photons" 500)",
+    testing::Values(R"("path")", R"("vcm" "string emission" "power" "integer photons" 500)",
+                    R"("dsppm" "string emission" "power" "integer photons" 500)",
                     R"("sppm" "string emission" "power" "integer photons" 500)",
                     R"("photonmap" "string emission" "power" "integer photons" 500 "integer causticphotons" 500)"));
 

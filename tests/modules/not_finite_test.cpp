@@ -72,7 +72,7 @@ TEST_P(NotFinite, IsKeptOutAndTold) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, NotFinite,
                          testing::Values(R"("dsppm")", R"("sppm")", R"("photonmap")",
-                                         R"("photonmap" "integer finalgather" 2)", R"("path")"));
+                                         R"("photonmap" "integer finalgather" 2)", R"("path")", R"("vcm")"));
 
 }  // namespace
 }  // namespace dspm::test

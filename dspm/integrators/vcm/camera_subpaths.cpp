@@ -1,0 +1,238 @@
+#include "dspm/integrators/vcm/camera_subpaths.h"
+
+#include "dspm/integrators/branching_path.h"
+#include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/gather.h"
+#include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/tiles.h"
+#include "dspm/integrators/vcm/connection.h"
+#include "dspm/integrators/vcm/light_densities.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kTileSide = 16;
+
+struct CameraSubpath : CameraPath {
+  SubpathWeights weights;  // beyond the last vertex
+};
+
+class CameraSubpathTracer {
+ public:
+  CameraSubpathTracer(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map, SeenLightSums& sums)
+      : pass_(pass), scene_(pass.scene), light_(light), map_(map), sums_(sums), branches_(pass.scene, counts_) {}
+
+  void trace(int x, int y) {
+    strands_.clear();
+    pixel_ = camera_path_index(pass_.render, x, y), loaded_ = false;
+    start_camera_paths(
+        scene_, pass_.render, x, y, pass_.iteration,
+        [&](const CameraPath& path) {
+          branches_.push({path, {}});
+        },
+        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
+    branches_.follow(*this);
+    branches_.count_path();
+  }
+
+  const PathCounts& counts() const { return counts_; }
+  const GatherCounts& gathers() const { return gathers_; }
+
+ private:
+  friend BranchingPath<CameraSubpath>;
+
+  /// The pixel's, in any crop.
+  const LightSubpath& light_subpath() {
+    if (!loaded_) {
+      const StrandTable* strands = nullptr;
+      const auto vertices = light_.of(pixel_ % static_cast<std::uint64_t>(pass_.settings.photons), strands);
+      light_subpath_.load(scene_, vertices, *strands);
+    }
+    loaded_ = true;
+    return light_subpath_;
+  }
+
+  bool postpones(const CameraSubpath&, const HitPartition&) { return false; }
+
+  void escaped(const CameraSubpath& path, FrameSet frames) {
+    const Vec3& w = path.ray.direction;
+    for_each_escape(scene_, frames, w,
+                    [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
+                      const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(w);
+                      const float emission = emission_density(scene_light, light, {path.ray.origin, -w}, {}, -1);
+                      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
+                          [&] { return light_element(scene_, scene_light); });
+                    });
+  }
+
+  void lost(const CameraSubpath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
+
+  void arrived(const CameraSubpath& path, const Vertex& vertex) {
+    const float cosine = std::abs(dot(vertex.wo, vertex.point.ng));
+    if (!(cosine > 0)) return;
+    CameraSubpath here = path;
+    here.frames = vertex.frames;
+    here.weights = path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine)
+                                    : weights_at_first_vertex(path, vertex, cosine);
+    add_emission(here, vertex);
+    if (path.bounces >= pass_.settings.max_depth) return;
+    FrameArray<Surface> surfaces;
+    FrameArray<SubpathScattering> scattered;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) {
+        surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
+        add_next_event(here, vertex, frames, bsdf);
+        if (pass_.ways.merging > 0) merge(here, vertex, frames, bsdf);
+      }
+      const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
+      if (scattering && is_finite(scattering->sample.wi))
+        scattered.add(*scattering);
+      else if (scattering)
+        reject(here, frames, vertex.material_element());
+    });
+    if (pass_.ways.connecting && !surfaces.empty()) connect(here, vertex, std::span<const Surface>(surfaces));
+    for_each_joint(scattered, pass_.settings.share_paths,
+                   [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
+                     extend(here, vertex, first, factors);
+                   });
+  }
+
+  /// A camera that cannot tell where it sees a point has no light subpaths connected to it.
+  SubpathWeights weights_at_first_vertex(const CameraSubpath& path, const Vertex& vertex, float cosine) const {
+    if (pass_.ways.sighting == 0) return {};
+    const auto sight = path.camera->sight(vertex.point.p, path.random.pair(0, kLightDirection));
+    return sight ? SubpathWeights::at_first_vertex(pass_.ways, sight->pixels_per_area * cosine) : SubpathWeights{};
+  }
+
+  /// `next_event`: of a shadow ray from the last vertex to the light, by solid angle.
+  static float weight_of_hit(const CameraSubpath& path, float next_event, float emission) {
+    return dspm::weight_of_hit(path.pdf_w > 0 ? next_event / path.pdf_w : 0, emission, path.weights);
+  }
+
+  void add_emission(const CameraSubpath& path, const Vertex& vertex) {
+    for_each_emission(scene_, vertex, path.frames, [&](FrameSet lit, const Rgb& radiance, const Light& light) {
+      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+      const SurfacePoint& point = vertex.point;
+      const int primitive = vertex.hit.primitive;
+      const float next_event =
+          path.pdf_w > 0 ? light_samples(scene_, scene_light) * light.pdf_w(path.from, point, primitive) : 0;
+      const float emission = emission_density(scene_light, light, {point.p, vertex.wo}, point.ng, primitive);
+      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
+          [&] { return vertex.emitter_element(); });
+    });
+  }
+
+  void add_next_event(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.all_lobes();
+    const auto weight = [&](const LightSample& sample) {
+      const Vec3& wi = sample.lit.wi;
+      const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
+      return weight_of_next_event(pass_.ways, hit,
+                                  {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                   emission_over_next_event(scene_, sample, vertex.point)});
+    };
+    sample_direct_light(scene_, path, vertex, frames, bsdf, lobes, counts_, weight,
+                        [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
+                          add(path, {lit, radiance, nullptr}, giver);
+                        });
+  }
+
+  void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
+    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.weights};
+    light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
+      add(path, brought, [&] { return vertex.material_element(); });
+    });
+  }
+
+  void merge(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const LobeSet lobes = bsdf.all_lobes();
+    const auto giver = [&] { return vertex.material_element(); };
+    gathers_.gathers.add(frames.count());
+    Rgb shared;  // by all frames
+    gathers_.tests += map_.for_each_within(
+        vertex.point.p, pass_.radius * pass_.radius, frames, [&](const LightVertex& light, const Strand* strands) {
+          const FrameSet common = light.frames & frames;
+          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
+          gathers_.found.add(common.count());
+          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
+          if (is_black(f)) return;
+          const float weight = weight_of_merging(
+              pass_.ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
+              {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
+          const Rgb radiance = light.flux * f * (weight / pass_.ways.merging);
+          if (common == frames && strands == nullptr && is_finite(radiance))
+            shared += radiance;
+          else
+            add(path, {common, radiance, strands}, giver);
+        });
+    if (!is_black(shared)) add(path, {frames, shared, nullptr}, giver);
+  }
+
+  void extend(const CameraSubpath& path, const Vertex& vertex, const SubpathScattering& scattering,
+              std::span<const FrameFactor> factors) {
+    const BsdfSample& sample = scattering.sample;
+    CameraSubpath& branch = branches_.push(path);
+    extend_ray(branch, vertex.point, sample);
+    branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
+    branch.weights = weights_after(path.weights, pass_.ways, vertex.point, scattering);
+    const float u = path.random.number(path.bounces, kRoulette);
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
+      if (!is_finite(after)) {
+        reject(path, frames, vertex.material_element());
+        return Rgb();
+      }
+      const float p = roulette_chance(after, branch.eta_scale, path.bounces);
+      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+    };
+    const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
+    if (!multiply(branch, factors, strands_, by_ratio, roulette)) branches_.drop();
+  }
+
+  /// `giver`: its source, blamed if it is not finite.
+  template <class WhoGave>
+  void add(const CameraSubpath& path, const Brought& brought, WhoGave&& giver) {
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
+      for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
+        const Rgb seen = path.throughput * own * brought.radiance * weight;
+        if (!is_finite(seen)) return reject(path, frames, giver());
+        sums_.add({path.pixel, frames, seen});
+      });
+    });
+  }
+  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
+    gathers_.rejections.add(giver, frames, path.pixel);
+  }
+
+  const VcmPass& pass_;
+  const Scene& scene_;
+  const LightSubpaths& light_;
+  const LightVertexMap& map_;
+  SeenLightSums& sums_;
+  PathCounts counts_;
+  GatherCounts gathers_;
+  std::uint64_t pixel_ = 0;
+  LightSubpath light_subpath_;  // of that pixel, once loaded
+  bool loaded_ = false;
+  StrandTable strands_;  // of the pixel's path
+  BranchingPath<CameraSubpath> branches_;
+};
+
+}  // namespace
+
+void trace_camera_subpaths(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map,
+                           SeenLightSums& sums, Statistics& statistics) {
+  const PixelRect& crop = pass.render.crop;
+  const auto tiles = static_cast<std::size_t>(tile_count(crop, kTileSide));
+  std::vector<PathCounts> paths(tiles);
+  std::vector<GatherCounts> gathers(tiles);
+  parallel_for(static_cast<std::int64_t>(tiles), 1, [&](std::int64_t t) {
+    CameraSubpathTracer tracer(pass, light, map, sums);
+    for_each_pixel_of_tile(crop, kTileSide, static_cast<int>(t), [&](int x, int y) { tracer.trace(x, y); });
+    paths[static_cast<std::size_t>(t)] = tracer.counts(), gathers[static_cast<std::size_t>(t)] = tracer.gathers();
+  });
+  for (const PathCounts& counts : paths) statistics.camera += counts;
+  account(gathers, statistics);
+}
+
+}  // namespace dspm

@@ -1,0 +1,16 @@
+// Camera subpaths of vertex connection and merging: at every vertex they look for the lights, are connected to the
+// vertices of one light subpath, and merged with those of all.
+#pragma once
+
+#include "dspm/integrators/seen_light.h"
+#include "dspm/integrators/vcm/light_subpaths.h"
+#include "dspm/integrators/vcm/light_vertex_map.h"
+#include "dspm/integrators/vcm/vcm_pass.h"
+
+namespace dspm {
+
+/// One camera path per pixel, in parallel over tiles. `map`: of the light subpaths' vertices; empty without merging.
+void trace_camera_subpaths(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map,
+                           SeenLightSums& sums, Statistics& statistics);
+
+}  // namespace dspm

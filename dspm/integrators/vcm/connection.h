@@ -1,0 +1,84 @@
+// The light subpath that a camera path is connected to, and the connections of a camera vertex to its vertices: one
+// shadow ray for all frames that hold both ends, each frame with its own scattering functions and weight.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/vcm/light_subpaths.h"
+#include "dspm/integrators/vcm/vcm_pass.h"
+#include "dspm/math/frame_array.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// One of a vertex's scattering functions.
+struct Surface {
+  FrameSet frames;
+  BsdfSlot bsdf;
+};
+
+/// A vertex of a camera subpath.
+struct CameraVertex {
+  const Vertex& vertex;
+  std::span<const Surface> surfaces;  // that can be connected
+  FrameSet frames;
+  int bounces;
+  SubpathWeights weights;
+};
+
+/// What light brings along one way, in some frames. `strands`: the light subpath's, to be multiplied.
+struct Brought {
+  FrameSet frames;
+  Rgb radiance;
+  const Strand* strands;
+};
+
+class LightSubpath {
+ public:
+  void load(const Scene& scene, std::span<const LightVertex> vertices, const StrandTable& strands);
+
+  /// Calls fn(const Brought&) for what each vertex sends by way of the camera vertex, where nothing is in between.
+  template <class Fn>
+  void for_each_connection(const VcmPass& pass, const CameraVertex& camera, PathCounts& counts, Fn&& fn) const {
+    for (const End& end : ends_) {
+      if (camera.bounces + end.vertex->bounces + 2 > pass.settings.max_depth) continue;
+      const FrameSet frames = camera.frames & end.vertex->frames;
+      const Vec3 way = end.point.p - camera.vertex.point.p;
+      const float distance = length(way);
+      if (frames.empty() || !(distance > 0)) continue;
+      FrameArray<Brought> parts;
+      const FrameSet joined = join(pass, camera, end, frames, way / distance, distance, parts);
+      if (joined.empty()) continue;
+      ++counts.shadow_rays;
+      const Ray segment = shadow_ray(camera.vertex.point, {way / distance, distance, Rgb(), 0});
+      for_each_open(pass.scene, segment, joined, [&](FrameSet open, const Rgb& transmittance) {
+        for (const Brought& part : parts)
+          if (const FrameSet lit = part.frames & open; !lit.empty())
+            fn(Brought{lit, part.radiance * transmittance, part.strands});
+      });
+    }
+  }
+
+ private:
+  struct End {
+    const LightVertex* vertex;
+    const Strand* strands;
+    SurfacePoint point;
+    std::size_t first, count;  // of its surfaces
+  };
+
+  /// Adds what comes from the end in each of these frames if nothing is in between; returns the frames with light.
+  FrameSet join(const VcmPass& pass, const CameraVertex& camera, const End& end, FrameSet frames, const Vec3& w,
+                float distance, FrameArray<Brought>& parts) const;
+
+  std::vector<End> ends_;
+  std::vector<Surface> surfaces_;  // of all ends
+};
+
+}  // namespace dspm

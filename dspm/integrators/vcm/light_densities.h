@@ -1,0 +1,61 @@
+// The densities of a light's two ways to start a path, of photons and of shadow rays, on one measure.
+#pragma once
+
+#include <cmath>
+
+#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/vcm/subpath_weights.h"
+#include "dspm/lights/light.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// Whether the light's own vertex is a direction rather than a point, so that densities do not fall with the distance.
+inline bool is_parallel(const Light& light, const EmissionPdf& pdf) {
+  return light.is_infinite() || pdf.delta_direction;
+}
+
+/// Of the choice of the light, the start and the direction of a light subpath. 0: unknown.
+inline float emission_density(float choice, const EmissionPdf& pdf) { return choice * pdf.position * pdf.direction; }
+inline float emission_density(const SceneLight& light, const Light& state, const Ray& start, const Vec3& normal,
+                              int primitive) {
+  return emission_density(light.photon_probability, state.pdf_emit(start, normal, primitive));
+}
+
+/// The sums of a light subpath at its first vertex. `distance2`: of the first segment; `cosine`: at the vertex.
+inline SubpathWeights weights_at_first_vertex(const Scene& scene, const SceneLight& scene_light, const Light& light,
+                                              const Emission& emission, const SurfacePoint& point, float distance2,
+                                              float cosine) {
+  const float emitted = emission_density(scene_light.photon_probability, emission.pdf),
+              samples = light_samples(scene, scene_light);
+  const Vec3& w = emission.ray.direction;
+  if (is_parallel(light, emission.pdf)) {
+    const bool delta = emission.pdf.delta_direction;
+    const float next_event = samples * (delta ? 1 : light.escaped_pdf_w(-w));
+    return SubpathWeights::leaving_light(next_event, emitted, delta ? 0.f : 1.f).arrived(1, cosine);
+  }
+  if (emission.pdf.delta_position) return SubpathWeights::leaving_light(samples, emitted, 0).arrived(distance2, cosine);
+  const float cosine_at_light = std::abs(dot(emission.normal, w));
+  SurfacePoint start{};
+  start.p = emission.ray.origin, start.ng = start.ns = emission.normal;
+  const float next_event = samples * light.pdf_w(point.p, start, emission.primitive) * cosine_at_light / distance2;
+  return SubpathWeights::leaving_light(next_event, emitted, cosine_at_light).arrived(distance2, cosine);
+}
+
+/// A light subpath's density, by area, at a vertex that a shadow ray connects to the light, over that of the shadow
+/// ray.
+inline float emission_over_next_event(const Scene& scene, const LightSample& sample, const SurfacePoint& point) {
+  const Illumination& lit = sample.lit;
+  const Ray start{std::isfinite(lit.distance) ? point.p + lit.wi * lit.distance : point.p, -lit.wi};
+  const EmissionPdf pdf = sample.light.pdf_emit(start, lit.normal, lit.primitive);
+  const float emitted = emission_density(sample.scene_light.photon_probability, pdf) * std::abs(dot(lit.wi, point.ng));
+  if (emitted == 0) return 0;
+  const bool delta = !(sample.pdf_w > 0);
+  const float own = delta ? light_samples(scene, sample.scene_light) : sample.pdf_w;
+  if (is_parallel(sample.light, pdf)) return emitted / own;
+  // A point of a surface has a density by area there: the distance cancels.
+  return delta ? emitted / (own * lit.distance * lit.distance) : emitted / (own * std::abs(dot(lit.normal, lit.wi)));
+}
+
+}  // namespace dspm

@@ -1,0 +1,224 @@
+#include "dspm/integrators/vcm/light_subpaths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/integrators/branching_path.h"
+#include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/photon.h"
+#include "dspm/integrators/photon_starts.h"
+#include "dspm/integrators/vcm/light_densities.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::int64_t kPathsPerChunk = 2048;
+
+struct LightPath : PathState {
+  SubpathWeights weights;  // beyond the last vertex
+};
+
+class LightPathTracer {
+ public:
+  LightPathTracer(const VcmPass& pass, const PhotonStarts& starts, LightTrace& out)
+      : pass_(pass), scene_(pass.scene), starts_(starts), out_(out), branches_(pass.scene, out.paths) {}
+
+  void trace(std::uint64_t path_index) {
+    const PathRandom random(pass_.render.seed, Stream::photon, path_index, pass_.iteration);
+    const EmissionStart chosen = start_of(pass_.guide, scene_, random);
+    if (chosen.density > 0)
+      for (const PhotonStart& start : starts_.of(chosen.light)) {
+        // States that would start alike with other densities than their own part.
+        if (start.varied == nullptr)
+          follow(chosen, start, random);
+        else
+          for (const auto& [frames, light] : start.varied->states)
+            follow(chosen, {light.get(), frames, Rgb(1), 0}, random);
+      }
+    branches_.count_path();
+    out_.ends.push_back(out_.vertices.size());
+  }
+
+ private:
+  friend BranchingPath<LightPath>;
+
+  void follow(const EmissionStart& chosen, const PhotonStart& start, const PathRandom& random) {
+    const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(chosen.light)];
+    const EmissionNumbers& u = chosen.numbers;
+    const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
+    if (!emission || is_black(emission->flux) || !(emission_density(scene_light.probability, emission->pdf) > 0))
+      return;
+    const Rgb flux = emission->flux * start.factor / chosen.density;
+    if (!is_finite(flux) || !is_finite(emission->ray))
+      return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
+    light_ = start.light, scene_light_ = &scene_light, emission_ = *emission;
+    LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
+    path.random = random, path.strands = start.strands;
+    branches_.follow(*this);
+  }
+
+  bool postpones(const LightPath&, const HitPartition&) { return false; }
+  void escaped(const LightPath&, FrameSet) {}
+  void lost(const LightPath&, FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
+
+  void arrived(const LightPath& path, const Vertex& vertex) {
+    const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
+    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
+    const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine)
+                                                    : weights_at_first_vertex(scene_, *scene_light_, *light_, emission_,
+                                                                              vertex.point, distance2, cosine);
+    FrameSet connecting;
+    FrameArray<SubpathScattering> scattered;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) connecting |= frames;
+      if (path.bounces + 1 < pass_.settings.max_depth)
+        if (const auto scattering = scatter(path, vertex, frames, bsdf)) scattered.add(*scattering);
+    });
+    if (!connecting.empty()) store(path, weights, vertex, connecting);
+    for_each_joint(scattered, pass_.settings.share_paths,
+                   [&](const SubpathScattering& first, std::span<const FrameFactor> factors) {
+                     extend(path, weights, vertex, first, factors);
+                   });
+  }
+
+  std::optional<SubpathScattering> scatter(const LightPath& path, const Vertex& vertex, FrameSet frames,
+                                           const Bsdf& bsdf) {
+    auto scattering = dspm::scatter(path, vertex, frames, bsdf, Transport::flux);
+    if (!scattering) return std::nullopt;
+    if (!is_finite(scattering->sample.wi)) {
+      out_.rejections.add(vertex.material_element(), frames);
+      return std::nullopt;
+    }
+    scattering->factor *= shading_correction(vertex.point, vertex.wo, scattering->sample.wi);
+    return scattering;
+  }
+
+  void extend(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex,
+              const SubpathScattering& scattering, std::span<const FrameFactor> factors) {
+    LightPath& branch = branches_.push(path);
+    extend_ray(branch, vertex.point, scattering.sample);
+    branch.weights = weights_after(weights, pass_.ways, vertex.point, scattering);
+    const float u = path.random.number(path.bounces, kRoulette);
+    const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
+      if (!is_finite(after)) {
+        out_.rejections.add(vertex.material_element(), frames);
+        return Rgb();
+      }
+      const float p = std::min(1.f, max_component(after) / max_component(before));
+      return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
+    };
+    if (!multiply(branch, factors, out_.strands, ByRatio::yes, roulette)) branches_.drop();
+  }
+
+  void store(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex, FrameSet frames) {
+    const SurfacePoint& point = vertex.point;
+    // If the normals disagree about the side, every scattering function is zero.
+    const float geometric = dot(vertex.wo, point.ng), shading = dot(vertex.wo, point.ns);
+    if (!(geometric * shading > 0)) return;
+    Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
+    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
+    const LightVertex stored{point.p, vertex.wo, flux, frames, strands, path.bounces, weights, vertex.hit};
+    if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path.random);
+    if (!pass_.settings.connect && !pass_.settings.merge) return;
+    out_.vertices.push_back(stored);
+    out_.stored.add(frames.count());
+    out_.paths.weighted += strands != 0;
+  }
+
+  void connect_to_camera(const LightVertex& light, const Vertex& vertex, const PathRandom& random) {
+    const Vec2 lens = random.pair(light.bounces + 1, kLightPoint);
+    scene_.camera.for_each(light.frames, [&](FrameSet seeing, const Camera& camera) {
+      const auto sight = camera.sight(light.p, lens);
+      if (sight && is_seen(sight->film, pass_.render)) send(light, vertex, *sight, seeing);
+    });
+  }
+
+  /// To the camera, as a radiance that is flux f times the pixels that a unit of area covers.
+  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, FrameSet seeing) {
+    const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));
+    FrameArray<FrameFactor> parts;
+    FrameSet sent;
+    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+      const FrameSet common = frames & seeing;
+      if (common.empty()) return;
+      const LobeSet lobes = bsdf.all_lobes();
+      const Rgb f = bsdf.evaluate(sight.w, light.wi, Transport::radiance, lobes);
+      if (is_black(f)) return;
+      const float reverse_pdf_w = bsdf.pdf_w(sight.w, light.wi, Transport::radiance, lobes);
+      const float weight = weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting});
+      const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
+      if (!is_finite(radiance)) return out_.rejections.add(vertex.material_element(), common);
+      parts.add({common, radiance});
+      sent |= common;
+    });
+    if (sent.empty()) return;
+    ++out_.paths.shadow_rays;
+    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), sent,
+                  [&](FrameSet open, const Rgb& transmittance) {
+                    for (const FrameFactor& part : parts)
+                      for_each_strand(
+                          out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                            if (!frames.empty())
+                              out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance});
+                          });
+                  });
+  }
+
+  const VcmPass& pass_;
+  const Scene& scene_;
+  const PhotonStarts& starts_;
+  LightTrace& out_;
+  BranchingPath<LightPath> branches_;
+  // Of the path that is being followed.
+  const Light* light_ = nullptr;
+  const SceneLight* scene_light_ = nullptr;
+  Emission emission_;
+};
+
+void clear(LightTrace& trace, const StrandTable& of_lights) {
+  trace.vertices.clear();
+  trace.ends.clear();
+  trace.splats.clear();
+  trace.strands = of_lights;
+  trace.paths = {}, trace.stored = {}, trace.rejections = {};
+}
+
+}  // namespace
+
+void LightSubpaths::trace(const VcmPass& pass) {
+  const PhotonStarts starts(pass.scene, pass.settings.share_paths);
+  traces_.resize(static_cast<std::size_t>(chunk_count(pass.settings.photons, kPathsPerChunk)));
+  parallel_chunks(pass.settings.photons, kPathsPerChunk, [&](std::int64_t begin, std::int64_t end) {
+    LightTrace& trace = traces_[static_cast<std::size_t>(begin / kPathsPerChunk)];
+    clear(trace, starts.strands());
+    LightPathTracer tracer(pass, starts, trace);
+    for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i));
+  });
+}
+
+std::span<const LightVertex> LightSubpaths::of(std::uint64_t index, const StrandTable*& strands) const {
+  const LightTrace& trace = traces_[static_cast<std::size_t>(index / kPathsPerChunk)];
+  const auto path = static_cast<std::size_t>(index % kPathsPerChunk);
+  const std::size_t begin = path == 0 ? 0 : trace.ends[path - 1];
+  strands = &trace.strands;
+  return std::span(trace.vertices).subspan(begin, trace.ends[path] - begin);
+}
+
+void LightSubpaths::account(Statistics& statistics) const {
+  for (const LightTrace& trace : traces_) {
+    statistics.photon += trace.paths;
+    statistics.photons_stored += trace.stored;
+    statistics.rejections += trace.rejections;
+  }
+}
+
+std::size_t LightSubpaths::bytes() const {
+  std::size_t sum = 0;
+  for (const LightTrace& trace : traces_)
+    sum += trace.vertices.capacity() * sizeof(LightVertex) + trace.ends.capacity() * sizeof(std::size_t) +
+           trace.splats.capacity() * sizeof(Splat) + trace.strands.bytes();
+  return sum;
+}
+
+}  // namespace dspm

@@ -1,0 +1,56 @@
+// Light subpaths: traced once for all frames, split where frames part. Their vertices are stored for connections and
+// merging, and connected to the camera.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/integrators/strand.h"
+#include "dspm/integrators/vcm/splats.h"
+#include "dspm/integrators/vcm/subpath_weights.h"
+#include "dspm/integrators/vcm/vcm_pass.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// A vertex on a surface that scatters not only by specular lobes.
+struct LightVertex {
+  Vec3 p, wi;  // towards where the flux came from
+  Rgb flux;    // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
+  FrameSet frames;
+  StrandList strands;  // in its trace's table
+  int bounces;         // scatterings before
+  SubpathWeights weights;
+  RayHit hit;
+};
+
+/// The results of a range of light subpaths.
+struct LightTrace {
+  std::vector<LightVertex> vertices;  // by path index, then branch
+  std::vector<std::size_t> ends;      // of each path's vertices
+  std::vector<Splat> splats;
+  StrandTable strands;
+  PathCounts paths;
+  SharedCount stored;
+  Rejections rejections;
+};
+
+class LightSubpaths {
+ public:
+  /// Traces all of an iteration in parallel.
+  void trace(const VcmPass& pass);
+  const std::vector<LightTrace>& traces() const { return traces_; }
+  /// Of path `index`; `strands` becomes the table of their strands.
+  std::span<const LightVertex> of(std::uint64_t index, const StrandTable*& strands) const;
+  void account(Statistics& statistics) const;
+  std::size_t bytes() const;
+
+ private:
+  std::vector<LightTrace> traces_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,27 @@
+// Light that light subpaths send to places of the film, and its sum over pixels.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/seen_light.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+struct Splat {
+  Vec2 film;  // in pixels of the full image
+  FrameSet frames;
+  Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
+};
+
+/// Whether a pixel of the crop sees the place.
+bool is_seen(Vec2 film, const RenderSettings& render);
+
+/// Adds the splats, in their order, to every pixel of the crop whose filter reaches them.
+void add_splats(std::span<const std::span<const Splat>> splats, const RenderSettings& render, SeenLightSums& sums);
+
+}  // namespace dspm

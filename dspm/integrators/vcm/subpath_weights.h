@@ -1,0 +1,75 @@
+// How vertex connection and merging weighs the ways to find one and the same path, by the balance heuristic. Each
+// subpath carries two sums over other ways to find it, relative to its own density; a way's weight needs only the sums
+// of its two ends. [Georgiev 2012, Implementing Vertex Connection and Merging; (n) is an equation there]
+//
+// The sums hold for every frame of the subpath: frames stay together only as long as all densities are the same.
+// Russian roulette is left out of all densities. Of the report's three sums, d_VM is d_VC / eta: hits of lights, shadow
+// rays and connections to the camera never depend on whether paths are merged.
+#pragma once
+
+namespace dspm {
+
+/// Which ways there are, besides camera paths that hit lights and shadow rays to lights.
+struct VcmWays {
+  float merging = 0;        // eta = N pi r^2, for N light subpaths; 0: vertices are not merged
+  float sighting = 0;       // N if vertices of light subpaths are connected to the camera, else 0
+  bool connecting = false;  // vertices of camera subpaths are connected to those of light subpaths
+};
+
+struct SubpathWeights {
+  float vcm = 0;  // d_VCM: the way that connects the ends of the last segment
+  float vc = 0;   // d_VC, over the solid angle of the last segment's reverse: all shorter subpaths
+
+  /// A light's point or direction, of density `emission` together with the segment, and `next_event` when a shadow ray
+  /// samples it. `cosine`: at the light; 0 for a delta light, which no ray can hit, and 1 at infinity.
+  static SubpathWeights leaving_light(float next_event, float emission, float cosine) {
+    return {next_event / emission, cosine / emission};
+  }
+  /// The camera's first vertex, whose density by area is `pdf_a`.
+  static SubpathWeights at_first_vertex(const VcmWays& ways, float pdf_a) { return {ways.sighting / pdf_a, 0}; }
+
+  /// Arrives at a surface; the segment's squared length counts as 1 if it comes from infinity. (31), (32), (34), (35)
+  SubpathWeights arrived(float distance2, float cosine) const { return {vcm * distance2 / cosine, vc / cosine}; }
+  /// Scatters with these densities, by solid angle, of the new segment and of the reverse of the last one.
+  SubpathWeights scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine) const {
+    return {ways.connecting ? 1 / pdf_w : 0, cosine / pdf_w * (ways.merging + shorter(reverse_pdf_w))};
+  }
+  /// Both directions determine each other.
+  SubpathWeights mirrored(float cosine) const { return {0, vc * cosine}; }
+
+  /// All ways with a shorter subpath, given the density of the last segment's reverse.
+  float shorter(float reverse_pdf_w) const { return vcm + reverse_pdf_w * vc; }
+};
+
+/// A subpath's last vertex, as paths from the other subpath's end come to it.
+struct SubpathEnd {
+  SubpathWeights weights;
+  float reverse_pdf_w;  // of going on along the reverse of the last segment, by solid angle
+  float pdf_a = 0;      // of arriving here, by area, over the density of the way in question
+
+  /// All ways with a shorter subpath on this side.
+  float others(const VcmWays& ways) const { return pdf_a * (ways.merging + weights.shorter(reverse_pdf_w)); }
+};
+
+/// The camera subpath hits a light. `next_event`: the density of a shadow ray to there, over that of the hit;
+/// `emission`: of a light subpath's start there. (37), (43)
+inline float weight_of_hit(float next_event, float emission, const SubpathWeights& camera) {
+  return 1 / (1 + next_event + emission * camera.vc);
+}
+/// A shadow ray to a light. `hit`: the density of hitting it, over that of the shadow ray. (37), (44), (45)
+inline float weight_of_next_event(const VcmWays& ways, float hit, const SubpathEnd& camera) {
+  return 1 / (1 + hit + camera.others(ways));
+}
+/// (37), (40), (41)
+inline float weight_of_connection(const VcmWays& ways, const SubpathEnd& light, const SubpathEnd& camera) {
+  return 1 / (1 + light.others(ways) + camera.others(ways));
+}
+/// (37), (46)
+inline float weight_of_sighting(const VcmWays& ways, const SubpathEnd& light) { return 1 / (1 + light.others(ways)); }
+/// The ends are one vertex. (37) to (39)
+inline float weight_of_merging(const VcmWays& ways, const SubpathEnd& light, const SubpathEnd& camera) {
+  const float shorter = light.weights.shorter(light.reverse_pdf_w) + camera.weights.shorter(camera.reverse_pdf_w);
+  return 1 / (1 + shorter / ways.merging);
+}
+
+}  // namespace dspm

@@ -1,0 +1,12 @@
+// Vertex connection and merging.
+#pragma once
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/params/params.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, const RenderSettings& render);
+
+}  // namespace dspm

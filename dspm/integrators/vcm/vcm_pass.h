@@ -1,0 +1,76 @@
+// What all parts of one iteration of vertex connection and merging share.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/path_step.h"
+#include "dspm/integrators/vcm/subpath_weights.h"
+#include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+struct VcmSettings {
+  int iterations = 256;
+  int photons = 1;  // light subpaths per iteration
+  int max_depth = 8;
+  float radius = 0;  // initial
+  float alpha = 0.75f;
+  bool connect = true, merge = true, sight = true;
+  bool share_paths = true;
+  bool guided = true;  // light paths start where pilot paths were found; else by the lights' power
+};
+
+struct VcmPass {
+  const Scene& scene;
+  const RenderSettings& render;
+  const VcmSettings& settings;
+  std::uint64_t iteration;
+  float radius;  // of merging, the same everywhere and in all frames
+  VcmWays ways;
+  const EmissionGuide* guide = nullptr;  // weights do not know of it
+};
+
+/// How a subpath is scattered in some of its frames. Frames stay together only if all their densities are the same.
+struct SubpathScattering {
+  FrameSet frames;
+  Rgb factor;
+  BsdfSample sample;
+  float reverse_pdf_w;
+
+  std::optional<Rgb> along(const SubpathScattering& first) const {
+    const BsdfSample& s = first.sample;
+    const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
+                      sample.pdf_w == s.pdf_w && reverse_pdf_w == first.reverse_pdf_w;
+    return same ? std::optional(factor) : std::nullopt;
+  }
+};
+
+/// Nullopt: absorbed. The factor is the sample's weight.
+inline std::optional<SubpathScattering> scatter(const PathState& path, const Vertex& vertex, FrameSet frames,
+                                                const Bsdf& bsdf, Transport transport) {
+  const LobeSet lobes = bsdf.all_lobes();
+  const auto sample = sample_bsdf(bsdf, path, vertex.wo, transport, lobes);
+  if (!sample) return std::nullopt;
+  const Transport back = transport == Transport::flux ? Transport::radiance : Transport::flux;
+  const float reverse = sample->specular ? 0 : bsdf.pdf_w(sample->wi, vertex.wo, back, lobes);
+  return SubpathScattering{frames, sample->weight, *sample, reverse};
+}
+
+/// The subpath's sums beyond the vertex.
+inline SubpathWeights weights_after(const SubpathWeights& weights, const VcmWays& ways, const SurfacePoint& point,
+                                    const SubpathScattering& scattering) {
+  const BsdfSample& sample = scattering.sample;
+  const float cosine = std::abs(dot(sample.wi, point.ng));
+  return sample.specular ? weights.mirrored(cosine)
+                         : weights.scattered(ways, sample.pdf_w, scattering.reverse_pdf_w, cosine);
+}
+
+/// Whether paths can be connected or merged here.
+inline bool can_connect(const Bsdf& bsdf) { return bsdf.lobes(kLeastRoughness) != 0; }
+
+}  // namespace dspm
