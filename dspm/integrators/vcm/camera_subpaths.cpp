@@ -1,5 +1,6 @@
 #include "dspm/integrators/vcm/camera_subpaths.h"
 
+#include "dspm/colour/rgb.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/gather.h"
@@ -7,6 +8,9 @@
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/vcm/connection.h"
 #include "dspm/integrators/vcm/light_densities.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {

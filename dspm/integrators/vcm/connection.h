@@ -12,6 +12,7 @@
 #include "dspm/integrators/vcm/vcm_pass.h"
 #include "dspm/math/frame_array.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 

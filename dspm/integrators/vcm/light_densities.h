@@ -5,7 +5,7 @@
 
 #include "dspm/integrators/direct_light.h"
 #include "dspm/integrators/vcm/subpath_weights.h"
-#include "dspm/lights/light.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 

@@ -8,6 +8,7 @@
 #include "dspm/integrators/photon.h"
 #include "dspm/integrators/photon_starts.h"
 #include "dspm/integrators/vcm/light_densities.h"
+#include "dspm/scene/scene.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
