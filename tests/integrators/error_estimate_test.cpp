@@ -85,10 +85,11 @@ TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
   EXPECT_NEAR(estimated / actual, 1, 0.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Integrators, ErrorEstimate,
-    testing::Values(R"("dsppm" "integer photons" 3000)", R"("dsppm" "integer photons" 3000 "string estimator" "hj09")",
-                    R"("dsppm" "integer photons" 3000 "string direct" "sampled")", R"("path" "integer maxdepth" 6)"));
+INSTANTIATE_TEST_SUITE_P(Integrators, ErrorEstimate,
+                         testing::Values(R"("dsppm" "integer photons" 3000)",
+                                         R"("dsppm" "integer photons" 3000 "string estimator" "hj09")",
+                                         R"("dsppm" "integer photons" 3000 "string direct" "sampled")",
+                                         R"("path" "integer maxdepth" 6)"));
 
 }  // namespace
 }  // namespace dspm::test
