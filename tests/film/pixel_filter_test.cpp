@@ -113,6 +113,27 @@ TEST(PixelFilter, Gaussian) {
   expect_profiles(*make("gaussian", {{"sigma", 2}, {"yradius", 3}}), {1.5f, 3}, lowered(1.5, 2), lowered(3, 2));
 }
 
+TEST(PixelFilter, DensityIsThatOfTheSamples) {
+  for (const char* name : {"box", "triangle", "gaussian"}) {
+    const auto filter = make(name, {{"xradius", 1.25f}, {"yradius", 0.75f}});
+    const auto in_x = [&](double x) { return static_cast<double>(filter->density({static_cast<float>(x), 0.1f})); };
+    const auto in_y = [&](double y) { return static_cast<double>(filter->density({0.2f, static_cast<float>(y)})); };
+    expect_profiles(*filter, {1.25f, 0.75f}, in_x, in_y);
+    double whole = 0;
+    for (int i = 0; i < 100; ++i) {
+      const double y = (i + 0.5) / 50 - 1;
+      whole += 0.02 * integral(
+                          [&](double x) {
+                            return static_cast<double>(filter->density({static_cast<float>(x), static_cast<float>(y)}));
+                          },
+                          -1.5, 1.5);
+    }
+    EXPECT_NEAR(whole, 1, 0.02) << name;
+    EXPECT_EQ(filter->density({1.26f, 0}), 0) << name;
+    EXPECT_EQ(filter->density({0, -0.76f}), 0) << name;
+  }
+}
+
 TEST(PixelFilter, ANarrowGaussianInAWideRadius) {
   const auto filter = make("gaussian", {{"sigma", 0.01f}});
   double variance = 0;
