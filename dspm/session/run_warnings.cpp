@@ -33,7 +33,7 @@ std::string hint_for_photons(const ParamList& params) {
   };
   std::string hint = "give the integrator more \"integer photons\"";
   if (says("emission", "power")) hint += ", \"string emission\" \"guided\"";
-  if (!says("direct", "sampled")) hint += ", \"string direct\" \"sampled\" if lamps light the picture directly";
+  if (says("direct", "photons")) hint += ", \"string direct\" \"both\"";
   return hint + ", or more iterations";
 }
 
