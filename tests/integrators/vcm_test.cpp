@@ -164,6 +164,22 @@ LightSource "spot" "rgb I" [200 150 100] "point3 from" [0.2 0.5 0] "point3 to" [
   }
 }
 
+// A spot by way of glass, seen straight and through the glass: no path of the camera hits it, and no shadow ray finds it.
+TEST(VcmWays, AgreeWithPhotonsWherePathTracingCannotGo) {
+  const Case c{"", R"(
+LightSource "spot" "rgb I" [20 18 15] "point3 from" [0.4 0.9 -0.3] "point3 to" [0 -0.5 0.2] "float coneangle" 25
+Material "dielectric"
+Translate 0 -0.5 0.2
+Shape "sphere" "float radius" 0.35)",
+               false};
+  const Tiles photons =
+      rendered(scene_of(c, R"("dsppm" "integer photons" 20000 "float radius" 0.02)"), 6, seeds(16), kQuarters);
+  const Tiles vcm =
+      rendered(scene_of(c, R"("vcm" "integer photons" 20000 "float radius" 0.02)"), 6, seeds(16), kQuarters);
+  const Verdict verdict = agreement(vcm, photons, {0.003, 0.01});
+  EXPECT_TRUE(verdict.passed) << verdict.message;
+}
+
 TEST(VcmFrames, EachIsWhatItIsAlone) {
   for (const char* ways : {"", R"("bool merge" false)", R"("bool connect" false)", R"("bool sharepaths" false)"})
     for (unsigned seed = 0; seed < 12; ++seed) {
