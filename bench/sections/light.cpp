@@ -22,17 +22,39 @@ Choices with(const Setup& setup, const char* integrator) {
   return choices;
 }
 
-std::vector<Method> methods(const Job& job, const Job& for_path, const Job& for_maps) {
-  const auto dsppm = [&](const char* direct, const char* emission) {
-    return with_text(with_text(job, "direct", direct), "emission", emission);
+/// A scene, loaded for integrators that take different parameters.
+struct Loaded {
+  LoadedScene photons, paths, maps, vcm;
+
+  Loaded(const std::filesystem::path& file, const Setup& setup)
+      : photons(load(file, with(setup, "dsppm"))),
+        paths(load(file, with(setup, "path"))),
+        maps(load(file, with(setup, "photonmap"))),
+        vcm(load(file, with(setup, "vcm"))) {}
+};
+
+struct Compared {
+  const LoadedScene& scene;
+  Method method;
+};
+
+/// Those at even places start photons where they are found, as by default; those that follow, by power.
+std::vector<Compared> methods(const Loaded& loaded) {
+  std::vector<Compared> all;
+  const auto add = [&](const LoadedScene& scene, const char* name, const char* integrator, const Job& job) {
+    all.push_back({scene, {name, integrator, job}});
+    all.push_back(
+        {scene, {fmt::format("{}, emission by power", name), integrator, with_text(job, "emission", "power")}});
   };
-  return {{"dsppm", "dsppm", dsppm("photons", "guided")},
-          {"dsppm, emission by power", "dsppm", dsppm("photons", "power")},
-          {"dsppm, direct light sampled", "dsppm", dsppm("sampled", "guided")},
-          {"dsppm, direct light sampled, emission by power", "dsppm", dsppm("sampled", "power")},
-          {"sppm", "sppm", job},
-          {"photonmap", "photonmap", for_maps},
-          {"path", "path", for_path}};
+  const Job& job = loaded.photons.job;
+  add(loaded.photons, "dsppm", "dsppm", job);
+  add(loaded.photons, "dsppm, direct light by photons", "dsppm", with_text(job, "direct", "photons"));
+  add(loaded.photons, "dsppm, direct light by rays", "dsppm", with_text(job, "direct", "sampled"));
+  add(loaded.photons, "sppm", "sppm", job);
+  add(loaded.maps, "photonmap", "photonmap", loaded.maps.job);
+  add(loaded.vcm, "vcm", "vcm", loaded.vcm.job);
+  all.push_back({loaded.paths, {"path", "path", loaded.paths.job}});
+  return all;
 }
 
 Images make_reference(const LoadedScene& loaded, double seconds) {
@@ -47,31 +69,31 @@ Images make_reference(const LoadedScene& loaded, double seconds) {
 }
 
 std::string measure_one(const std::filesystem::path& file, const Setup& setup) {
-  const double seconds = setup.quick ? 4 : 20;
-  const LoadedScene loaded = load(file, with(setup, "dsppm")), for_path = load(file, with(setup, "path")),
-                    for_maps = load(file, with(setup, "photonmap"));
+  const double seconds = setup.quick ? 4 : 10;
+  const Loaded loaded(file, setup);
   const std::string name = file.stem().string();
   say("{}: reference", name);
-  const Images truth = make_reference(loaded, kReference * seconds);
+  const Images truth = make_reference(loaded.photons, kReference * seconds);
   std::vector<std::vector<ErrorPoint>> curves;
-  const std::vector<Method> all = methods(loaded.job, for_path.job, for_maps.job);
-  for (const Method& method : all) {
+  const std::vector<Compared> all = methods(loaded);
+  for (const auto& [scene, method] : all) {
     say("{}: {}", name, method.name);
-    const std::string_view integrator = method.integrator;
-    const LoadedScene& scene = integrator == "path" ? for_path : integrator == "photonmap" ? for_maps : loaded;
     curves.push_back(converge(scene, method, truth, seconds));
   }
   Table table(
       {"method", fmt::format("error after {} s", seconds), "time to the error of emission by power, of its own"});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::vector<ErrorPoint>& usual = curves[i < 2 ? 1 : 3];
-    const double time = time_to(curves[i], error_after(usual, seconds));
-    table.row({all[i].name, fmt::format("{:.4f}", error_after(curves[i], seconds)),
-               i < 4 && time > 0 ? fmt::format("{:.3f}", time / std::min(seconds, usual.back().seconds)) : ""});
+    std::string ratio;
+    if (i % 2 == 0 && i + 1 < all.size()) {
+      const std::vector<ErrorPoint>& usual = curves[i + 1];
+      const double time = time_to(curves[i], error_after(usual, seconds));
+      if (time > 0) ratio = fmt::format("{:.3f}", time / std::min(seconds, usual.back().seconds));
+    }
+    table.row({all[i].method.name, fmt::format("{:.4f}", error_after(curves[i], seconds)), ratio});
   }
-  const auto& size = loaded.job.settings.crop;
-  return fmt::format("\n{}, {} of {} x {} pixels:\n\n", name, loaded.job.frames_in_words(), size.width(),
-                     size.height()) +
+  const Job& job = loaded.photons.job;
+  const auto& size = job.settings.crop;
+  return fmt::format("\n{}, {} of {} x {} pixels:\n\n", name, job.frames_in_words(), size.width(), size.height()) +
          table.text();
 }
 
