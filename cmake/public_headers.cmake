@@ -28,10 +28,12 @@ set(toolkit_headers
   cameras/projection.h
   colour/rgb_lanes.h
   grid/point_grid.h grid/points_within.h grid/refit.h
-  integrators/balance.h integrators/branching_path.h integrators/camera_path.h integrators/direct_light.h
+  integrators/balance.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
+  integrators/direct_light.h
   integrators/estimator.h
   integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h
-  integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_emission.h
+  integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
+  integrators/learn_emission.h
   integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
   integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
   integrators/pixel_statistics.h

@@ -27,7 +27,7 @@ class Pilot {
     settings_.share_paths = true;
   }
 
-  float typical_radius() const {
+  float typical_radius() {
     std::vector<float> radii;
     for (const HitPointTile& tile : trace(nullptr, 0))
       for (const HitPoint& hit : tile.hit_points) radii.push_back(hit.radius);
@@ -37,31 +37,41 @@ class Pilot {
     return *middle;
   }
 
-  /// Of what rays that share direct light as `balance` says bring to the hit points, by pixel and frame; null: none.
-  std::vector<double> direct_light(const DirectBalance* balance, int again) const {
+  /// Of what rays that share direct light as `balance` says bring to the hit points, by pilot pixel and frame; null:
+  /// none.
+  std::vector<double> direct_light(const DirectBalance* balance, int again) {
     const auto frames = static_cast<std::size_t>(scene_.frame_count());
-    std::vector<double> sums(static_cast<std::size_t>(render_.crop.count()) * frames);
+    const int columns = (render_.width - 1) / stride_ + 1, rows = (render_.height - 1) / stride_ + 1;
+    std::vector<double> sums(static_cast<std::size_t>(columns * rows) * frames);
     for (const HitPointTile& tile : trace(balance, again))
-      for (const SeenLight& light : tile.seen)
+      for (const SeenLight& light : tile.seen) {
+        const int x = light.pixel % render_.width, y = light.pixel / render_.width;
+        const auto place = static_cast<std::size_t>(y / stride_ * columns + x / stride_);
         light.frames.for_each([&](Frame f) {
-          sums[static_cast<std::size_t>(light.pixel) * frames + static_cast<std::size_t>(f)] +=
-              static_cast<double>(luminance(light.radiance));
+          sums[place * frames + static_cast<std::size_t>(f)] += static_cast<double>(luminance(light.radiance));
         });
+      }
+    sums_bytes_ += sums.size() * sizeof(double);
     return sums;
   }
 
+  std::size_t bytes() const { return tile_bytes_ + sums_bytes_; }
+
  private:
-  std::vector<HitPointTile> trace(const DirectBalance* balance, int again) const {
+  std::vector<HitPointTile> trace(const DirectBalance* balance, int again) {
     HitPointSettings settings = settings_;
     settings.sample_direct = balance != nullptr, settings.direct = balance;
-    return trace_hit_points(scene_, render_, settings, kPilotIteration + static_cast<std::uint64_t>(again), {},
-                            stride_);
+    std::vector<HitPointTile> tiles =
+        trace_hit_points(scene_, render_, settings, kPilotIteration + static_cast<std::uint64_t>(again), {}, stride_);
+    tile_bytes_ = std::max(tile_bytes_, bytes_of(tiles));
+    return tiles;
   }
 
   const Scene& scene_;
   RenderSettings render_;
   HitPointSettings settings_;
   int stride_;
+  std::size_t tile_bytes_ = 0, sums_bytes_ = 0;
 };
 
 /// The mean of the relative variance over the places where anything is found, from two samples each.
@@ -90,8 +100,8 @@ void LearnedDirect::persist(StateStream& state) {
 }
 
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
-                           std::int64_t photons, const EmissionGuide& guide) {
-  const Pilot pilot(sample, render, settings);
+                           std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes) {
+  Pilot pilot(sample, render, settings);
   LearnedDirect learned;
   learned.radius = pilot.typical_radius();
   if (photons == 0 || learned.radius == 0) return learned;
@@ -106,6 +116,7 @@ LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, co
   double by_rays = 0, all = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) by_rays += shared[i] - seen[i], all += alone[i];
   learned.by_rays = by_rays > kLeastByRays * all;
+  bytes = sample.accel->memory() + pilot.bytes();
   return learned;
 }
 

@@ -18,8 +18,8 @@ struct LearnedDirect {
 };
 
 /// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide; 0: they bring no
-/// direct light.
+/// direct light. `bytes`: what it took, at most.
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
-                           std::int64_t photons, const EmissionGuide& guide);
+                           std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes);
 
 }  // namespace dspm

@@ -228,8 +228,10 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
       result.guide = learn_emission(*sample, render, photon, hit_point, photons, pilot);
     else if (render.count_found)
       count_found(*sample, render, photon, hit_point, photons, pilot);
-    if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guide);
-    result.bytes_while_learning = pilot.bytes, result.lights = static_cast<std::int32_t>(sample->lights.size());
+    std::size_t bytes = 0;
+    if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guide, bytes);
+    result.bytes_while_learning = std::max(bytes, pilot.bytes),
+    result.lights = static_cast<std::int32_t>(sample->lights.size());
     if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guide, guided);
     return result;
   });

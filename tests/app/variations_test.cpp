@@ -52,9 +52,9 @@ AttributeBegin Translate .6 .1 0 Shape "sphere" "float radius" .5 AttributeEnd
 constexpr const char* kPath =
     R"(Integrator "path" "integer maxdepth" 5 Sampler "independent" "integer pixelsamples" 3)";
 constexpr const char* kSppm =
-    R"(Integrator "sppm" "string emission" "power" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
+    R"(Integrator "sppm" "string emission" "power" "string direct" "photons" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 constexpr const char* kDsppm =
-    R"(Integrator "dsppm" "string emission" "power" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
+    R"(Integrator "dsppm" "string emission" "power" "string direct" "photons" "integer iterations" 3 "integer photons" 1000 "integer maxdepth" 5)";
 
 constexpr const char* kOak = R"(MakeNamedMaterial "legs" "string type" "diffuse" "rgb reflectance" [.55 .38 .2])";
 constexpr const char* kSteel = R"(MakeNamedMaterial "legs" "string type" "conductor" "float roughness" .15)";

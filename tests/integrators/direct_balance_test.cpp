@@ -105,7 +105,8 @@ LearnedDirect learned(const std::string& text, int photons) {
   const RenderSettings render = test.job().settings;
   HitPointSettings settings;
   settings.sample_direct = true;
-  return learn_direct(*scene, render, settings, photons, EmissionGuide());
+  std::size_t bytes = 0;
+  return learn_direct(*scene, render, settings, photons, EmissionGuide(), bytes);
 }
 
 // One lamp that is nearly a point, and nothing in its way: a shadow ray finds all of its light.
