@@ -38,12 +38,13 @@ struct Scattering {
 
 struct HitPointSettings {
   int max_depth = 8;
-  float least_alpha = 0.25f;   // lobes at least this rough gather, smoother ones extend the path
-  float radius = 0;            // 0: from the pixel's footprint
-  bool sample_direct = false;  // direct light at the hit point by a shadow ray
+  float least_alpha = 0.25f;     // lobes at least this rough gather, smoother ones extend the path
+  float radius = 0;              // 0: from the pixel's footprint
+  bool sample_direct = false;    // direct light at the hit point by a shadow ray
+  bool photons_as_well = false;  // with sample_direct: photons bring direct light, too, and the ways are weighted
   const DirectBalance* direct = nullptr;  // with sample_direct: the weights of all ways to find direct light
-  bool keep_bsdf = false;      // every hit point has its `scattering`
-  bool share_paths = false;    // frames that differ only in appearance or light share paths; else they part
+  bool keep_bsdf = false;                 // every hit point has its `scattering`
+  bool share_paths = false;               // frames that differ only in appearance or light share paths; else they part
 };
 
 /// The hit points of one tile of pixels.

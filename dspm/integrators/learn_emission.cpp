@@ -213,7 +213,7 @@ void count_found(const Scene& sample, const RenderSettings& render, const Photon
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                         int photons, bool guided, Statistics& statistics) {
-  const bool both = hit_point.sample_direct && (photon.kinds & kDirectPhotons) != 0;
+  const bool both = hit_point.photons_as_well;
   if (render.file == nullptr || !(guided || both || render.count_found))
     return std::make_shared<const LearnedEmission>();
   const std::string settings =

@@ -114,7 +114,7 @@ class Progressive final : public Integrator {
 
   void balance_direct_light(const Scene& scene) {
     if (!settings_.hit_point.sample_direct) return;
-    const bool by_photons = (settings_.photon.kinds & kDirectPhotons) != 0;
+    const bool by_photons = settings_.hit_point.photons_as_well;
     const LearnedDirect& learned = learned_->direct;
     if (by_photons && !learned.by_rays) {
       settings_.hit_point.sample_direct = false;

@@ -53,6 +53,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.photon.kinds = direct == "sampled" ? kCausticPhotons | kDiffusePhotons : kAllPhotons;
   s.photon.share_paths = s.hit_point.share_paths = share_paths;
   s.hit_point.sample_direct = direct != "photons";
+  s.hit_point.photons_as_well = direct == "both";
   s.photon.hidden = true;
   return s;
 }

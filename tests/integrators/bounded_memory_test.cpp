@@ -113,17 +113,18 @@ TEST_P(Progressive, BatchesAreNotTooSmall) {
 // Working buffers, and a copy of what the state of the pixels takes.
 TEST(MemoryNeeds, OfBatchesHaveRoomForACopy) {
   TestScene test(RandomScene(77, 1).text(
-      R"(Integrator "sppm" "string emission" "power" "string estimator" "hj09" "integer photons" 20000)"));
+      R"(Integrator "sppm" "string emission" "power" "string direct" "photons" "string estimator" "hj09" "integer photons" 20000)"));
   const auto scene = test.scene({FileFrame(0)});
   const auto pixels = static_cast<std::size_t>(test.job().settings.crop.count());
   EXPECT_EQ(needs_within(test, *scene, 1)->pixels, pixels * (2 * sizeof(PixelStatistics) + sizeof(PassSums)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Estimators, Progressive,
-                         ::testing::Values(R"("dsppm" "string emission" "power" "string estimator" "hj09")",
-                                           R"("dsppm" "string emission" "power" "string estimator" "kz11")",
-                                           R"("sppm" "string emission" "power" "string estimator" "hj09")",
-                                           R"("sppm" "string emission" "power" "string estimator" "kz11")"));
+INSTANTIATE_TEST_SUITE_P(
+    Estimators, Progressive,
+    ::testing::Values(R"("dsppm" "string emission" "power" "string direct" "photons" "string estimator" "hj09")",
+                      R"("dsppm" "string emission" "power" "string direct" "photons" "string estimator" "kz11")",
+                      R"("sppm" "string emission" "power" "string direct" "photons" "string estimator" "hj09")",
+                      R"("sppm" "string emission" "power" "string direct" "photons" "string estimator" "kz11")"));
 
 /// What is in use, without the room that vectors keep for growing.
 std::size_t bytes_in_use(const std::vector<HitPointTile>& tiles) {
@@ -183,12 +184,13 @@ TEST_P(BoundedMemory, HoldsWhatItSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, BoundedMemory,
-    ::testing::Values(R"("dsppm" "string emission" "power" "integer photons" 50000 "string estimator" "hj09")",
-                      R"("dsppm" "string emission" "power" "integer photons" 50000)",
-                      R"("sppm" "string emission" "power" "integer photons" 50000 "string estimator" "hj09")",
-                      R"("photonmap" "string emission" "power" "integer photons" 20000 "integer causticphotons" 20000)",
-                      R"("photonmap" "string emission" "power" "integer photons" 20000 "integer finalgather" 2)",
-                      R"("path")", R"("vcm" "string emission" "power" "integer photons" 20000)"));
+    ::testing::Values(
+        R"("dsppm" "string emission" "power" "string direct" "photons" "integer photons" 50000 "string estimator" "hj09")",
+        R"("dsppm" "string emission" "power" "string direct" "photons" "integer photons" 50000)",
+        R"("sppm" "string emission" "power" "string direct" "photons" "integer photons" 50000 "string estimator" "hj09")",
+        R"("photonmap" "string emission" "power" "integer photons" 20000 "integer causticphotons" 20000)",
+        R"("photonmap" "string emission" "power" "integer photons" 20000 "integer finalgather" 2)", R"("path")",
+        R"("vcm" "string emission" "power" "integer photons" 20000)"));
 
 }  // namespace
 }  // namespace dspm

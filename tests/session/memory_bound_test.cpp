@@ -21,7 +21,7 @@ constexpr float kRounding = 1e-4f;  // of sums of partial sums
 /// Holds the tiny scene with more pixels and photons, for an integrator with these words.
 class Directory : public TemporaryDirectory {
  public:
-  explicit Directory(const std::string& integrator = R"("dsppm" "string emission" "power")") {
+  explicit Directory(const std::string& integrator = R"("dsppm" "string emission" "power" "string direct" "photons")") {
     std::string scene = kTinyScene;
     const auto replace = [&](const std::string& from, const std::string& to) {
       scene.replace(scene.find(from), from.size(), to);
