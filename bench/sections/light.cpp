@@ -38,7 +38,7 @@ struct Compared {
   Method method;
 };
 
-/// Those at even places start photons where they are found, as by default; those that follow, by power.
+/// In pairs: photons start where they are found, as by default, and by power. The last has no photons.
 std::vector<Compared> methods(const Loaded& loaded) {
   std::vector<Compared> all;
   const auto add = [&](const LoadedScene& scene, const char* name, const char* integrator, const Job& job) {

@@ -33,29 +33,27 @@ bool DirectBalance::Densities::enough_photons() const {
   return !(photons < kEnough * (samples + scattered));
 }
 
-float DirectBalance::weight_of_photon(const SceneLight& light, const Light& state, const Start& start,
+float DirectBalance::weight_of_photon(const SceneLight& light, const Light& state, const LightStart& start,
                                       const Place& place) const {
-  const Densities d = densities(light, state, start, place, sample_pdf_w(light, state, start, place));
+  const Densities d = densities(light, state, start, place, pdf_w_of(state, start, place.p));
   return d.enough_photons() ? 1 : d.photons / d.all();
 }
 
 float DirectBalance::weight_of_sample(const LightSample& sample, const Place& place) const {
-  const Illumination& lit = sample.lit;
-  const bool is_near = std::isfinite(lit.distance);
-  const Start start{{is_near ? place.p + lit.wi * lit.distance : place.p, -lit.wi}, lit.normal, lit.primitive};
-  const Densities d = densities(sample.scene_light, sample.light, start, place, lit.pdf_w);
+  const Densities d =
+      densities(sample.scene_light, sample.light, start_of(sample.lit, place.p), place, sample.lit.pdf_w);
   return d.enough_photons() ? 0 : d.samples / d.all();
 }
 
-float DirectBalance::weight_of_scattered(const SceneLight& light, const Light& state, const Start& start,
+float DirectBalance::weight_of_scattered(const SceneLight& light, const Light& state, const LightStart& start,
                                          const Place& place) const {
-  const Densities d = densities(light, state, start, place, sample_pdf_w(light, state, start, place));
+  const Densities d = densities(light, state, start, place, pdf_w_of(state, start, place.p));
   return d.enough_photons() ? 0 : d.scattered / d.all();
 }
 
 // Photons arrive with the density of their starts times cos / distance^2 by area, or without the square from infinitely
 // far away; the solid angle of a light's surface is its area times cos / distance^2.
-DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const Light& state, const Start& start,
+DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const Light& state, const LightStart& start,
                                                   const Place& place, float sample_pdf_w) const {
   const float cosine = std::abs(dot(place.ng, start.ray.direction)), samples = light_samples(scene_, light);
   Densities d{0, photons_a_ray_ * samples, 0};
@@ -74,18 +72,8 @@ DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const
   return d;
 }
 
-/// Of a sample that happened to be that start.
-float DirectBalance::sample_pdf_w(const SceneLight& light, const Light& state, const Start& start,
-                                  const Place& place) const {
-  if (light.is_delta) return 0;
-  if (state.is_infinite()) return state.escaped_pdf_w(-start.ray.direction);
-  SurfacePoint on_light{};
-  on_light.p = start.ray.origin, on_light.ng = on_light.ns = start.normal;
-  return state.pdf_w(place.p, on_light, start.primitive);
-}
-
 /// Of the light and of the numbers that emit() gets.
-float DirectBalance::density_of(const SceneLight& light, const Light& state, const Start& start) const {
+float DirectBalance::density_of(const SceneLight& light, const Light& state, const LightStart& start) const {
   if (guide_ == nullptr) return light.photon_probability;
   return guide_->density(static_cast<int>(&light - scene_.lights.data()),
                          state.emission_numbers(start.ray, start.normal, start.primitive));

@@ -29,23 +29,19 @@ class DirectBalance {
   /// Whether scattered rays look for lights: they are good at finding a sky.
   bool scatters() const { return scatters_; }
 
-  /// Where light starts, as in Emission.
-  struct Start {
-    Ray ray;
-    Vec3 normal;
-    int primitive;
-  };
-  /// Where it arrives.
+  /// Where light arrives.
   struct Place {
     Vec3 p, ng;
   };
 
   /// Of a photon that has come straight from the light.
-  float weight_of_photon(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
+  float weight_of_photon(const SceneLight& light, const Light& state, const LightStart& start,
+                         const Place& place) const;
   /// Of a sample that sample_direct_light() takes of the light.
   float weight_of_sample(const LightSample& sample, const Place& place) const;
   /// Of a ray, scattered at the place, that meets the light.
-  float weight_of_scattered(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
+  float weight_of_scattered(const SceneLight& light, const Light& state, const LightStart& start,
+                            const Place& place) const;
 
  private:
   /// Densities by solid angle at the place, in photons. Of a delta light: numbers.
@@ -54,10 +50,9 @@ class DirectBalance {
     float all() const { return photons + samples + scattered; }
     bool enough_photons() const;
   };
-  Densities densities(const SceneLight& light, const Light& state, const Start& start, const Place& place,
+  Densities densities(const SceneLight& light, const Light& state, const LightStart& start, const Place& place,
                       float sample_pdf_w) const;
-  float sample_pdf_w(const SceneLight& light, const Light& state, const Start& start, const Place& place) const;
-  float density_of(const SceneLight& light, const Light& state, const Start& start) const;
+  float density_of(const SceneLight& light, const Light& state, const LightStart& start) const;
 
   const Scene& scene_;
   const EmissionGuide* guide_;  // null: by power

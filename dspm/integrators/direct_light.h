@@ -59,6 +59,26 @@ void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
   }
 }
 
+/// Where light starts, as in Emission.
+struct LightStart {
+  Ray ray;
+  Vec3 normal;
+  int primitive;
+};
+
+/// Of a sample of a light at p. Light from infinitely far away starts at p itself: its line matters, not its start.
+inline LightStart start_of(const Illumination& lit, const Vec3& p) {
+  return {{std::isfinite(lit.distance) ? p + lit.wi * lit.distance : p, -lit.wi}, lit.normal, lit.primitive};
+}
+
+/// The density by solid angle with which light.illuminate(p) samples what starts there; 0 for a delta light.
+inline float pdf_w_of(const Light& light, const LightStart& start, const Vec3& p) {
+  if (light.is_infinite()) return light.escaped_pdf_w(-start.ray.direction);
+  SurfacePoint point{};
+  point.p = start.ray.origin, point.ng = point.ns = start.normal;
+  return light.pdf_w(p, point, start.primitive);
+}
+
 /// A sample of a light, as seen from a vertex.
 struct LightSample {
   const SceneLight& scene_light;

@@ -51,8 +51,7 @@ void FileSample::expect_known(const std::string& settings, std::size_t lights) {
   if (found == known_.end())
     throw UsageError(
         "--guide: it was learned with other settings of the integrator: its type, maxdepth, gatheralpha, direct and "
-        "radii "
-        "must be the same");
+        "radii must be the same");
   if (static_cast<std::size_t>(found->second->lights) != lights)
     throw UsageError("--guide: it was learned for another number of lights");
   is_used_ = true;

@@ -51,7 +51,7 @@ class FileSample {
     return sum;
   }
   bool has_learned() const;
-  /// Guides and what is told of them, but not what was only counted.
+  /// Guides and their reports, but not what was only counted.
   void persist(StateStream& state);
   /// From now on, no other guide may be learned. `digest`: of what was loaded.
   void take_as_given(std::uint64_t digest) { given_ = digest; }

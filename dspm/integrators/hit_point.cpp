@@ -238,7 +238,7 @@ class HitPointTracer {
   }
 
   float weight_of_look(const CameraPath& path, const SceneLight& scene_light, const Light& light,
-                       const DirectBalance::Start& start) const {
+                       const LightStart& start) const {
     return settings_.direct->weight_of_scattered(scene_light, light, start, {path.from, path.from_ng});
   }
 

@@ -5,72 +5,54 @@
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/pilot_pixels.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
 namespace {
 
 constexpr double kPilotPixels = 4096;
-constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 41;  // no iteration of the camera has that number
-constexpr float kLater = 0.55f;                                    // of the initial radius: that after 64 iterations
-constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all
-constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at most 2
+constexpr std::uint64_t kFirstIteration = 2 * kPilotIteration;  // random numbers of its own
+constexpr float kLater = 0.55f;                                 // of the initial radius: that after 64 iterations
+constexpr double kLeastByRays = 0.3;                            // of the direct light by then, or photons bring it all
+constexpr double kLeastVariance = 0.02;                         // of a ray; of two samples it is at most 2
 
 class Pilot {
  public:
   Pilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
-      : scene_(sample),
-        render_(render),
-        settings_(settings),
-        stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
-    render_.crop = {0, 0, render.width, render.height};
+      : scene_(sample), pixels_(render, kPilotPixels), settings_(settings) {
     settings_.share_paths = true;
-  }
-
-  float typical_radius() {
-    std::vector<float> radii;
-    for (const HitPointTile& tile : trace(nullptr, 0))
-      for (const HitPoint& hit : tile.hit_points) radii.push_back(hit.radius);
-    if (radii.empty()) return 0;
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    return *middle;
   }
 
   /// Of what rays that share direct light as `balance` says bring to the hit points, by pilot pixel and frame; null:
   /// none.
   std::vector<double> direct_light(const DirectBalance* balance, int again) {
+    HitPointSettings settings = settings_;
+    settings.sample_direct = balance != nullptr, settings.direct = balance;
+    const auto tiles = pixels_.trace(scene_, settings, kFirstIteration + static_cast<std::uint64_t>(again));
     const auto frames = static_cast<std::size_t>(scene_.frame_count());
-    const int columns = (render_.width - 1) / stride_ + 1, rows = (render_.height - 1) / stride_ + 1;
-    std::vector<double> sums(static_cast<std::size_t>(columns * rows) * frames);
-    for (const HitPointTile& tile : trace(balance, again))
+    std::vector<double> sums(static_cast<std::size_t>(pixels_.columns() * pixels_.rows()) * frames);
+    for (const HitPointTile& tile : tiles)
       for (const SeenLight& light : tile.seen) {
-        const int x = light.pixel % render_.width, y = light.pixel / render_.width;
-        const auto place = static_cast<std::size_t>(y / stride_ * columns + x / stride_);
+        const auto place = static_cast<std::size_t>(pixels_.index(light.pixel)) * frames;
         light.frames.for_each([&](Frame f) {
-          sums[place * frames + static_cast<std::size_t>(f)] += static_cast<double>(luminance(light.radiance));
+          sums[place + static_cast<std::size_t>(f)] += static_cast<double>(luminance(light.radiance));
         });
       }
-    sums_bytes_ += sums.size() * sizeof(double);
+    radius_ = median_radius(tiles);
+    tile_bytes_ = std::max(tile_bytes_, bytes_of(tiles)), sums_bytes_ += sums.size() * sizeof(double);
     return sums;
   }
 
+  /// Of the last hit points: that of a typical one.
+  float radius() const { return radius_; }
   std::size_t bytes() const { return tile_bytes_ + sums_bytes_; }
 
  private:
-  std::vector<HitPointTile> trace(const DirectBalance* balance, int again) {
-    HitPointSettings settings = settings_;
-    settings.sample_direct = balance != nullptr, settings.direct = balance;
-    std::vector<HitPointTile> tiles =
-        trace_hit_points(scene_, render_, settings, kPilotIteration + static_cast<std::uint64_t>(again), {}, stride_);
-    tile_bytes_ = std::max(tile_bytes_, bytes_of(tiles));
-    return tiles;
-  }
-
   const Scene& scene_;
-  RenderSettings render_;
+  PilotPixels pixels_;
   HitPointSettings settings_;
-  int stride_;
+  float radius_ = 0;
   std::size_t tile_bytes_ = 0, sums_bytes_ = 0;
 };
 
@@ -103,10 +85,10 @@ LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, co
                            std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes) {
   Pilot pilot(sample, render, settings);
   LearnedDirect learned;
-  learned.radius = pilot.typical_radius();
-  if (photons == 0 || learned.radius == 0) return learned;
   const DirectBalance rays_alone(sample, {});
   const std::vector<double> seen = pilot.direct_light(nullptr, 0);
+  learned.radius = pilot.radius();
+  if (learned.radius == 0) return learned;
   std::vector<double> alone = pilot.direct_light(&rays_alone, 0), again = pilot.direct_light(&rays_alone, 1);
   const std::vector<double> seen_again = pilot.direct_light(nullptr, 1);
   for (std::size_t i = 0; i < seen.size(); ++i) alone[i] -= seen[i], again[i] -= seen_again[i];

@@ -17,8 +17,8 @@ struct LearnedDirect {
   void persist(StateStream& state);
 };
 
-/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide; 0: they bring no
-/// direct light. `bytes`: what it took, at most.
+/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide. `bytes`: what it
+/// took, at most.
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
                            std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes);
 

@@ -7,6 +7,7 @@
 
 #include "dspm/integrators/emission_tree.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -20,7 +21,6 @@ namespace {
 constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13;
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kPilotPixels = 16384;
-constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
 
 // If too few paths are found, the search radius begins far larger, and shrinks once enough are.
 constexpr float kWidest = 1024, kShrink = 4;
@@ -41,15 +41,13 @@ class Learner {
         photon_(photon),
         kinds_(photon.kinds),
         paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
-        stride_(std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)))) {
+        pixels_(render, kPilotPixels) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.direct = nullptr;
     for (const SceneLight& light : sample.lights) usual_.push_back(light.photon_probability);
     HitPointSettings camera = hit_point;
     camera.sample_direct = false, camera.direct = nullptr, camera.share_paths = true;
-    RenderSettings full = render;
-    full.crop = {0, 0, render.width, render.height};
-    tiles_ = trace_hit_points(sample, full, camera, kPilotIteration, {}, stride_);
+    tiles_ = pixels_.trace(sample, camera);
   }
 
   EmissionGuide learn(PilotPaths& pilot) {
@@ -119,7 +117,7 @@ class Learner {
     std::size_t count = 0;
     for (const HitPointTile& tile : tiles_) count += (tile.*which).size();
     const std::size_t most = std::max<std::size_t>(count / kLeastPoints, 1);
-    return VisiblePoints(tiles_, which, std::max(1.f, 0.5f * static_cast<float>(stride_)) * scale,
+    return VisiblePoints(tiles_, which, std::max(1.f, 0.5f * static_cast<float>(pixels_.stride)) * scale,
                          kMostRadius * scene_.radius,
                          std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
   }
@@ -184,7 +182,7 @@ class Learner {
   PhotonSettings photon_;
   unsigned kinds_;
   std::int64_t paths_;  // of a round
-  int stride_;          // of the pilot pixels
+  PilotPixels pixels_;
   std::vector<float> usual_;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
@@ -230,7 +228,7 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
       count_found(*sample, render, photon, hit_point, photons, pilot);
     std::size_t bytes = 0;
     if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guide, bytes);
-    result.bytes_while_learning = std::max(bytes, pilot.bytes),
+    result.bytes_while_learning = std::max(bytes, pilot.bytes);
     result.lights = static_cast<std::int32_t>(sample->lights.size());
     if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guide, guided);
     return result;

@@ -232,7 +232,7 @@ class PhotonTracer {
   int chosen_light_ = 0;
   struct Started {
     const Light* light;
-    DirectBalance::Start start;
+    LightStart start;
   };
   std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;

@@ -43,7 +43,7 @@ struct PhotonSettings {
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
   const EmissionGuide* guide = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
-  bool keep_ends = false;  // the traces say which photons are of which path
+  bool keep_ends = false;                 // the traces say which photons are of which path
 };
 
 /// Where a photon path starts. A density of 0: nowhere, as there is no light.

@@ -15,8 +15,8 @@ namespace {
 constexpr double kFewPhotons = 30;  // their sum is off by a fifth
 constexpr double kWideRadius = 20;  // in pixels
 constexpr double kMuchFlux = 0.05;  // of what is emitted
-constexpr double kFastestShrinking =
-    0.25;  // the power of the iterations by which a radius may shrink: 0.15 at alpha 0.7
+// The power of the iterations by which a radius may shrink: 0.15 at alpha 0.7.
+constexpr double kFastestShrinking = 0.25;
 
 double share_too_deep(const Statistics& statistics) {
   EnergyBalance sum;

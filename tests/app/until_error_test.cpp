@@ -12,13 +12,6 @@
 namespace dspm::test {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-Arguments operator+(Arguments a, const Arguments& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 const Arguments kUntil = {"tiny.dsc", "--float", "--until-error", "6%"};
 
 void expect_success(const TinyDirectory& directory, const Arguments& arguments) {

@@ -13,13 +13,6 @@
 namespace dspm::test {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-Arguments operator+(Arguments a, const Arguments& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 Outcome expect_success(const TinyDirectory& directory, const Arguments& arguments) {
   Outcome outcome = run(directory, arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -6,6 +6,7 @@
 
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/scenes.h"
+#include "tests/integrators/box_scene.h"
 #include "tests/support/seeds.h"
 
 namespace dspm::test {
@@ -89,20 +90,12 @@ Shape "sphere" "float radius" 0.4)",
      true, R"( "float lensradius" 0.2 "float focaldistance" 3)"},
 };
 
-void replace(std::string& text, const std::string& part, const std::string& by) {
-  text.replace(text.find(part), part.size(), by);
-}
-
 /// The lamp is left out of view: it is so bright that the pixels at its rim would make most of the noise.
 std::string scene_of(const Case& c, const std::string& integrator) {
   std::string text = box("Integrator " + integrator + " \"integer maxdepth\" 16\n", c.contents, 48);
   replace(text, "0 0 0  0 1 0", "0 -0.3 0  0 1 0");
   replace(text, R"("float fov" 38)", R"("float fov" 26)" + std::string(c.lens));
-  if (!c.lamp) {
-    const std::size_t begin = text.find("AttributeBegin"),
-                      end = text.find("Material \"diffuse\" \"rgb reflectance\" [.7");
-    text.erase(begin, end - begin);
-  }
+  if (!c.lamp) remove_lamp(text);
   return text;
 }
 

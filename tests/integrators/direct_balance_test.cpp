@@ -50,8 +50,8 @@ EmissionGuide some_guide(const Scene& scene) {
 
 /// The weights of the light that starts like that and arrives at the place, or a negative number if its light is black
 /// there.
-float sum_of_weights(const DirectBalance& balance, const SceneLight& light, const Light& state,
-                     const DirectBalance::Start& start, const DirectBalance::Place& place) {
+float sum_of_weights(const DirectBalance& balance, const SceneLight& light, const Light& state, const LightStart& start,
+                     const DirectBalance::Place& place) {
   Illumination lit{-start.ray.direction, length(place.p - start.ray.origin), Rgb(1), 0, start.normal, start.primitive};
   if (state.is_infinite()) {
     lit.distance = kInfinity, lit.pdf_w = state.escaped_pdf_w(lit.wi);
@@ -86,7 +86,7 @@ TEST(DirectBalance, WeightsAddUpToOne) {
           if (!e) continue;
           const Vec2 u = random.pair(0, 2);
           const DirectBalance::Place place{e->ray.at(0.5f + 3 * u.x), normalize(Vec3{u.x, u.y, 0.3f})};
-          const DirectBalance::Start start{e->ray, e->normal, e->primitive};
+          const LightStart start{e->ray, e->normal, e->primitive};
           EXPECT_NEAR(sum_of_weights(balance, light, state, start, place), 1, 1e-4f)
               << "light " << &light - scene->lights.data();
           const float weight = balance.weight_of_photon(light, state, start, place);

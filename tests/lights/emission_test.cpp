@@ -229,7 +229,7 @@ TEST(EmissionNumbers, LeadToTheSameStart) {
     for (const NamedLight& sky : skies(*map)) expect_numbers(*sky.light, 4, sky.name);
 }
 
-// Lights must say which numbers do not matter, or a guide's density over them would count as that of the start.
+// If a light did not say which numbers do not matter, the guide's density over them would count as that of the start.
 TEST(EmissionNumbers, AreAnyIfTheyDoNotMatter) {
   for (const NamedLight& named : points()) {
     const Emission e = named.light->emit({.3f, .6f}, {.2f, .7f}).value();

@@ -19,6 +19,13 @@
 
 namespace dspm::test {
 
+using Arguments = std::vector<std::string>;
+
+inline Arguments operator+(Arguments a, const Arguments& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 struct Outcome {
   int code;  // exit code; -signal where a signal ended it
   std::string out, err;

@@ -29,17 +29,16 @@ inline SubpathWeights weights_at_first_vertex(const Scene& scene, const SceneLig
                                               float cosine) {
   const float emitted = emission_density(scene_light.photon_probability, emission.pdf),
               samples = light_samples(scene, scene_light);
+  const LightStart start{emission.ray, emission.normal, emission.primitive};
   const Vec3& w = emission.ray.direction;
   if (is_parallel(light, emission.pdf)) {
     const bool delta = emission.pdf.delta_direction;
-    const float next_event = samples * (delta ? 1 : light.escaped_pdf_w(-w));
+    const float next_event = samples * (delta ? 1 : pdf_w_of(light, start, point.p));
     return SubpathWeights::leaving_light(next_event, emitted, delta ? 0.f : 1.f).arrived(1, cosine);
   }
   if (emission.pdf.delta_position) return SubpathWeights::leaving_light(samples, emitted, 0).arrived(distance2, cosine);
   const float cosine_at_light = std::abs(dot(emission.normal, w));
-  SurfacePoint start{};
-  start.p = emission.ray.origin, start.ng = start.ns = emission.normal;
-  const float next_event = samples * light.pdf_w(point.p, start, emission.primitive) * cosine_at_light / distance2;
+  const float next_event = samples * pdf_w_of(light, start, point.p) * cosine_at_light / distance2;
   return SubpathWeights::leaving_light(next_event, emitted, cosine_at_light).arrived(distance2, cosine);
 }
 
@@ -47,8 +46,7 @@ inline SubpathWeights weights_at_first_vertex(const Scene& scene, const SceneLig
 /// ray.
 inline float emission_over_next_event(const Scene& scene, const LightSample& sample, const SurfacePoint& point) {
   const Illumination& lit = sample.lit;
-  const Ray start{std::isfinite(lit.distance) ? point.p + lit.wi * lit.distance : point.p, -lit.wi};
-  const EmissionPdf pdf = sample.light.pdf_emit(start, lit.normal, lit.primitive);
+  const EmissionPdf pdf = sample.light.pdf_emit(start_of(lit, point.p).ray, lit.normal, lit.primitive);
   const float emitted = emission_density(sample.scene_light.photon_probability, pdf) * std::abs(dot(lit.wi, point.ng));
   if (emitted == 0) return 0;
   const bool delta = !(sample.pdf_w > 0);

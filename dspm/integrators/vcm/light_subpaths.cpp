@@ -48,7 +48,7 @@ class LightPathTracer {
     const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(chosen.light)];
     const EmissionNumbers& u = chosen.numbers;
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
-    if (!emission || is_black(emission->flux) || !(emission_density(scene_light.probability, emission->pdf) > 0))
+    if (!emission || is_black(emission->flux) || !(emission_density(scene_light.photon_probability, emission->pdf) > 0))
       return;
     const Rgb flux = emission->flux * start.factor / chosen.density;
     if (!is_finite(flux) || !is_finite(emission->ray))

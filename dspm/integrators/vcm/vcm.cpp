@@ -31,6 +31,7 @@
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/summed_iterations.h"
 #include "dspm/integrators/vcm/camera_subpaths.h"
 #include "dspm/integrators/vcm/light_subpaths.h"
@@ -50,21 +51,12 @@ enum Step { kEmission, kLightPaths, kMap, kCameraPaths };
 float usual_radius(const Scene& scene, const RenderSettings& render, int max_depth) {
   constexpr float kPart = 0.25f;
   constexpr double kPilotPixels = 4096;
-  constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
-  RenderSettings full = render;
-  full.crop = {0, 0, render.width, render.height};
-  const int stride = std::max(1, static_cast<int>(std::sqrt(render.width / kPilotPixels * render.height)));
-  const HitPointSettings settings{.max_depth = max_depth, .share_paths = true};
   const std::shared_ptr<const Scene> sample = render.file != nullptr
                                                   ? render.file->scene(scene)
                                                   : std::shared_ptr<const Scene>(std::shared_ptr<void>(), &scene);
-  std::vector<float> radii;
-  for (const HitPointTile& tile : trace_hit_points(*sample, full, settings, kPilotIteration, {}, stride))
-    for (const HitPoint& hit : tile.hit_points) radii.push_back(hit.radius);
-  if (radii.empty()) return 0.01f * scene.radius;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return kPart * *middle;
+  const HitPointSettings settings{.max_depth = max_depth, .share_paths = true};
+  const float median = median_radius(PilotPixels(render, kPilotPixels).trace(*sample, settings));
+  return median > 0 ? kPart * median : 0.01f * scene.radius;
 }
 
 bool needs_light_paths(const VcmSettings& settings) { return settings.connect || settings.merge || settings.sight; }

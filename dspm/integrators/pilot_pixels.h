@@ -1,0 +1,49 @@
+// The pixels from which learning looks at a scene: few, spread over the whole image, whatever the crop.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+inline constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
+
+struct PilotPixels {
+  RenderSettings render;  // of the whole image
+  int stride;             // between the pixels
+
+  /// About that many.
+  PilotPixels(const RenderSettings& of, double count)
+      : render(of), stride(std::max(1, static_cast<int>(std::sqrt(of.width / count * of.height)))) {
+    render.crop = {0, 0, of.width, of.height};
+  }
+
+  int columns() const { return (render.width - 1) / stride + 1; }
+  int rows() const { return (render.height - 1) / stride + 1; }
+  /// Among the pilot pixels, of a pixel of the image.
+  int index(int pixel) const { return pixel / render.width / stride * columns() + pixel % render.width / stride; }
+
+  std::vector<HitPointTile> trace(const Scene& sample, const HitPointSettings& settings,
+                                  std::uint64_t iteration = kPilotIteration) const {
+    return trace_hit_points(sample, render, settings, iteration, {}, stride);
+  }
+};
+
+/// Of the hit points, before any shrinking; 0 if there are none.
+inline float median_radius(const std::vector<HitPointTile>& tiles) {
+  std::vector<float> radii;
+  for (const HitPointTile& tile : tiles)
+    for (const HitPoint& hit : tile.hit_points) radii.push_back(hit.radius);
+  if (radii.empty()) return 0;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+}  // namespace dspm
