@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "dspm/integrators/emission_tree.h"
-#include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"
@@ -234,9 +233,6 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
     return result;
   });
   if (learned->report.rounds > 0) statistics.emission.put(learned->report);
-  MemoryNeeds needs;
-  needs.learning = learned->bytes_while_learning;
-  expect_enough(render.memory, needs);
   return learned;
 }
 

@@ -24,7 +24,7 @@ void count_found(const Scene& sample, const RenderSettings& render, const Photon
                  const HitPointSettings& hit_point, int photons, PilotPaths& pilot);
 
 /// By the settings that matter to it, remembered for this run; no guide if `guided` is false. Nothing is learned if
-/// render.file is null. Throws NotEnoughMemory if learning takes more than render.memory.
+/// render.file is null. The caller compares bytes_while_learning with render.memory.
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
                                                         int photons, bool guided, Statistics& statistics);

@@ -12,6 +12,7 @@ std::unique_ptr<Integrator> make_beside(std::size_t taken, const MakeWithin& mak
     throw NotEnoughMemory({.pixels = made->statistics().bytes});  // it does not look at its memory
   } catch (NotEnoughMemory& error) {
     error.least.pixels += taken;
+    if (error.least.learning > 0) error.least.learning += taken;
     throw;
   }
 }

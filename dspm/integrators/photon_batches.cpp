@@ -27,11 +27,13 @@ EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const 
 }
 
 PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
-                                    const RenderSettings& render, const EstimatorKind& estimator) {
+                                    const RenderSettings& render, const EstimatorKind& estimator,
+                                    std::size_t learning) {
   if (render.memory == 0) return {settings.photons, settings.photons};
   const std::size_t guide = settings.photon.guide != nullptr ? settings.photon.guide->bytes() : 0;
   const double a_path = bytes_a_photon_path(scene, settings.photon);
   MemoryNeeds needs, least;
+  needs.learning = learning;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
   for (std::int64_t count = 1; count <= kMostBatches; ++count) {
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};

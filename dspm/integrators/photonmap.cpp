@@ -62,6 +62,7 @@ struct GuidedPhotons {
   GuidedPhotons(const Scene& scene, const PhotonSettings& of, float radius, const PhotonMapSettings& s,
                 const RenderSettings& render, int photons, bool guided, Statistics& statistics)
       : settings(of), learned(emission_of_file(scene, render, of, within(radius, s), photons, guided, statistics)) {
+    expect_enough(render.memory, {.learning = learned->bytes_while_learning});
     settings.guide = &learned->guide;
   }
   static HitPointSettings within(float radius, const PhotonMapSettings& s) {

@@ -32,7 +32,8 @@ class Progressive final : public Integrator {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     // How much memory photons take depends on where they start.
     if (render.memory > 0 || render.learn_at_once) learn(scene);
-    batches_ = batches_within_memory(settings_, scene, render, estimator);
+    batches_ = batches_within_memory(settings_, scene, render, estimator,
+                                     learned_ != nullptr ? learned_->bytes_while_learning : 0);
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
     pixel_bytes_ = estimator.bytes(of) + FoundPhotons::bytes(of.pixels, of.frames, render.outputs);

@@ -84,10 +84,10 @@ class MemoryBound::Trials {
       const std::size_t tree = scene->accel->memory();
       const MemoryNeeds& needs = error.least;
       shortage_ =
-          needs.learning > 0
+          needs.learning == needs.total()
               ? fmt::format(
-                    "{}: scene and program {}, learning where photons start {} (\"string "
-                    "emission\" \"power\" takes none)",
+                    "{}: scene and program {}, learning where photons start and what rays find {} (\"string "
+                    "emission\" \"power\" with \"string direct\" \"photons\" takes none)",
                     readable_bytes(taken + needs.learning), readable_bytes(held), readable_bytes(needs.learning))
               : fmt::format(
                     "{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",

@@ -117,10 +117,11 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, CancellationBetweenBatches,
-    ::testing::Values(R"("dsppm" "string emission" "power" "integer photons" 100000)",
-                      R"("dsppm" "string emission" "power" "integer photons" 100000 "string estimator" "hj09")",
-                      R"("sppm" "string emission" "power" "integer photons" 100000)",
-                      R"("sppm" "string emission" "power" "integer photons" 100000 "string estimator" "hj09")"));
+    ::testing::Values(
+        R"("dsppm" "string emission" "power" "string direct" "photons" "integer photons" 100000)",
+        R"("dsppm" "string emission" "power" "string direct" "photons" "integer photons" 100000 "string estimator" "hj09")",
+        R"("sppm" "string emission" "power" "string direct" "photons" "integer photons" 100000)",
+        R"("sppm" "string emission" "power" "string direct" "photons" "integer photons" 100000 "string estimator" "hj09")"));
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Cancellation,
                          ::testing::Values(R"("dsppm" "integer photons" 30000)", R"("sppm" "integer photons" 30000)",

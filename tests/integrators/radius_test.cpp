@@ -166,7 +166,7 @@ TEST_P(Radius, ShrinksAsThePaperSays) {
 TEST_P(Radius, ShrinksAlikeWherePhotonsComeInBatches) {
   Settings s = settings();
   s.in_batches = true, s.photons = 8200;
-  s.radius = 12, s.parameters = R"("float radius" 12)";
+  s.radius = 12, s.parameters = R"("float radius" 12 "string direct" "photons")";
   expect_radii(s);
 }
 

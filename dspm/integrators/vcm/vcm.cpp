@@ -78,7 +78,9 @@ std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& setti
   photon.seed = render.seed, photon.max_depth = settings.max_depth;
   photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = true;
   const HitPointSettings hit_point{.max_depth = settings.max_depth, .sample_direct = true};
-  return emission_of_file(scene, render, photon, hit_point, settings.photons, settings.guided, statistics);
+  auto learned = emission_of_file(scene, render, photon, hit_point, settings.photons, settings.guided, statistics);
+  expect_enough(render.memory, {.learning = learned->bytes_while_learning});
+  return learned;
 }
 
 /// Of the light paths and their map, from a small sample of iteration 0.
