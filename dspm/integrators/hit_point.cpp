@@ -6,6 +6,7 @@
 #include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/hit_point_writer.h"
 #include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/parted_paths.h"
 #include "dspm/integrators/tiles.h"
@@ -19,9 +20,6 @@ namespace dspm {
 namespace {
 
 constexpr int kTileSide = 32;
-// A few pixel spacings, bounded by a fraction of the scene for points near the horizon.
-constexpr float kRadiusInPixels = 4, kLargestShareOfScene = 0.05f;
-
 /// How a path ends in a hit point in some of its frames.
 struct End {
   FrameSet frames;
@@ -48,7 +46,8 @@ class HitPointTracer {
         settings_(settings),
         has_hidden_(std::any_of(scene.lights.begin(), scene.lights.end(),
                                 [](const SceneLight& light) { return light.is_delta; })),
-        out_(out),
+        tile_(out),
+        out_(scene, settings, out),
         branches_(scene, out.paths) {}
 
   /// x, y in the full image. Where frames part, their paths wait for finish().
@@ -59,7 +58,7 @@ class HitPointTracer {
           branches_.push(path);
           branches_.follow(*this);
         },
-        [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
+        [&](const CameraPath& path) { out_.reject(path, path.frames, {SceneElement::Kind::camera}); });
     branches_.count_path();
   }
 
@@ -86,11 +85,11 @@ class HitPointTracer {
                       const float weight = path.only_looks ? weight_of_look(path, scene_light, light,
                                                                             {{path.from, -path.ray.direction}, {}, -1})
                                                            : weight_of_escape(scene_, path, scene_light, light);
-                      see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
+                      out_.see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
                     });
   }
 
-  void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { reject(path, frames, giver); }
+  void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
@@ -99,7 +98,7 @@ class HitPointTracer {
                                ? weight_of_look(path, scene_light, light,
                                                 {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
                                : weight_of_hit(scene_, path, vertex, light);
-      see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
+      out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
     });
     if (path.only_looks || path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
@@ -111,7 +110,7 @@ class HitPointTracer {
       if (choice.rough) {
         end(arriving, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
-          add_hit_point(out_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
+          out_.add_hit_point(tile_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
         });
         sample_look(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
           const FrameFactor f{frames, sample.weight / choice.chance};
@@ -149,8 +148,8 @@ class HitPointTracer {
     });
     // Frames whose scattering functions are multiples of one another share a hit point.
     for_each_joint(ends, settings_.share_paths, [&](const End& first, std::span<const FrameFactor> factors) {
-      add_hit_point(out_.hit_points, path, vertex, factors, first.constant ? nullptr : &*first.bsdf,
-                    first.choice.lobes);
+      out_.add_hit_point(tile_.hit_points, path, vertex, factors, first.constant ? nullptr : &*first.bsdf,
+                         first.choice.lobes);
     });
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
       extend(path, vertex, first.sample, factors);
@@ -173,30 +172,6 @@ class HitPointTracer {
     if (!constant || !is_black(*constant)) fn(constant);
   }
 
-  /// `bsdf`: null if f is constant and among the factors.
-  void add_hit_point(std::vector<HitPoint>& hit_points, const CameraPath& path, const Vertex& vertex,
-                     std::span<const FrameFactor> factors, const Bsdf* bsdf, LobeSet lobes) {
-    CameraPath ended = path;
-    const auto keep = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
-      return if_finite(after, path, vertex, frames);
-    };
-    if (!multiply(ended, factors, out_.strands, ByRatio::yes, keep)) return;
-    const SurfacePoint& point = vertex.point;
-    HitPoint& hit = hit_points.emplace_back();
-    hit.p = point.p;
-    hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
-    hit.throughput = ended.throughput, hit.strands = ended.strands;
-    hit.frames = ended.frames, hit.pixel = path.pixel;
-    hit.radius = radius(path);
-    if (&hit_points == &out_.hit_points)
-      out_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));
-    out_.paths.weighted += ended.strands != 0;
-    if (bsdf == nullptr) return;
-    hit.scattering = static_cast<int>(out_.scatterings.size());
-    out_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes, bsdf->transmits(lobes),
-                                vertex.material_element().index});
-  }
-
   /// Calls fn(const BsdfSample&) unless the frames end.
   template <class Fn>
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
@@ -208,11 +183,11 @@ class HitPointTracer {
         return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, choice.lobes));
       });
       const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
-      if (has_hidden_) add_hit_point(out_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
+      if (has_hidden_) out_.add_hit_point(tile_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
     }
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     if (!sample) return;
-    if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_element());
+    if (!is_finite(sample->wi)) return out_.reject(path, path.frames, vertex.material_element());
     fn(*sample);
   }
 
@@ -222,7 +197,7 @@ class HitPointTracer {
     if (settings_.direct == nullptr || !settings_.direct->scatters()) return;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     if (!sample) return;
-    if (!is_finite(sample->wi)) return reject(path, path.frames, vertex.material_element());
+    if (!is_finite(sample->wi)) return out_.reject(path, path.frames, vertex.material_element());
     fn(*sample);
   }
 
@@ -231,10 +206,7 @@ class HitPointTracer {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, sample);
     branch.from = vertex.point.p, branch.from_ng = vertex.point.ng, branch.only_looks = true;
-    const auto keep = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
-      return if_finite(after, path, vertex, frames);
-    };
-    if (!multiply(branch, factors, out_.strands, ByRatio::yes, keep)) branches_.drop();
+    if (!out_.carry(branch, vertex, factors)) branches_.drop();
   }
 
   float weight_of_look(const CameraPath& path, const SceneLight& scene_light, const Light& light,
@@ -248,85 +220,38 @@ class HitPointTracer {
     extend_ray(branch, vertex.point, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
     const float u = path.random.number(path.bounces, kRoulette);
-    const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& product) {
-      const Rgb after = if_finite(product, path, vertex, frames);
+    const auto roulette = [&](const Rgb& after) {
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
       return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
     };
     const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
-    if (!multiply(branch, factors, out_.strands, by_ratio, roulette)) branches_.drop();
+    if (!out_.carry(branch, vertex, factors, by_ratio, roulette)) branches_.drop();
   }
 
   template <class Weight>
   void add_direct_light(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice,
                         LobeSet lobes, Weight&& weight) {
-    sample_direct_light(scene_, path, vertex, path.frames, bsdf, lobes, out_.paths, weight,
+    sample_direct_light(scene_, path, vertex, path.frames, bsdf, lobes, out_.paths(), weight,
                         [&](FrameSet frames, const Rgb& radiance, auto&& giver) {
-                          see(path, frames, radiance / choice.chance, giver);
+                          out_.see(path, frames, radiance / choice.chance, giver);
                         });
-  }
-
-  /// `giver`: its source, blamed if it is not finite.
-  template <class WhoGave>
-  void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    for_each_strand(out_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
-      const Rgb seen = path.throughput * weight * radiance;
-      if (!is_finite(seen)) return reject(path, alike, giver());
-      out_.seen.push_back({path.pixel, alike, seen});
-    });
-  }
-  void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
-    out_.rejections.add(giver, frames, path.pixel);
-  }
-  Rgb if_finite(const Rgb& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
-    if (is_finite(carried)) return carried;
-    reject(path, frames, vertex.material_element());
-    return {};
-  }
-
-  float radius(const CameraPath& path) const {
-    if (settings_.radius > 0) return settings_.radius;
-    return std::clamp(kRadiusInPixels * path.camera->pixel_spacing(path.length), 1e-6f * scene_.radius,
-                      kLargestShareOfScene * scene_.radius);
   }
 
   const Scene& scene_;
   const RenderSettings& render_;
   const HitPointSettings& settings_;
   bool has_hidden_;  // hidden photons may exist
-  HitPointTile& out_;
+  HitPointTile& tile_;
+  HitPointWriter out_;
   BranchingPath<CameraPath> branches_;
   PartedPaths parted_;
   bool finishing_ = false;
 };
 
-void clear(HitPointTile& tile) {
-  tile.hit_points.clear();
-  tile.glossy.clear();
-  tile.scatterings.clear();
-  tile.strands.clear();
-  tile.seen.clear();
-  tile.radii_in_pixels = 0;
-  tile.paths = {}, tile.rejections = {};
-}
-
 }  // namespace
 
 std::size_t hit_point_tile_count(const PixelRect& crop) {
   return static_cast<std::size_t>(tile_count(crop, kTileSide));
-}
-
-void account(const std::vector<HitPointTile>& tiles, Statistics& statistics) {
-  for (const HitPointTile& tile : tiles) statistics.camera += tile.paths, statistics.rejections += tile.rejections;
-}
-
-std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
-  std::size_t sum = 0;
-  for (const HitPointTile& tile : tiles)
-    sum += (tile.hit_points.capacity() + tile.glossy.capacity()) * sizeof(HitPoint) +
-           tile.scatterings.capacity() * sizeof(Scattering) + tile.seen.capacity() * sizeof(SeenLight) +
-           tile.strands.bytes();
-  return sum;
 }
 
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
@@ -335,7 +260,7 @@ std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSetti
   reuse.resize(hit_point_tile_count(render.crop));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
-    clear(tile);
+    tile.clear();
     HitPointTracer tracer(scene, render, settings, tile);
     for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t), [&](int x, int y) {
       if (x % stride == 0 && y % stride == 0) tracer.trace(x, y, iteration);

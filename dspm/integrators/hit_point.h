@@ -62,6 +62,8 @@ struct HitPointTile {
   const Scattering* scattering_of(const HitPoint& hit) const {
     return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
   }
+  /// Keeps its memory.
+  void clear();
 };
 
 std::size_t hit_point_tile_count(const PixelRect& crop);
