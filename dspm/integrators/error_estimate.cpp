@@ -43,7 +43,7 @@ class PixelGrid {
 /// Where the image after so many iterations is kept until there are twice as many, if it is.
 std::optional<std::size_t> slot_of(int iterations) {
   if (iterations < kFirstMark) return std::nullopt;
-  const int octave = std::bit_floor(static_cast<unsigned>(iterations));
+  const auto octave = static_cast<int>(std::bit_floor(static_cast<unsigned>(iterations)));
   const int step = std::max(octave / kMarksPerOctave, 1);
   if (iterations % step != 0) return std::nullopt;
   return static_cast<std::size_t>((iterations - octave) * kMarksPerOctave / octave);

@@ -1,6 +1,8 @@
 // The estimated error against the true one.
 #include "dspm/integrators/error_estimate.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
