@@ -14,7 +14,8 @@
 
 namespace dspm {
 
-inline const OutputInfo kPhotonsOutput{"photons", {"photons.X"}, "photons found at the pixel's hit points so far", true};
+inline const OutputInfo kPhotonsOutput{
+    "photons", {"photons.X"}, "photons found at the pixel's hit points so far", true};
 inline const OutputInfo kRadiusOutput{
     "radius", {"radius.X"}, "search radius in world units, for the pixel's last hit point", true};
 

@@ -129,7 +129,8 @@ inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
 }
 
 inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vec3& wo, float least_alpha) {
-  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, least_alpha), smooth = static_cast<LobeSet>(all & ~rough);
+  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, least_alpha),
+                smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
   const float rough_chance = bsdf.lobe_probability(wo, rough);
   if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};

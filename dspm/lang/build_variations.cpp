@@ -53,6 +53,8 @@ void expect_name(const std::string& name, const char* thing, const std::set<std:
                     guess.empty() ? known : guess + " " + known);
 }
 
+bool brings_materials(const ShapeUse& shape) { return shape.type == "objmesh"; }
+
 }  // namespace
 
 bool SceneBuilder::apply_variation(const Directive& directive) {
@@ -188,6 +190,11 @@ void SceneBuilder::check_replacements() {
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
   for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
   lights.erase("");
+  // A geometry file may bring materials, and lights that are named like them; the world, which reads it, checks these.
+  const bool reads_geometry = std::any_of(scene_.shapes.begin(), scene_.shapes.end(), brings_materials) ||
+                              std::any_of(scene_.objects.begin(), scene_.objects.end(), [](const ObjectDefinition& o) {
+                                return std::any_of(o.shapes.begin(), o.shapes.end(), brings_materials);
+                              });
   for (const DynamicBlock& block : scene_.dynamic_blocks) blocks.insert(block.name);
   const auto expect = [&](const char* thing, const std::string& name, const std::set<std::string>& names,
                           const SourceLocation& where, const std::string& if_none) {
@@ -196,13 +203,14 @@ void SceneBuilder::check_replacements() {
   for (const VariationAxis& axis : scene_.axes)
     for (const Variation& variation : axis.variations) {
       for (const MaterialUse& use : variation.materials)
-        expect("material", use.name, materials, use.where, "define it with MakeNamedMaterial");
+        if (!reads_geometry) expect("material", use.name, materials, use.where, "define it with MakeNamedMaterial");
       for (const TextureUse& use : variation.textures)
         expect(use.is_spectrum ? "spectrum texture" : "float texture", use.name, use.is_spectrum ? colours : numbers,
                use.where, "define it with Texture");
       for (const LightScale& scale : variation.lights)
-        expect("light", scale.light, lights, scale.where,
-               fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
+        if (!reads_geometry)
+          expect("light", scale.light, lights, scale.where,
+                 fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
       for (const BlockSwitch& each : variation.switches)
         expect("Dynamic block", each.block, blocks, each.where,
                fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", each.block));

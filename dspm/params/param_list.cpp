@@ -113,6 +113,13 @@ void number_files(std::vector<Param>& params, Moment moment) {
 
 }  // namespace
 
+Param param_of(ParamType type, std::string name, Param::Values values, const SourceLocation& where) {
+  Param param;
+  param.type = type, param.name = std::move(name), param.values = std::move(values);
+  param.where = param.values_where = where;
+  return param;
+}
+
 std::string_view word_of(ParamType type) { return kWords[static_cast<std::size_t>(type)]; }
 
 std::optional<ParamType> param_type(std::string_view word) {

@@ -52,6 +52,9 @@ struct Param {
   bool is_default = false;      // set by an Attribute directive: no error if unread
 };
 
+/// One that no text holds: `where` stands for it in messages.
+Param param_of(ParamType type, std::string name, Param::Values values, const SourceLocation& where);
+
 /// The numbers of a numeric parameter, integers as floats.
 std::vector<float> numbers_of(const Param& param);
 

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "dspm/math/vec.h"
+#include "dspm/shapes/obj_check.h"
 #include "dspm/shapes/polygons.h"
 #include "dspm/system/file_access.h"
 #include "dspm/system/read_file.h"
@@ -66,48 +67,31 @@ struct Faces {
   }
 };
 
-std::string trimmed(std::string_view text) {
-  const std::size_t end = text.find_last_not_of(" \t\r");
-  return std::string(text.substr(0, end == std::string_view::npos ? 0 : end + 1));
-}
-
-class MtlReader : public tinyobj::MaterialReader {
+/// Hands material files to read_mtl, with their names.
+class MaterialFiles : public tinyobj::MaterialReader {
  public:
-  MtlReader(const std::filesystem::path& directory, const ObjCompanion& companion, ObjFile& out)
+  MaterialFiles(const std::filesystem::path& directory, const ObjCompanion& companion, ObjFile& out)
       : directory_(directory), companion_(companion), out_(out) {}
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
                   std::string*) override {
-    const std::optional<std::string> text = companion_(name);
-    if (!text) {
+    if (const std::optional<std::string> text = companion_(name))
+      for (FileMaterial& material : read_mtl(*text, directory_ / name, out_.complaints, left_out_))
+        out_.materials.push_back(std::move(material));
+    else
       out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name));
-      return true;  // it has been handled
-    }
-    std::istringstream file(*text);
-    std::vector<tinyobj::material_t> materials;
-    std::map<std::string, int> numbers;
-    std::string warning, error;
-    tinyobj::LoadMtl(&numbers, &materials, &file, &warning, &error);
-    for (const tinyobj::material_t& m : materials) out_.materials.push_back(material(m));
-    return true;
+    return true;  // it has been handled
+  }
+
+  void complain_of_what_is_left_out() {
+    for (std::string& sentence : in_words(left_out_)) out_.complaints.push_back(std::move(sentence));
   }
 
  private:
-  ObjMaterial material(const tinyobj::material_t& m) {
-    ObjMaterial result{trimmed(m.name), {m.diffuse[0], m.diffuse[1], m.diffuse[2]}, {}};
-    if (m.diffuse_texname.empty()) return result;
-    std::string name = m.diffuse_texname;
-    std::replace(name.begin(), name.end(), '\\', '/');
-    if (seems_to_exist(directory_ / name))
-      result.texture = std::filesystem::absolute(directory_ / name);
-    else
-      out_.complaints.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", name, result.name));
-    return result;
-  }
-
   const std::filesystem::path& directory_;
   const ObjCompanion& companion_;
   ObjFile& out_;
+  MtlLeftOut left_out_;
 };
 
 /// Collects the data of tinyobjloader's callbacks. Faces are resolved at the end: they may come before their vertices.
@@ -207,13 +191,15 @@ ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bo
 
 ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
                   const std::string& group, bool split) {
+  check_obj_numbers(text);
   std::istringstream lines(text);
   ObjFile out;
-  MtlReader mtl(directory, companion, out);
+  MaterialFiles mtl(directory, companion, out);
   Collector collector(group, split, out);
   std::string warning, error;
   if (!tinyobj::LoadObjWithCallback(lines, Collector::callbacks(), &collector, &mtl, &warning, &error))
     throw std::runtime_error(error.empty() ? "it is not an OBJ file" : error);
+  mtl.complain_of_what_is_left_out();
   collector.finish();
   return out;
 }

@@ -1,4 +1,4 @@
-// Meshes and materials from Wavefront OBJ and MTL files, read by tinyobjloader.
+// Meshes from Wavefront OBJ files, read by tinyobjloader.
 #pragma once
 
 #include <filesystem>
@@ -7,17 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "dspm/colour/rgb.h"
+#include "dspm/shapes/mtl.h"
 #include "dspm/shapes/triangle_mesh.h"
 
 namespace dspm {
-
-/// The properties of an MTL material that dspm uses.
-struct ObjMaterial {
-  std::string name;
-  Rgb diffuse;                    // Kd
-  std::filesystem::path texture;  // map_Kd, as an absolute path; empty if there is none
-};
 
 /// The faces of one material (or of none), in the order of the file.
 struct ObjMesh {
@@ -27,7 +20,7 @@ struct ObjMesh {
 
 struct ObjFile {
   std::vector<ObjMesh> meshes;  // in the order in which their materials are first used
-  std::vector<ObjMaterial> materials;
+  std::vector<FileMaterial> materials;
   std::vector<std::string> groups;      // names of all groups and objects that have faces
   std::vector<std::string> complaints;  // faults that are no reason to stop: a missing MTL file, ...
 };

@@ -7,10 +7,14 @@
 // | --------- | -------- | ------- |
 // | filename  | required | the file; may be gzip-compressed |
 // | group     | ""       | only this group or object of the file; "": all |
-// | materials | true     | use Kd and map_Kd of the file's materials as "diffuse"; false: the scene's material |
+// | materials | true     | use the file's materials; false: the scene's material |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
-// map_Kd replaces Kd; everything else in an MTL file (Ks, d, map_Bump, ...) is ignored.
+// Materials of MTL files: illum 4, 6, 7 and 9 are "dielectric" with Ni as eta (1.5 if there is none) and Pr^2 as GGX alpha;
+// others are "diffuse" of Kd or map_Kd. Ke is the radiance of an area light on both sides, unless the scene gives the shape
+// an AreaLightSource. Everything else is left out, with one warning for each kind of statement. The scene may use these
+// materials by their names (NamedMaterial, in later shapes), variations may replace them and dim their lights, and a
+// MakeNamedMaterial of the scene with the same name takes their place.
 #include <algorithm>
 #include <stdexcept>
 
@@ -22,25 +26,15 @@
 namespace dspm {
 namespace {
 
-FileMaterial file_material(const ObjMaterial& material, const SourceLocation& where) {
-  Param reflectance;
-  reflectance.name = "reflectance";
-  reflectance.where = reflectance.values_where = where;
-  if (material.texture.empty()) {
-    reflectance.type = ParamType::rgb;
-    reflectance.values = std::vector<float>{material.diffuse.r, material.diffuse.g, material.diffuse.b};
-  } else {
-    reflectance.type = ParamType::texture;
-    reflectance.values = std::vector<std::string>{material.name};
-  }
-  return {material.name, {{reflectance}}, material.texture};
-}
-
 std::optional<FileMaterial> material_of(const ObjMesh& mesh, const ObjFile& file, ParamReader& reader) {
   if (mesh.material.empty()) return std::nullopt;
   const auto found = std::find_if(file.materials.begin(), file.materials.end(),
-                                  [&](const ObjMaterial& m) { return m.name == mesh.material; });
-  if (found != file.materials.end()) return file_material(*found, reader.where("filename"));
+                                  [&](const FileMaterial& m) { return m.name == mesh.material; });
+  if (found != file.materials.end()) {
+    FileMaterial material = *found;
+    for (Param& param : material.params.params) param.where = param.values_where = reader.where("filename");
+    return material;
+  }
   reader.warning("filename",
                  fmt::format("the file's material \"{}\" is not defined: the scene's is used", mesh.material));
   return std::nullopt;

@@ -2,11 +2,13 @@
 // sphere.cpp is the shortest to copy; plugins.cpp is the table.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
@@ -60,11 +62,21 @@ class Shape {
   virtual const TriangleMesh* triangles() const { return nullptr; }
 };
 
+/// An imagemap that a material from a geometry file names among its parameters.
+struct FileTexture {
+  std::string name;
+  std::filesystem::path file;
+  bool is_spectrum = true;  // else numbers
+};
+
 /// A material from a geometry file (MTL): plain data that world turns into objects.
 struct FileMaterial {
-  std::string name;   // unique within the file
-  ParamList diffuse;  // parameters of a "diffuse" material; "reflectance" may be the texture named `name`
-  std::filesystem::path texture_file;  // an imagemap for that texture; may be empty
+  std::filesystem::path file;
+  std::string name;  // unique within the file
+  std::string type;
+  ParamList params;
+  std::vector<FileTexture> textures;
+  std::optional<Rgb> radiance;  // of an area light, on both sides
 };
 
 /// One shape of a Shape directive (a mesh file may hold several).

@@ -56,6 +56,7 @@ struct Geometry::Source {
   Timeline<ParamList> params;
   std::vector<MadeShapes> made;                                   // by state of `params`
   std::vector<int> materials;                                     // by index of what was made
+  std::vector<const AreaLightUse*> lights;                        // likewise; null: none
   bool caustics = true;                                           // see PlacedShape
   std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and index: shared by all places
 };
@@ -98,6 +99,7 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   if (source.made.empty()) return;
   for (const MadeShape& shape : source.made.front())
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
+  for (const MadeShape& shape : source.made.front()) source.lights.push_back(area_light(use, shape));
   for (const MadeShapes& made : source.made)
     if (made.size() != source.materials.size())
       return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
@@ -108,6 +110,19 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   }
   if (instances.empty()) return place(use, nullptr, source, true);
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
+}
+
+/// The scene's, else that of the material in the geometry file.
+const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
+  if (use.area_light >= 0) return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
+  if (!made.material || !made.material->radiance) return nullptr;
+  const Rgb& radiance = *made.material->radiance;
+  AreaLightUse& light = lights_of_files_.emplace_back();
+  light.type = "diffuse", light.name = made.material->name;
+  light.where = light.type_where = use.where;
+  light.params.params = {param_of(ParamType::rgb, "L", std::vector{radiance.r, radiance.g, radiance.b}, use.where),
+                         param_of(ParamType::boolean, "twosided", std::vector{true}, use.where)};
+  return &light;
 }
 
 /// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of
@@ -175,8 +190,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   std::vector<int> uses_of_state(source.shapes.size(), 0);
   for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
-    Emitter emitter{use.area_light < 0 ? nullptr : &description_.area_lights[static_cast<std::size_t>(use.area_light)],
-                    {}};
+    Emitter emitter{source.lights[i], {}};
     const std::size_t first = shapes_.size();
     for (const auto& [state, matrix] : places.states) {
       std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][i];

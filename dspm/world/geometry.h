@@ -46,6 +46,7 @@ class Geometry {
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);
   int object_of(const ShapeUse& use, const ObjectUse* instance);
+  const AreaLightUse* area_light(const ShapeUse& use, const MadeShape& made);
 
   const SceneDescription& description_;
   Looks& looks_;
@@ -54,6 +55,7 @@ class Geometry {
   std::deque<WorldShape> shapes_;
   std::vector<std::shared_ptr<const Shape>> owned_;
   std::vector<Emitter> emitters_;
+  std::deque<AreaLightUse> lights_of_files_;  // addresses are stable
   Bounds3 bounds_;
   DistinctNames objects_;
   std::map<const void*, int> object_of_use_;    // of an instance, or of a shape outside of blocks

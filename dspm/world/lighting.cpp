@@ -128,6 +128,23 @@ float mean_power(const WorldLight& light) {
   return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
 }
 
+/// Variations may dim lights that come with geometry files, so their names are checked once these have been read.
+void refuse_unknown_replacements(const SceneDescription& description, const Geometry& geometry,
+                                 Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const LightUse& use : description.lights) names.push_back(use.name);
+  for (const AreaLightUse& use : description.area_lights) names.push_back(use.name);
+  for (const Emitter& emitter : geometry.emitters()) names.push_back(emitter.use->name);
+  std::erase(names, "");
+  for (const VariationAxis& axis : description.axes)
+    for (const Variation& variation : axis.variations)
+      for (const LightScale& scale : variation.lights)
+        if (std::find(names.begin(), names.end(), scale.light) == names.end())
+          diagnostics.error(scale.where,
+                            fmt::format("neither the scene nor its geometry files have a light \"{}\"", scale.light),
+                            did_you_mean(scale.light, names));
+}
+
 constexpr float kLeastShare = 0x1p-20f;  // a random number of 24 bits chooses it
 
 /// Sets the probabilities.
@@ -163,6 +180,7 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
   for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
+  refuse_unknown_replacements(description, geometry, diagnostics);
   if (diagnostics.error_count() > 0) return lights;
   share_out(lights, diagnostics);
   for (WorldLight& light : lights) light.alike = group_alike(light.states.states);

@@ -13,13 +13,6 @@
 namespace dspm {
 namespace {
 
-Param param_of(ParamType type, std::string name, Param::Values values, const SourceLocation& where) {
-  Param param;
-  param.type = type, param.name = std::move(name), param.values = std::move(values);
-  param.where = param.values_where = where;
-  return param;
-}
-
 std::vector<std::string> named_textures(const ParamList& params) {
   std::vector<std::string> names;
   for (const Param& param : params.params)
@@ -227,9 +220,11 @@ std::vector<FrameStates<Material>> Looks::materials_in(const std::vector<FileFra
 int Looks::find(const MaterialRef& ref) {
   if (ref.index >= 0) return of_use_[static_cast<std::size_t>(ref.index)];
   if (!ref.name.empty()) {
-    if (const auto found = by_name_.find(ref.name); found != by_name_.end()) return found->second;
     std::vector<std::string> names;
-    for (const auto& [name, index] : by_name_) names.push_back(name);
+    for (const auto* known : {&by_name_, &by_name_in_files_}) {
+      if (const auto found = known->find(ref.name); found != known->end()) return found->second;
+      for (const auto& [name, index] : *known) names.push_back(name);
+    }
     diagnostics_.error(ref.where, fmt::format("there is no material named \"{}\"", ref.name),
                        did_you_mean(ref.name, names));
     return -1;
@@ -243,22 +238,36 @@ int Looks::find(const MaterialRef& ref) {
 }
 
 int Looks::add(const FileMaterial& file, const SourceLocation& where) {
-  const std::string key = fmt::format("{}|{}", file.texture_file.string(), file.name);
+  if (const auto own = by_name_.find(file.name); own != by_name_.end()) return own->second;
+  const auto key = std::make_pair(file.file, file.name);
   if (const auto found = from_files_.find(key); found != from_files_.end()) return found->second;
-  if (!file.texture_file.empty()) {
+  for (const FileTexture& of_file : file.textures) {
     TextureUse& texture = texture_uses_.emplace_back();
-    texture.type = "imagemap", texture.name = file.name, texture.is_spectrum = true;
+    texture.type = "imagemap", texture.name = of_file.name, texture.is_spectrum = of_file.is_spectrum;
     texture.where = texture.type_where = where;
-    texture.params.params.push_back(
-        param_of(ParamType::text, "filename", std::vector{file.texture_file.string()}, where));
+    texture.params.params.push_back(param_of(ParamType::text, "filename", std::vector{of_file.file.string()}, where));
     add_texture(texture);
   }
   MaterialUse& use = material_uses_.emplace_back();
-  use.type = "diffuse", use.params = file.diffuse;
+  use.type = file.type, use.name = file.name, use.params = file.params;
   use.where = use.type_where = where;
   const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name), file.name);
   from_files_.emplace(key, material);
+  by_name_in_files_.emplace(file.name, material);
   return material;
+}
+
+void Looks::refuse_unknown_replacements() {
+  std::vector<std::string> names;
+  for (const auto* known : {&by_name_, &by_name_in_files_})
+    for (const auto& [name, index] : *known) names.push_back(name);
+  for (const VariationAxis& axis : description_.axes)
+    for (const Variation& variation : axis.variations)
+      for (const MaterialUse& use : variation.materials)
+        if (!by_name_.contains(use.name) && !by_name_in_files_.contains(use.name))
+          diagnostics_.error(use.where,
+                             fmt::format("neither the scene nor its geometry files have a material \"{}\"", use.name),
+                             did_you_mean(use.name, names));
 }
 
 }  // namespace dspm

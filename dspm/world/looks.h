@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,8 +28,10 @@ class Looks {
 
   /// Index of the current material, pbrt's default if there is none; an unknown name is an error.
   int find(const MaterialRef& ref);
-  /// A material from a geometry file.
+  /// A material from a geometry file, or the scene's of the same name.
   int add(const FileMaterial& material, const SourceLocation& where);
+  /// Variations may replace materials of geometry files, so their names are checked once these have been read.
+  void refuse_unknown_replacements();
 
   /// By index, in these frames of the file. Throws SceneError if a file has changed since the first time.
   std::vector<FrameStates<Material>> materials_in(const std::vector<FileFrame>& frames) const;
@@ -102,7 +105,8 @@ class Looks {
   std::deque<TextureUse> texture_uses_;  // of geometry files
   std::deque<MaterialUse> material_uses_;
   std::vector<int> of_use_;  // by index into SceneDescription::materials
-  std::map<std::string, int> by_name_, from_files_;
+  std::map<std::string, int> by_name_, by_name_in_files_;
+  std::map<std::pair<std::filesystem::path, std::string>, int> from_files_;
   int default_ = -1;
 };
 

@@ -88,9 +88,10 @@ struct World::Impl {
   Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
       : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
     refuse_media(text, diagnostics);
+    looks.refuse_unknown_replacements();
     const bool whole = diagnostics.error_count() == 0;
     if (whole && geometry.shapes().empty()) diagnostics.warning({}, "the scene has no shape");
-    if (whole && text.lights.empty() && text.area_lights.empty())
+    if (whole && text.lights.empty() && geometry.emitters().empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());
     lights = make_lights(text, geometry, sphere, diagnostics);

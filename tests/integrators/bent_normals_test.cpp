@@ -56,9 +56,8 @@ class BentNormals : public testing::TestWithParam<Case> {};
 
 TEST_P(BentNormals, PhotonsBringWhatPathsFind) {
   const Tiles path = rendered(octahedron(R"("path" "integer maxdepth" 12)", GetParam().light, GetParam().material), 48);
-  for (const char* settings :
-       {R"("string estimator" "kz11")", R"("string estimator" "hj09")", R"("string direct" "photons")",
-        R"("string direct" "sampled")"}) {
+  for (const char* settings : {R"("string estimator" "kz11")", R"("string estimator" "hj09")",
+                               R"("string direct" "photons")", R"("string direct" "sampled")"}) {
     const std::string integrator =
         fmt::format(R"("dsppm" "integer maxdepth" 12 "integer photons" 40000 "float radius" 0.06 {})", settings);
     const Verdict verdict = agreement(rendered(octahedron(integrator, GetParam().light, GetParam().material), 3), path,

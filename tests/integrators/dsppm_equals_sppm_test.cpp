@@ -99,7 +99,10 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
             .text(fmt::format(
                 "Integrator \"dsppm\" \"integer photons\" 3000 \"integer maxdepth\" 6 \"string direct\" \"{}\" "
                 "\"string estimator\" \"{}\" \"bool sharepaths\" {} \"integer seed\" {}",
-                i % 3 == 2 ? "sampled" : i % 3 == 1 ? "photons" : "both", estimator, i % 5 != 4, i));
+                i % 3 == 2   ? "sampled"
+                : i % 3 == 1 ? "photons"
+                             : "both",
+                estimator, i % 5 != 4, i));
     SCOPED_TRACE(text);
     Choices choices;
     choices.outputs = {"radius", "photons"};

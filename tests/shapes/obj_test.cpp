@@ -85,13 +85,16 @@ TEST_F(Obj, MaterialsBecomeParts) {
   ASSERT_TRUE(made[1].material);
   EXPECT_EQ(made[1].material->name, "red");
   EXPECT_EQ(made[1].shape->primitive_count(), 2);
-  EXPECT_EQ(std::get<std::vector<float>>(made[1].material->diffuse.find("reflectance")->values),
+  EXPECT_EQ(made[1].material->type, "diffuse");
+  EXPECT_EQ(std::get<std::vector<float>>(made[1].material->params.find("reflectance")->values),
             (std::vector<float>{0.8f, 0.1f, 0.2f}));
   ASSERT_TRUE(made[2].material);
-  EXPECT_EQ(made[2].material->texture_file, directory / "wood.png");
-  EXPECT_EQ(std::get<Texts>(made[2].material->diffuse.find("reflectance")->values), Texts{"wood"});
+  ASSERT_EQ(made[2].material->textures.size(), 1u);
+  EXPECT_EQ(made[2].material->textures[0].file, directory / "wood.png");
+  EXPECT_EQ(std::get<Texts>(made[2].material->params.find("reflectance")->values),
+            Texts{made[2].material->textures[0].name});
   EXPECT_FALSE(made[3].material);  // "none"
-  EXPECT_EQ(made[4].material->texture_file, "");
+  EXPECT_TRUE(made[4].material->textures.empty());
   EXPECT_NE(test::messages(diagnostics).find("\"none\" is not defined"), std::string::npos);
   EXPECT_NE(test::messages(diagnostics).find("lost.png"), std::string::npos);
   EXPECT_EQ(diagnostics.error_count(), 0);
@@ -100,6 +103,65 @@ TEST_F(Obj, MaterialsBecomeParts) {
   ASSERT_EQ(whole.size(), 1u);
   EXPECT_EQ(whole[0].shape->primitive_count(), 6);
   EXPECT_FALSE(whole[0].material);
+}
+
+TEST_F(Obj, ALineWithANumberThatIsNoneIsNamed) {
+  const auto error = [&](const std::string& line) -> std::string {
+    try {
+      read(kSquare + line + "\nf 1 2 3\n");
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(error("v 1 1 x"), "line 5: v 1 1 x: \"x\" is not a number");
+  EXPECT_EQ(error("v 1 1"), "line 5: v 1 1: 2 of 3 numbers");
+  EXPECT_EQ(error("v 1 1 nan"), "line 5: v 1 1 nan: \"nan\" is not a number");
+  EXPECT_EQ(error("vn 1 1 1,0"), "line 5: vn 1 1 1,0: \"1,0\" is not a number");
+  EXPECT_EQ(error("vt"), "line 5: vt: 0 of 1 numbers");
+  EXPECT_EQ(error("f 1 2 3.5"), "line 5: f 1 2 3.5: \"3.5\" is not a vertex of a face");
+  EXPECT_EQ(error("f 1 2 /3"), "line 5: f 1 2 /3: \"/3\" is not a vertex of a face");
+  for (const char* fine : {"v +1 1e-3 .5 # 1", "v 1 1 1 0.5 0.5 0.5", "v 1 1 1e-50", "vt 1", "vp x", "f 1 2 3\r"})
+    EXPECT_EQ(error(fine), "none") << fine;
+}
+
+/// The first material of an MTL file.
+class Mtl : public Obj {
+ protected:
+  FileMaterial material(const std::string& statements) {
+    test::put_file(directory / "lib.mtl", "newmtl it\n" + statements);
+    read("mtllib lib.mtl\nusemtl it\n" + kSquare + "f 1 2 3\n");
+    return make({}).at(0).material.value();
+  }
+  static float number(const FileMaterial& material, const char* name) {
+    return std::get<std::vector<float>>(material.params.find(name)->values).at(0);
+  }
+};
+
+TEST_F(Mtl, IlluminationModelsOfGlassAreDielectric) {
+  for (const char* illum : {"4", "6", "7", "9"}) {
+    const FileMaterial glass = material("Kd 1 1 1\nNi 1.33\nd 0.1\nillum " + std::string(illum));
+    EXPECT_EQ(glass.type, "dielectric") << illum;
+    EXPECT_EQ(number(glass, "eta"), 1.33f);
+    EXPECT_EQ(glass.params.find("roughness"), nullptr);
+  }
+  EXPECT_EQ(number(material("illum 4\n"), "eta"), 1.5f);
+  EXPECT_EQ(number(material("illum 4\nPr 0.5\n"), "roughness"), 0.25f);
+  EXPECT_EQ(material("illum 2\nNi 1.33\n").type, "diffuse");
+  EXPECT_EQ(test::messages(diagnostics), "");
+}
+
+TEST_F(Mtl, KeIsAnAreaLight) {
+  EXPECT_EQ(material("Ke 1 2 3\n").radiance, Rgb(1, 2, 3));
+  EXPECT_FALSE(material("Ke 0 0 0\n").radiance);
+}
+
+TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
+  test::put_file(directory / "lib.mtl", "newmtl a\nmap_Bump a.png\nnewmtl b\nmap_Bump b.png\nmap_d b.png\n");
+  read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
+  make({});
+  EXPECT_EQ(test::messages(diagnostics),
+            "map_Bump of material \"a\" and of 1 more is left out\nmap_d of material \"b\" is left out\n");
 }
 
 TEST_F(Obj, AMissingOrEmptyMaterialFileIsAWarning) {

@@ -1,0 +1,130 @@
+#include "dspm/shapes/mtl.h"
+
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "dspm/system/file_access.h"
+
+namespace dspm {
+namespace {
+
+constexpr float kUsualEta = 1.5f;
+
+Param colour(std::string name, const tinyobj::real_t (&value)[3]) {
+  return param_of(ParamType::rgb, std::move(name), std::vector<float>{value[0], value[1], value[2]}, {});
+}
+Param number(std::string name, float value) {
+  return param_of(ParamType::number, std::move(name), std::vector<float>{value}, {});
+}
+
+bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0], value[1], value[2]}) > 0; }
+
+/// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass.
+bool is_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, std::vector<std::string>& complaints, MtlLeftOut& left_out)
+      : path_(path), complaints_(complaints), left_out_(left_out) {}
+
+  FileMaterial material(const tinyobj::material_t& m) {
+    made_ = {path_, trimmed(m.name), {}, {}, {}, {}};
+    if (is_glass(m.illum))
+      glass(m);
+    else
+      opaque(m);
+    if (is_positive(m.emission)) made_.radiance = Rgb(m.emission[0], m.emission[1], m.emission[2]);
+    leave_out("map_Ke", !m.emissive_texname.empty());
+    leave_out("map_Bump", !m.bump_texname.empty());
+    leave_out("norm", !m.normal_texname.empty());
+    leave_out("disp", !m.displacement_texname.empty());
+    leave_out("map_d", !m.alpha_texname.empty());
+    leave_out("refl", !m.reflection_texname.empty());
+    return std::move(made_);
+  }
+
+ private:
+  void glass(const tinyobj::material_t& m) {
+    made_.type = "dielectric";
+    add(number("eta", m.ior > 1 ? m.ior : kUsualEta));
+    if (m.roughness > 0) {
+      add(number("roughness", m.roughness * m.roughness));  // of Burley's parametrization, [Burley 2012]
+      add(param_of(ParamType::boolean, "remaproughness", std::vector<bool>{false}, {}));
+    }
+    leave_out("Tf", is_positive(m.transmittance) && *std::min_element(m.transmittance, m.transmittance + 3) < 1);
+  }
+
+  void opaque(const tinyobj::material_t& m) {
+    made_.type = "diffuse";
+    if (const auto picture = texture(m.diffuse_texname, "map_Kd"))
+      add(param_of(ParamType::texture, "reflectance", std::vector<std::string>{*picture}, {}));
+    else
+      add(colour("reflectance", m.diffuse));
+    leave_out("d", m.dissolve < 1);
+    leave_out("Ks", is_positive(m.specular));
+    leave_out("map_Ks", !m.specular_texname.empty());
+    leave_out("Pr", m.roughness > 0 || !m.roughness_texname.empty());
+    leave_out("Pm", m.metallic > 0 || !m.metallic_texname.empty());
+    leave_out("Pc", m.clearcoat_thickness > 0);
+    leave_out("Ps", m.sheen > 0 || !m.sheen_texname.empty());
+    leave_out("aniso", m.anisotropy != 0);
+  }
+
+  void add(Param param) { made_.params.params.push_back(std::move(param)); }
+
+  /// The name of an imagemap of that file, if it is there.
+  std::optional<std::string> texture(std::string file, const char* statement) {
+    if (file.empty()) return std::nullopt;
+    std::replace(file.begin(), file.end(), '\\', '/');
+    const std::filesystem::path path = path_.parent_path() / file;
+    if (!seems_to_exist(path)) {
+      complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, made_.name));
+      return std::nullopt;
+    }
+    std::string name = fmt::format("{} of {} in {}", statement, made_.name, path_.string());
+    made_.textures.push_back({name, std::filesystem::absolute(path), true});
+    return name;
+  }
+
+  void leave_out(const char* statement, bool is_there) {
+    if (is_there) left_out_[statement].push_back(made_.name);
+  }
+
+  const std::filesystem::path& path_;
+  std::vector<std::string>& complaints_;
+  MtlLeftOut& left_out_;
+  FileMaterial made_;
+};
+
+}  // namespace
+
+std::string trimmed(std::string_view text) {
+  const std::size_t end = text.find_last_not_of(" \t\r");
+  return std::string(text.substr(0, end == std::string_view::npos ? 0 : end + 1));
+}
+
+std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
+                                   std::vector<std::string>& complaints, MtlLeftOut& left_out) {
+  std::istringstream file(text);
+  std::vector<tinyobj::material_t> materials;
+  std::map<std::string, int> numbers;
+  std::string warning, error;
+  tinyobj::LoadMtl(&numbers, &materials, &file, &warning, &error);
+  Reader reader(path, complaints, left_out);
+  std::vector<FileMaterial> made;
+  for (const tinyobj::material_t& m : materials) made.push_back(reader.material(m));
+  return made;
+}
+
+std::vector<std::string> in_words(const MtlLeftOut& left_out) {
+  std::vector<std::string> words;
+  for (const auto& [statement, materials] : left_out)
+    words.push_back(fmt::format("{} of material \"{}\"{} is left out", statement, materials.front(),
+                                materials.size() == 1 ? "" : fmt::format(" and of {} more", materials.size() - 1)));
+  return words;
+}
+
+}  // namespace dspm

@@ -1,0 +1,28 @@
+// The materials of MTL files, as the materials of a scene.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/shapes/shape.h"
+
+namespace dspm {
+
+/// What was left out, and of which materials: statements of MTL by name.
+using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
+
+/// A name as OBJ and MTL files end them: with the line.
+std::string trimmed(std::string_view text);
+
+/// The materials of the text of the MTL file `path`, read by tinyobjloader. Places of parameters are left to the caller.
+/// What there is no picture for is added to `complaints`, what dspm does not have to `left_out`.
+std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
+                                   std::vector<std::string>& complaints, MtlLeftOut& left_out);
+
+/// `Ks and Ns of material "red" (and 3 more) are left out`
+std::vector<std::string> in_words(const MtlLeftOut& left_out);
+
+}  // namespace dspm
