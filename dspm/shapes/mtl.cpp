@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/system/file_access.h"
 
 namespace dspm {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/shapes/mesh_check.h"
