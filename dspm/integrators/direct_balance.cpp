@@ -22,7 +22,7 @@ const Light& drawn_as(const SceneLight& light, const Light& state) {
 
 DirectBalance::DirectBalance(const Scene& scene, const DirectWays& ways)
     : scene_(scene),
-      guide_(ways.guide != nullptr && !ways.guide->is_off() ? ways.guide : nullptr),
+      guide_(ways.guide),
       photons_times_area_(kernel_size(ways.radius * ways.radius, static_cast<float>(ways.photons))),
       photons_a_ray_(ways.photons_a_ray),
       scatters_(!scene.infinite_lights.empty()) {}
@@ -64,19 +64,14 @@ DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const
   if (photons_times_area_ == 0) return d;
   const Light& drawn = drawn_as(light, state);
   const EmissionPdf pdf = drawn.pdf_emit(start.ray, start.normal, start.primitive);
-  d.photons = photons_times_area_ * density_of(light, drawn, start) * pdf.position * pdf.direction * cosine;
+  d.photons = photons_times_area_ *
+              start_density(guide_, scene_, light, drawn, start.ray, start.normal, start.primitive) * pdf.position *
+              pdf.direction * cosine;
   if (light.is_delta && !pdf.delta_direction)
     d.photons /= length2(place.p - start.ray.origin);
   else if (!light.is_delta && !state.is_infinite())
     d.photons /= std::abs(dot(start.normal, start.ray.direction));
   return d;
-}
-
-/// Of the light and of the numbers that emit() gets.
-float DirectBalance::density_of(const SceneLight& light, const Light& state, const LightStart& start) const {
-  if (guide_ == nullptr) return light.photon_probability;
-  return guide_->density(static_cast<int>(&light - scene_.lights.data()),
-                         state.emission_numbers(start.ray, start.normal, start.primitive));
 }
 
 }  // namespace dspm

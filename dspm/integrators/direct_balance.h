@@ -52,11 +52,10 @@ class DirectBalance {
   };
   Densities densities(const SceneLight& light, const Light& state, const LightStart& start, const Place& place,
                       float sample_pdf_w) const;
-  float density_of(const SceneLight& light, const Light& state, const LightStart& start) const;
 
   const Scene& scene_;
-  const EmissionGuide* guide_;  // null: by power
-  float photons_times_area_;    // of a typical kernel
+  const EmissionGuide* guide_;
+  float photons_times_area_;  // of a typical kernel
   float photons_a_ray_;
   bool scatters_;
 };

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "dspm/integrators/dimension.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -95,6 +96,12 @@ void EmissionGuide::persist(StateStream& state, int lights) {
   state.list(nodes, 2 * kMostCells + static_cast<std::size_t>(lights));
   if (!are_valid(nodes, lights)) throw std::runtime_error("its record of where photons start is damaged");
   *this = nodes.empty() ? EmissionGuide() : EmissionGuide(lights, std::move(nodes));
+}
+
+float start_density(const EmissionGuide* guide, const Scene& scene, const SceneLight& light, const Light& state,
+                    const Ray& ray, const Vec3& normal, int primitive) {
+  if (guide == nullptr || guide->is_off()) return light.photon_probability;
+  return guide->density(static_cast<int>(&light - scene.lights.data()), state.emission_numbers(ray, normal, primitive));
 }
 
 }  // namespace dspm

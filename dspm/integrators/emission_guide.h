@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "dspm/math/ray.h"
 #include "dspm/math/rng.h"
+#include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/state_stream.h"
 
@@ -82,5 +84,10 @@ class EmissionGuide {
   std::vector<Node> nodes_;
   std::vector<Cell> cells_;
 };
+
+/// Of choosing the light and the numbers with which emit() of its `state` starts this ray; by power if `guide` is null
+/// or off. Where emission_numbers() does not tell the numbers, it is the light's probability.
+float start_density(const EmissionGuide* guide, const Scene& scene, const SceneLight& light, const Light& state,
+                    const Ray& ray, const Vec3& normal, int primitive);
 
 }  // namespace dspm

@@ -32,10 +32,12 @@ class FileSample {
   /// `frames`: a few, spread over the file; `make` returns their scene.
   FileSample(std::vector<FileFrame> frames, MakeScene make) : frames_(std::move(frames)), make_(std::move(make)) {}
 
-  /// Of these frames: `given`, if it is one.
+  /// Of these frames: `given`, if it is one. Made once for all who hold it at the same time.
   std::shared_ptr<const Scene> scene(const Scene& given) const {
     if (given.file_frames == frames_) return {std::shared_ptr<const Scene>(), &given};
-    return make_();
+    std::shared_ptr<const Scene> scene = made_.lock();
+    if (scene == nullptr) made_ = scene = make_();
+    return scene;
   }
   /// What learn() returns, for settings of that name: the integrators of later frame intervals need not learn again.
   template <class Learn>
@@ -66,6 +68,7 @@ class FileSample {
  private:
   std::vector<FileFrame> frames_;
   MakeScene make_;
+  mutable std::weak_ptr<const Scene> made_;
   std::map<std::string, std::shared_ptr<const LearnedEmission>> known_;
   std::optional<std::uint64_t> given_;
   bool is_used_ = false;

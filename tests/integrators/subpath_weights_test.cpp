@@ -46,6 +46,12 @@ MadeUpPath made_up(std::mt19937& random, LightKind kind, int length) {
   return path;
 }
 
+/// What merges at vertex i count, told by where light comes from.
+float merging(const MadeUpPath& path, const VcmWays& ways, int i) {
+  const bool narrow = i > 1 && (path.at(i - 1).mirror || path.at(i - 1).pdf_to_camera >= 1);
+  return narrow || !ways.connecting ? ways.merging : 0;
+}
+
 /// The light subpath's sums at vertex i.
 SubpathWeights from_light(const MadeUpPath& path, const VcmWays& ways, int i) {
   const auto& here = path.at(i);
@@ -54,9 +60,9 @@ SubpathWeights from_light(const MadeUpPath& path, const VcmWays& ways, int i) {
         .arrived(path.distance2(1), here.cosine_to_light);
   const auto& last = path.at(i - 1);
   const SubpathWeights before = from_light(path, ways, i - 1);
-  const SubpathWeights left =
-      last.mirror ? before.mirrored(last.cosine_to_camera)
-                  : before.scattered(ways, last.pdf_to_camera, last.pdf_to_light, last.cosine_to_camera);
+  const SubpathWeights left = last.mirror ? before.mirrored(last.cosine_to_camera)
+                                          : before.light_scattered(ways, last.pdf_to_camera, last.pdf_to_light,
+                                                                   last.cosine_to_camera, merging(path, ways, i - 1));
   return left.arrived(here.distance2, here.cosine_to_light);
 }
 
@@ -66,7 +72,7 @@ SubpathWeights leaving_from_camera(const MadeUpPath& path, const VcmWays& ways, 
   const auto& last = path.at(i);
   const SubpathWeights before = from_camera(path, ways, i);
   return last.mirror ? before.mirrored(last.cosine_to_light)
-                     : before.scattered(ways, last.pdf_to_light, last.pdf_to_camera, last.cosine_to_light);
+                     : before.camera_scattered(ways, last.pdf_to_light, last.pdf_to_camera, last.cosine_to_light);
 }
 SubpathWeights from_camera(const MadeUpPath& path, const VcmWays& ways, int i) {
   if (i == path.length()) return SubpathWeights::at_first_vertex(ways, path.camera_pdf_a);
@@ -113,10 +119,10 @@ std::vector<Way> ways_to_find(const MadeUpPath& path, const VcmWays& ways) {
   std::vector<Way> found;
   const auto& first = path.at(1);
   const auto end_of_light = [&](int i, float pdf_a) {
-    return SubpathEnd{from_light(path, ways, i), path.at(i).pdf_to_light, pdf_a};
+    return SubpathEnd{from_light(path, ways, i), path.at(i).pdf_to_light, pdf_a, merging(path, ways, i)};
   };
   const auto end_of_camera = [&](int i, float pdf_a) {
-    return SubpathEnd{from_camera(path, ways, i), path.at(i).pdf_to_camera, pdf_a};
+    return SubpathEnd{from_camera(path, ways, i), path.at(i).pdf_to_camera, pdf_a, merging(path, ways, i)};
   };
   // The light's vertex, scattered to from vertex 1.
   const double cosine = static_cast<double>(path.cosine_at_light() / path.distance2(1));
@@ -128,7 +134,7 @@ std::vector<Way> ways_to_find(const MadeUpPath& path, const VcmWays& ways) {
     const SubpathWeights arrived = path.parallel() ? left : left.arrived(path.at(1).distance2, path.cosine_at_light());
     const double next_event = mirror ? 0 : static_cast<double>(path.next_event) / (pdf * cosine);
     found.push_back({camera[1] * pdf * cosine,
-                     static_cast<double>(weight_of_hit(static_cast<float>(next_event), path.emission, arrived))});
+                     static_cast<double>(weight_of_hit(ways, static_cast<float>(next_event), path.emission, arrived))});
   }
   if (!mirror) {
     const double hit =
@@ -141,7 +147,7 @@ std::vector<Way> ways_to_find(const MadeUpPath& path, const VcmWays& ways) {
   for (int i = 1; i <= last; ++i) {
     if (path.at(i).mirror) continue;
     const auto at = static_cast<std::size_t>(i);
-    if (ways.merging > 0)
+    if (merging(path, ways, i) > 0)
       found.push_back({light[at] * camera[at] * static_cast<double>(ways.merging),
                        static_cast<double>(weight_of_merging(ways, end_of_light(i, 0), end_of_camera(i, 0)))});
     if (ways.connecting && i < last && !path.at(i + 1).mirror)

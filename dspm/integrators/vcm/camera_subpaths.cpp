@@ -64,7 +64,9 @@ class CameraSubpathTracer {
     for_each_escape(scene_, frames, w,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(w);
-                      const float emission = emission_density(scene_light, light, {path.ray.origin, -w}, {}, -1);
+                      const LightStart start{{path.ray.origin, -w}, {}, -1};
+                      // Nothing else finds a light that the camera sees.
+                      const float emission = path.bounces > 0 ? emission_density(pass_, scene_light, light, start) : 0;
                       add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
                           [&] { return light_element(scene_, scene_light); });
                     });
@@ -110,8 +112,8 @@ class CameraSubpathTracer {
   }
 
   /// `next_event`: of a shadow ray from the last vertex to the light, by solid angle.
-  static float weight_of_hit(const CameraSubpath& path, float next_event, float emission) {
-    return dspm::weight_of_hit(path.pdf_w > 0 ? next_event / path.pdf_w : 0, emission, path.weights);
+  float weight_of_hit(const CameraSubpath& path, float next_event, float emission) const {
+    return dspm::weight_of_hit(pass_.ways, path.pdf_w > 0 ? next_event / path.pdf_w : 0, emission, path.weights);
   }
 
   void add_emission(const CameraSubpath& path, const Vertex& vertex) {
@@ -121,7 +123,7 @@ class CameraSubpathTracer {
       const int primitive = vertex.hit.primitive;
       const float next_event =
           path.pdf_w > 0 ? light_samples(scene_, scene_light) * light.pdf_w(path.from, point, primitive) : 0;
-      const float emission = emission_density(scene_light, light, {point.p, vertex.wo}, point.ng, primitive);
+      const float emission = emission_density(pass_, scene_light, light, {{point.p, vertex.wo}, point.ng, primitive});
       add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
           [&] { return vertex.emitter_element(); });
     });
@@ -132,9 +134,10 @@ class CameraSubpathTracer {
     const auto weight = [&](const LightSample& sample) {
       const Vec3& wi = sample.lit.wi;
       const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
-      return weight_of_next_event(pass_.ways, hit,
-                                  {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
-                                   emission_over_next_event(scene_, sample, vertex.point)});
+      return weight_of_next_event(
+          pass_.ways, hit,
+          {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
+           emission_over_next_event(pass_, sample, vertex.point), merging_after(pass_.ways, 0)});
     };
     sample_direct_light(scene_, path, vertex, frames, bsdf, lobes, counts_, weight,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
@@ -179,7 +182,10 @@ class CameraSubpathTracer {
     CameraSubpath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
-    branch.weights = weights_after(path.weights, pass_.ways, vertex.point, scattering);
+    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    branch.weights = sample.specular
+                         ? path.weights.mirrored(cosine)
+                         : path.weights.camera_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w, cosine);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
       if (!is_finite(after)) {

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/emission_guide.h"
 #include "dspm/integrators/vcm/subpath_weights.h"
+#include "dspm/integrators/vcm/vcm_pass.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -17,19 +19,25 @@ inline bool is_parallel(const Light& light, const EmissionPdf& pdf) {
 }
 
 /// Of the choice of the light, the start and the direction of a light subpath. 0: unknown.
-inline float emission_density(float choice, const EmissionPdf& pdf) { return choice * pdf.position * pdf.direction; }
-inline float emission_density(const SceneLight& light, const Light& state, const Ray& start, const Vec3& normal,
-                              int primitive) {
-  return emission_density(light.photon_probability, state.pdf_emit(start, normal, primitive));
+inline float emission_density(const VcmPass& pass, const SceneLight& light, const Light& state, const LightStart& start,
+                              const EmissionPdf& pdf) {
+  return pdf.position * pdf.direction *
+         start_density(pass.guide, pass.scene, light, state, start.ray, start.normal, start.primitive);
+}
+inline float emission_density(const VcmPass& pass, const SceneLight& light, const Light& state,
+                              const LightStart& start) {
+  return emission_density(pass, light, state, start, state.pdf_emit(start.ray, start.normal, start.primitive));
 }
 
 /// The sums of a light subpath at its first vertex. `distance2`: of the first segment; `cosine`: at the vertex.
-inline SubpathWeights weights_at_first_vertex(const Scene& scene, const SceneLight& scene_light, const Light& light,
+/// The start's density is what the other ways take it for, rather than that of the numbers that were drawn: a light
+/// need not tell its numbers.
+inline SubpathWeights weights_at_first_vertex(const VcmPass& pass, const SceneLight& scene_light, const Light& light,
                                               const Emission& emission, const SurfacePoint& point, float distance2,
                                               float cosine) {
-  const float emitted = emission_density(scene_light.photon_probability, emission.pdf),
-              samples = light_samples(scene, scene_light);
   const LightStart start{emission.ray, emission.normal, emission.primitive};
+  const float emitted = emission_density(pass, scene_light, light, start, emission.pdf),
+              samples = light_samples(pass.scene, scene_light);
   const Vec3& w = emission.ray.direction;
   if (is_parallel(light, emission.pdf)) {
     const bool delta = emission.pdf.delta_direction;
@@ -44,13 +52,15 @@ inline SubpathWeights weights_at_first_vertex(const Scene& scene, const SceneLig
 
 /// A light subpath's density, by area, at a vertex that a shadow ray connects to the light, over that of the shadow
 /// ray.
-inline float emission_over_next_event(const Scene& scene, const LightSample& sample, const SurfacePoint& point) {
+inline float emission_over_next_event(const VcmPass& pass, const LightSample& sample, const SurfacePoint& point) {
   const Illumination& lit = sample.lit;
-  const EmissionPdf pdf = sample.light.pdf_emit(start_of(lit, point.p).ray, lit.normal, lit.primitive);
-  const float emitted = emission_density(sample.scene_light.photon_probability, pdf) * std::abs(dot(lit.wi, point.ng));
+  const LightStart start = start_of(lit, point.p);
+  const EmissionPdf pdf = sample.light.pdf_emit(start.ray, start.normal, start.primitive);
+  const float emitted =
+      emission_density(pass, sample.scene_light, sample.light, start, pdf) * std::abs(dot(lit.wi, point.ng));
   if (emitted == 0) return 0;
   const bool delta = !(sample.pdf_w > 0);
-  const float own = delta ? light_samples(scene, sample.scene_light) : sample.pdf_w;
+  const float own = delta ? light_samples(pass.scene, sample.scene_light) : sample.pdf_w;
   if (is_parallel(sample.light, pdf)) return emitted / own;
   // A point of a surface has a density by area there: the distance cancels.
   return delta ? emitted / (own * lit.distance * lit.distance) : emitted / (own * std::abs(dot(lit.normal, lit.wi)));

@@ -18,6 +18,7 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 
 struct LightPath : PathState {
   SubpathWeights weights;  // beyond the last vertex
+  float merging = 0;       // what merges count at the next one
 };
 
 class LightPathTracer {
@@ -48,14 +49,13 @@ class LightPathTracer {
     const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(chosen.light)];
     const EmissionNumbers& u = chosen.numbers;
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
-    if (!emission || is_black(emission->flux) || !(emission_density(scene_light.photon_probability, emission->pdf) > 0))
-      return;
+    if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
     const Rgb flux = emission->flux * start.factor / chosen.density;
     if (!is_finite(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
-    path.random = random, path.strands = start.strands;
+    path.random = random, path.strands = start.strands, path.merging = merging_after(pass_.ways, 0);
     branches_.follow(*this);
   }
 
@@ -67,7 +67,7 @@ class LightPathTracer {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
     if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
     const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine)
-                                                    : weights_at_first_vertex(scene_, *scene_light_, *light_, emission_,
+                                                    : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,
                                                                               vertex.point, distance2, cosine);
     FrameSet connecting;
     FrameArray<SubpathScattering> scattered;
@@ -99,7 +99,12 @@ class LightPathTracer {
               const SubpathScattering& scattering, std::span<const FrameFactor> factors) {
     LightPath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, scattering.sample);
-    branch.weights = weights_after(weights, pass_.ways, vertex.point, scattering);
+    const BsdfSample& sample = scattering.sample;
+    const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
+    branch.weights = sample.specular ? weights.mirrored(cosine)
+                                     : weights.light_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w,
+                                                               cosine, path.merging);
+    branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
       if (!is_finite(after)) {
@@ -119,9 +124,10 @@ class LightPathTracer {
     if (!(geometric * shading > 0)) return;
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const LightVertex stored{point.p, vertex.wo, flux, frames, strands, path.bounces, weights, vertex.hit};
+    const LightVertex stored{point.p,      vertex.wo, flux,         frames,    strands,
+                             path.bounces, weights,   path.merging, vertex.hit};
     if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path.random);
-    if (!pass_.settings.connect && !pass_.settings.merge) return;
+    if (!pass_.settings.connect && stored.merging == 0) return;
     out_.vertices.push_back(stored);
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
@@ -147,7 +153,8 @@ class LightPathTracer {
       const Rgb f = bsdf.evaluate(sight.w, light.wi, Transport::radiance, lobes);
       if (is_black(f)) return;
       const float reverse_pdf_w = bsdf.pdf_w(sight.w, light.wi, Transport::radiance, lobes);
-      const float weight = weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting});
+      const float weight =
+          weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
       const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
       if (!is_finite(radiance)) return out_.rejections.add(vertex.material_element(), common);
       parts.add({common, radiance});

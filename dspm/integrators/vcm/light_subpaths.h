@@ -25,6 +25,7 @@ struct LightVertex {
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before
   SubpathWeights weights;
+  float merging;  // what merges count here; 0: there are none
   RayHit hit;
 };
 

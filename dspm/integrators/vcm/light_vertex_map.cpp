@@ -9,6 +9,7 @@ void LightVertexMap::build(const std::vector<LightTrace>& traces, int frames, fl
   for (std::vector<Placed>& vertices : sorted_) vertices.clear();
   for (const LightTrace& trace : traces)
     for (const LightVertex& vertex : trace.vertices) {
+      if (vertex.merging == 0) continue;
       const bool common = frames == 1 || vertex.frames.count() > 1;
       sorted_[common ? 0 : static_cast<std::size_t>(vertex.frames.lowest()) + 1].push_back(
           {&vertex, trace.strands.of(vertex.strands)});

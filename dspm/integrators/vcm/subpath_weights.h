@@ -2,6 +2,12 @@
 // subpath carries two sums over other ways to find it, relative to its own density; a way's weight needs only the sums
 // of its two ends. [Georgiev 2012, Implementing Vertex Connection and Merging; (n) is an equation there]
 //
+// Beside connections, vertices are merged only where light arrives from a mirror or a narrow lobe, since there a connection fails: either its
+// end is specular, or it meets the lobe by chance. Elsewhere all merges of a camera path share its own variance, so they
+// do less than their number says and would take weight from better ways. [Jendersie and Grosch 2018, Variance Reduction
+// via Footprint Estimation in the Presence of Path Reuse] The rule asks only for the density of one scattering of light,
+// which both subpaths know, so it is a property of the path, as weights that sum to 1 demand.
+//
 // The sums hold for every frame of the subpath: frames stay together only as long as all densities are the same.
 // Russian roulette is left out of all densities. Of the report's three sums, d_VM is d_VC / eta: hits of lights, shadow
 // rays and connections to the camera never depend on whether paths are merged.
@@ -16,9 +22,16 @@ struct VcmWays {
   bool connecting = false;  // vertices of camera subpaths are connected to those of light subpaths
 };
 
+/// What merges count where light arrives that was scattered with this density, by solid angle; 0 if it was emitted.
+inline float merging_after(const VcmWays& ways, float light_pdf_w) {
+  constexpr float kNarrow = 1;  // per steradian: a reflecting lobe of roughness 0.28; 1 / pi at most if matte
+  return !ways.connecting || light_pdf_w >= kNarrow ? ways.merging : 0;
+}
+
 struct SubpathWeights {
   float vcm = 0;  // d_VCM: the way that connects the ends of the last segment
   float vc = 0;   // d_VC, over the solid angle of the last segment's reverse: all shorter subpaths
+  float vm = 0;   // likewise, of a camera subpath: merges at the vertex before, if light leaves this one narrowly
 
   /// A light's point or direction, of density `emission` together with the segment, and `next_event` when a shadow ray
   /// samples it. `cosine`: at the light; 0 for a delta light, which no ray can hit, and 1 at infinity.
@@ -29,16 +42,36 @@ struct SubpathWeights {
   static SubpathWeights at_first_vertex(const VcmWays& ways, float pdf_a) { return {ways.sighting / pdf_a, 0}; }
 
   /// Arrives at a surface; the segment's squared length counts as 1 if it comes from infinity. (31), (32), (34), (35)
-  SubpathWeights arrived(float distance2, float cosine) const { return {vcm * distance2 / cosine, vc / cosine}; }
-  /// Scatters with these densities, by solid angle, of the new segment and of the reverse of the last one.
-  SubpathWeights scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine) const {
-    return {ways.connecting ? 1 / pdf_w : 0, cosine / pdf_w * (ways.merging + shorter(reverse_pdf_w))};
+  SubpathWeights arrived(float distance2, float cosine) const {
+    return {vcm * distance2 / cosine, vc / cosine, vm / cosine};
+  }
+  /// A light subpath scatters with these densities, by solid angle, of the new segment and of the reverse of the last
+  /// one. `merging`: what merges count here.
+  SubpathWeights light_scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine,
+                                 float merging) const {
+    return scattered(ways, pdf_w, reverse_pdf_w, cosine, merging, 0);
+  }
+  SubpathWeights camera_scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine) const {
+    return scattered(ways, pdf_w, reverse_pdf_w, cosine, 0, ways.merging);
   }
   /// Both directions determine each other.
-  SubpathWeights mirrored(float cosine) const { return {0, vc * cosine}; }
+  SubpathWeights mirrored(float cosine) const { return {0, (vc + vm) * cosine, 0}; }
 
   /// All ways with a shorter subpath, given the density of the last segment's reverse.
-  float shorter(float reverse_pdf_w) const { return vcm + reverse_pdf_w * vc; }
+  float shorter(const VcmWays& ways, float reverse_pdf_w) const {
+    return vcm + reverse_pdf_w * before(ways, reverse_pdf_w);
+  }
+  /// Those without the last segment, over that density.
+  float before(const VcmWays& ways, float reverse_pdf_w) const {
+    return vc + (merging_after(ways, reverse_pdf_w) > 0 ? vm : 0);
+  }
+
+ private:
+  SubpathWeights scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine, float merging,
+                           float perhaps_merging) const {
+    return {ways.connecting ? 1 / pdf_w : 0, cosine / pdf_w * (merging + shorter(ways, reverse_pdf_w)),
+            cosine / pdf_w * perhaps_merging};
+  }
 };
 
 /// A subpath's last vertex, as paths from the other subpath's end come to it.
@@ -46,15 +79,16 @@ struct SubpathEnd {
   SubpathWeights weights;
   float reverse_pdf_w;  // of going on along the reverse of the last segment, by solid angle
   float pdf_a = 0;      // of arriving here, by area, over the density of the way in question
+  float merging = 0;    // what merges here count
 
-  /// All ways with a shorter subpath on this side.
-  float others(const VcmWays& ways) const { return pdf_a * (ways.merging + weights.shorter(reverse_pdf_w)); }
+  /// All ways with a shorter subpath on this side, and merges at its end.
+  float others(const VcmWays& ways) const { return pdf_a * (merging + weights.shorter(ways, reverse_pdf_w)); }
 };
 
 /// The camera subpath hits a light. `next_event`: the density of a shadow ray to there, over that of the hit;
 /// `emission`: of a light subpath's start there. (37), (43)
-inline float weight_of_hit(float next_event, float emission, const SubpathWeights& camera) {
-  return 1 / (1 + next_event + emission * camera.vc);
+inline float weight_of_hit(const VcmWays& ways, float next_event, float emission, const SubpathWeights& camera) {
+  return 1 / (1 + next_event + emission * camera.before(ways, 0));
 }
 /// A shadow ray to a light. `hit`: the density of hitting it, over that of the shadow ray. (37), (44), (45)
 inline float weight_of_next_event(const VcmWays& ways, float hit, const SubpathEnd& camera) {
@@ -68,7 +102,8 @@ inline float weight_of_connection(const VcmWays& ways, const SubpathEnd& light, 
 inline float weight_of_sighting(const VcmWays& ways, const SubpathEnd& light) { return 1 / (1 + light.others(ways)); }
 /// The ends are one vertex. (37) to (39)
 inline float weight_of_merging(const VcmWays& ways, const SubpathEnd& light, const SubpathEnd& camera) {
-  const float shorter = light.weights.shorter(light.reverse_pdf_w) + camera.weights.shorter(camera.reverse_pdf_w);
+  const float shorter =
+      light.weights.shorter(ways, light.reverse_pdf_w) + camera.weights.shorter(ways, camera.reverse_pdf_w);
   return 1 / (1 + shorter / ways.merging);
 }
 

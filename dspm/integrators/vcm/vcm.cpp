@@ -48,15 +48,12 @@ enum Step { kEmission, kLightPaths, kMap, kCameraPaths };
 
 /// A part of the median of the radii that dsppm begins with, over frames of the whole file: whichever frames are
 /// rendered, all their light paths have the same weights. Merging pays where connections fail, and costs everywhere.
-float usual_radius(const Scene& scene, const RenderSettings& render, int max_depth) {
+float usual_radius(const Scene& sample, const RenderSettings& render, int max_depth) {
   constexpr float kPart = 0.25f;
   constexpr double kPilotPixels = 4096;
-  const std::shared_ptr<const Scene> sample = render.file != nullptr
-                                                  ? render.file->scene(scene)
-                                                  : std::shared_ptr<const Scene>(std::shared_ptr<void>(), &scene);
   const HitPointSettings settings{.max_depth = max_depth, .share_paths = true};
-  const float median = median_radius(PilotPixels(render, kPilotPixels).trace(*sample, settings));
-  return median > 0 ? kPart * median : 0.01f * scene.radius;
+  const float median = median_radius(PilotPixels(render, kPilotPixels).trace(sample, settings));
+  return median > 0 ? kPart * median : 0.01f * sample.radius;
 }
 
 bool needs_light_paths(const VcmSettings& settings) { return settings.connect || settings.merge || settings.sight; }
@@ -74,11 +71,13 @@ VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSet
 /// Where light paths start that shadow rays cannot replace.
 std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& settings, const Scene& scene,
                                                         const RenderSettings& render, Statistics& statistics) {
+  constexpr int kLeastLearning = 100'000;  // a picture may be small, and what light has to pass smaller
   PhotonSettings photon;
   photon.seed = render.seed, photon.max_depth = settings.max_depth;
   photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = true;
   const HitPointSettings hit_point{.max_depth = settings.max_depth, .sample_direct = true};
-  auto learned = emission_of_file(scene, render, photon, hit_point, settings.photons, settings.guided, statistics);
+  auto learned = emission_of_file(scene, render, photon, hit_point, std::max(settings.photons, kLeastLearning),
+                                  settings.guided, statistics);
   expect_enough(render.memory, {.learning = learned->bytes_while_learning});
   return learned;
 }
@@ -101,8 +100,13 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
 
 class Vcm final : public Integrator {
  public:
-  Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings), render_(render), done_(render.crop, scene.frame_count(), statistics_at_start()) {}
+  /// `sample`: of the file, if it has been made.
+  Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render,
+      std::shared_ptr<const Scene> sample)
+      : settings_(settings),
+        render_(render),
+        sample_(std::move(sample)),
+        done_(render.crop, scene.frame_count(), statistics_at_start()) {}
 
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override {
@@ -148,6 +152,7 @@ class Vcm final : public Integrator {
     VcmSettings settings = settings_;
     settings.guided &= needs_light_paths(settings);
     learned_ = learned_emission(settings, scene, render_, statistics);
+    sample_.reset();
   }
 
   void trace_light_subpaths(const VcmPass& pass, SeenLightSums& sums, Statistics& statistics) {
@@ -166,6 +171,7 @@ class Vcm final : public Integrator {
 
   VcmSettings settings_;
   RenderSettings render_;
+  std::shared_ptr<const Scene> sample_;  // until learn(), which would make it again
   SummedIterations done_;
   IterationRadius radius_;
   std::shared_ptr<const LearnedEmission> learned_;  // null before the first iteration
@@ -185,7 +191,10 @@ VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
                            "initial radius of merging; 0: a pixel spacing at what half of the pixels see");
   s.alpha = params.number("alpha", s.alpha, "", "how slowly the radius shrinks, in (0, 1)");
   s.connect = params.flag("connect", true, "connects vertices of camera paths to those of light paths");
-  s.merge = params.flag("merge", true, "merges vertices of camera paths with those of light paths within the radius");
+  s.merge = params.flag(
+      "merge", true,
+      "merges vertices of camera paths with those of light paths within the radius; if they are connected as "
+      "well, only where light comes from a mirror or a narrow lobe");
   s.sight = params.flag("lighttracing", true, "connects vertices of light paths to the camera");
   s.guided = read_emission(params);
   s.share_paths = params.flag("sharepaths", true,
@@ -210,11 +219,15 @@ VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
 
 std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, const RenderSettings& render) {
   VcmSettings settings = read_settings(params, render);
-  if (settings.merge && settings.radius == 0) settings.radius = usual_radius(scene, render, settings.max_depth);
+  std::shared_ptr<const Scene> sample;
+  if (settings.merge && settings.radius == 0) {
+    if (render.file != nullptr) sample = render.file->scene(scene);
+    settings.radius = usual_radius(sample != nullptr ? *sample : scene, render, settings.max_depth);
+  }
   if (render.memory > 0)
     expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count()),
                                   .photons = light_path_bytes(settings, scene, render)});
-  return std::make_unique<Vcm>(settings, scene, render);
+  return std::make_unique<Vcm>(settings, scene, render, std::move(sample));
 }
 
 }  // namespace dspm

@@ -32,7 +32,7 @@ struct VcmPass {
   std::uint64_t iteration;
   float radius;  // of merging, the same everywhere and in all frames
   VcmWays ways;
-  const EmissionGuide* guide = nullptr;  // weights do not know of it
+  const EmissionGuide* guide = nullptr;  // of light paths' starts; null or off: by power
 };
 
 /// How a subpath is scattered in some of its frames. Frames stay together only if all their densities are the same.
@@ -59,15 +59,6 @@ inline std::optional<SubpathScattering> scatter(const PathState& path, const Ver
   const Transport back = transport == Transport::flux ? Transport::radiance : Transport::flux;
   const float reverse = sample->specular ? 0 : bsdf.pdf_w(sample->wi, vertex.wo, back, lobes);
   return SubpathScattering{frames, sample->weight, *sample, reverse};
-}
-
-/// The subpath's sums beyond the vertex.
-inline SubpathWeights weights_after(const SubpathWeights& weights, const VcmWays& ways, const SurfacePoint& point,
-                                    const SubpathScattering& scattering) {
-  const BsdfSample& sample = scattering.sample;
-  const float cosine = std::abs(dot(sample.wi, point.ng));
-  return sample.specular ? weights.mirrored(cosine)
-                         : weights.scattered(ways, sample.pdf_w, scattering.reverse_pdf_w, cosine);
 }
 
 /// Whether paths can be connected or merged here.
