@@ -24,4 +24,31 @@ Image decode_jpeg(std::string_view bytes, ColorEncoding encoding);
 bool is_hdr(std::string_view bytes);
 Image decode_hdr(std::string_view bytes);
 
+/// Through stb_image. TGA has no signature: is_tga is true if the header makes sense as one.
+bool is_bmp(std::string_view bytes);
+Image decode_bmp(std::string_view bytes, ColorEncoding encoding);
+bool is_tga(std::string_view bytes);
+Image decode_tga(std::string_view bytes, ColorEncoding encoding);
+
+/// P1 to P6: the first picture of the file; numbers up to 65535.
+bool is_pnm(std::string_view bytes);
+Image decode_pnm(std::string_view bytes, ColorEncoding encoding);
+
+/// Floating point; the values as stored, times the header's scale.
+bool is_pfm(std::string_view bytes);
+Image decode_pfm(std::string_view bytes);
+
+/// Where the header says that its numbers are linear, automatic is linear.
+bool is_qoi(std::string_view bytes);
+Image decode_qoi(std::string_view bytes, ColorEncoding encoding);
+
+/// Through libtiff: the first picture. 8 and 16 bits and single precision, grey or RGB; what else the library converts
+/// to 8 bits (palettes, YCbCr, CMYK) is read as that.
+bool is_tiff(std::string_view bytes);
+Image decode_tiff(std::string_view bytes, ColorEncoding encoding);
+
+/// Through libwebp: with and without loss; not animations.
+bool is_webp(std::string_view bytes);
+Image decode_webp(std::string_view bytes, ColorEncoding encoding);
+
 }  // namespace dspm

@@ -1,6 +1,8 @@
 #include "dspm/image/exr.h"
 
+#include <ImathMatrix.h>
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfFramesPerSecond.h>
@@ -12,6 +14,7 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -105,6 +108,22 @@ Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std
   return image;
 }
 
+/// Colours of the file's primaries become those of Rec. 709, by way of XYZ and without adaptation to its white, as in
+/// pbrt.
+void convert_to_rec709(Image& image, const Imf::Header& header) {
+  const Imf::Chromaticities rec709;  // the library's default
+  if (!Imf::hasChromaticities(header) || Imf::chromaticities(header) == rec709) return;
+  const Imath::M44f m = Imf::RGBtoXYZ(Imf::chromaticities(header), 1) * Imf::XYZtoRGB(rec709, 1);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      if (!std::isfinite(m[row][column])) throw std::runtime_error("its chromaticities are no colour space");
+  }
+  for (Rgb& pixel : image.pixels) {
+    const Rgb from = pixel;
+    for (int c = 0; c < 3; ++c) pixel[c] = from.r * m[0][c] + from.g * m[1][c] + from.b * m[2][c];
+  }
+}
+
 }  // namespace
 
 bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
@@ -113,8 +132,11 @@ Image decode_exr(std::string_view bytes) {
   OpenExr exr(bytes);
   const std::vector<std::string> channels = colour_channels(exr.header().channels());
   Image image = decode(exr.file, channels, bytes.size());
-  if (channels.size() == 1)
+  if (channels.size() == 1) {
     for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.r);
+  } else {
+    convert_to_rec709(image, exr.header());
+  }
   return image;
 }
 

@@ -33,7 +33,8 @@ struct ExrLayer {
 };
 
 bool is_exr(std::string_view bytes);
-/// The data window of the first part; a missing R, G or B is an error unless there is Y. Throws std::exception.
+/// The data window of the first part; a missing R, G or B is an error unless there is Y. Colours of
+/// other chromaticities become those of Rec. 709. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
 /// One part with the channels of all layers, compressed without loss. Halves end at 65504: brighter values are clamped

@@ -12,6 +12,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/decoders.h"
 #include "dspm/image/encoding.h"
+#include "dspm/image/samples.h"
 #include "dspm/system/atomic_file.h"
 
 namespace dspm {
@@ -43,13 +44,13 @@ struct PngReader {
     rest.remove_prefix(count);
   }
 
-  /// Everything becomes 16-bit RGB with the most significant byte first; 8-bit values v become 257 v.
+  /// Everything becomes 16-bit RGB, with alpha where the file has it; 8-bit values v become 257 v.
   bool read_size() {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_read_info(png, info);
     png_set_expand_16(png);
     png_set_gray_to_rgb(png);
-    png_set_strip_alpha(png);
+    png_set_swap(png);  // to the least significant byte first
     png_set_interlace_handling(png);
     png_read_update_info(png, info);
     return true;
@@ -64,7 +65,7 @@ struct PngReader {
   std::string_view bytes;
   png_structp png = nullptr;
   png_infop info = nullptr;
-  std::vector<png_byte> samples;
+  std::vector<std::uint16_t> samples;
   std::vector<png_bytep> rows;
   char message[128] = "not a PNG file";
 };
@@ -79,22 +80,14 @@ Image decode_png(std::string_view bytes, ColorEncoding encoding) {
   Image image = sized_image(png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info),
                             bytes.size());
 
-  const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
-  reader.samples.resize(row_bytes * static_cast<std::size_t>(image.height));
+  const std::size_t channels = png_get_channels(reader.png, reader.info);
+  const std::size_t row = channels * static_cast<std::size_t>(image.width);
+  reader.samples.resize(row * static_cast<std::size_t>(image.height));
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    reader.rows.push_back(reader.samples.data() + y * row_bytes);
+    reader.rows.push_back(reinterpret_cast<png_bytep>(reader.samples.data() + y * row));
   }
   if (!reader.read_rows()) throw std::runtime_error(reader.message);
-
-  const std::vector<float> linear = decoding_table(encoding, 1 << 16);
-  const png_byte* sample = reader.samples.data();
-  const auto next = [&] {
-    const int high = *sample++, low = *sample++;
-    return linear[static_cast<std::size_t>(high << 8 | low)];
-  };
-  for (Rgb& pixel : image.pixels) {
-    for (int c = 0; c < 3; ++c) pixel[c] = next();
-  }
+  set_pixels<std::uint16_t>(image, reader.samples, channels, decoding_table(encoding, 1 << 16));
   return image;
 }
 

@@ -18,10 +18,18 @@ namespace dspm {
 Image decode_image(std::string_view bytes, ColorEncoding encoding) {
   if (is_png(bytes)) return decode_png(bytes, encoding);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, encoding);
-  if (!is_exr(bytes) && !is_hdr(bytes)) {
-    throw std::runtime_error("it is not a PNG, JPEG, OpenEXR or Radiance HDR file");
+  if (is_tiff(bytes)) return decode_tiff(bytes, encoding);
+  if (is_webp(bytes)) return decode_webp(bytes, encoding);
+  if (is_qoi(bytes)) return decode_qoi(bytes, encoding);
+  if (is_bmp(bytes)) return decode_bmp(bytes, encoding);
+  if (is_pnm(bytes)) return decode_pnm(bytes, encoding);
+  const bool exr = is_exr(bytes), hdr = is_hdr(bytes);
+  if (!exr && !hdr && !is_pfm(bytes)) {
+    if (is_tga(bytes)) return decode_tga(bytes, encoding);  // last, as it has no signature
+    throw std::runtime_error(
+        "it is not a PNG, JPEG, OpenEXR, Radiance HDR, TIFF, WebP, QOI, BMP, PNM, PFM or TGA file");
   }
-  Image image = is_exr(bytes) ? decode_exr(bytes) : decode_hdr(bytes);
+  Image image = exr ? decode_exr(bytes) : hdr ? decode_hdr(bytes) : decode_pfm(bytes);
   for (Rgb& pixel : image.pixels)
     pixel = {decode(encoding, pixel.r), decode(encoding, pixel.g), decode(encoding, pixel.b)};
   return image;

@@ -2,12 +2,12 @@
 //
 //   Texture "label" "spectrum" "imagemap" "string filename" "label.png" "string wrap" "clamp"
 //
-//   | filename | required   | PNG, JPEG, OpenEXR or Radiance HDR; "water.%03d.png" is numbered like the frames |
+//   | filename | required   | a picture of any format of image.h; "water.%03d.png" is numbered like the frames |
 //   | wrap     | "repeat"   | outside 0..1: repeat, clamp or black |
 //   | filter   | "bilinear" | or point; trilinear and ewa are treated as bilinear |
 //   | scale    | 1          | multiplies the picture |
 //   | invert   | false      | 1 - the scaled picture, not below 0 |
-//   | encoding | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for PNG and JPEG, else linear |
+//   | encoding | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for integers, linear for floating point |
 //   and the mapping's parameters, see mapping.h.
 //
 // (0, 0) is the picture's lower left corner. A texture of numbers takes the mean of red, green and blue.
@@ -113,8 +113,8 @@ void note_filter(ParamReader& reader, const std::string& filter) {
 
 template <class T>
 TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) {
-  const std::filesystem::path path =
-      reader.file("filename", "PNG, JPEG, OpenEXR or Radiance HDR; one per frame with %03d");
+  const std::filesystem::path path = reader.file(
+      "filename", "PNG, JPEG, TGA, BMP, PNM, QOI, TIFF, WebP, OpenEXR, HDR or PFM; one per frame with %03d");
   const std::string wrap = reader.choice("wrap", "repeat", {"repeat", "clamp", "black", "octahedralsphere"},
                                          "the picture outside 0..1; octahedralsphere is not supported");
   const std::string filter = reader.choice("filter", "bilinear", {"bilinear", "point", "trilinear", "ewa"},
@@ -123,8 +123,7 @@ TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) 
   typename ImageTexture<T>::Look look{wrap_of(wrap), filter != "point"};
   look.scale = reader.number("scale", 1, {}, "multiplies the picture");
   look.invert = reader.flag("invert", false, "1 - the scaled picture");
-  const std::string words =
-      reader.text("encoding", "", "sRGB, linear or gamma 2.2; sRGB for PNG and JPEG, else linear");
+  const std::string words = reader.text("encoding", "", "sRGB, linear or gamma 2.2; sRGB for integers, else linear");
   const TextureMapping mapping = TextureMapping::read(reader, context.world_from_texture);
   reader.finish();
 

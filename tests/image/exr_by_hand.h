@@ -22,6 +22,7 @@ struct ExrByHand {
   std::vector<std::string> channels;  // in alphabetical order
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<float> values;  // row by row, in a row channel by channel
+  std::string more;           // further attributes
 
   static std::string attribute(const std::string& name, const std::string& type, const std::string& value) {
     return zero_ended(name) + zero_ended(type) + little_endian(static_cast<std::uint32_t>(value.size())) + value;
@@ -37,9 +38,9 @@ struct ExrByHand {
     std::string list;
     for (const std::string& channel : channels) list += zero_ended(channel) + integers({2, 0, 1, 1});  // float
     const std::string display = integers({0, 0, 9, 9}), data = integers({x, y, x + width - 1, y + height - 1});
-    return attribute("channels", "chlist", zero_ended(list)) + attribute("compression", "compression", zero_ended("")) +
-           attribute("dataWindow", "box2i", data) + attribute("displayWindow", "box2i", display) +
-           attribute("lineOrder", "lineOrder", zero_ended("")) +
+    return attribute("channels", "chlist", zero_ended(list)) + more +
+           attribute("compression", "compression", zero_ended("")) + attribute("dataWindow", "box2i", data) +
+           attribute("displayWindow", "box2i", display) + attribute("lineOrder", "lineOrder", zero_ended("")) +
            attribute("pixelAspectRatio", "float", float_bytes(1)) +
            attribute("screenWindowCenter", "v2f", float_bytes(0) + float_bytes(0)) +
            attribute("screenWindowWidth", "float", float_bytes(1));

@@ -151,5 +151,27 @@ TEST(Exr, AbsurdSizesAreRefused) {
   }
 }
 
+test::ExrByHand with_chromaticities(std::initializer_list<float> eight) {
+  test::ExrByHand exr;
+  exr.channels = {"B", "G", "R"}, exr.width = exr.height = 1, exr.values = {0, 0, 1};
+  std::string numbers;
+  for (const float number : eight) numbers += test::float_bytes(number);
+  exr.more = test::ExrByHand::attribute("chromaticities", "chromaticities", numbers);
+  return exr;
+}
+
+// The red of Rec. 2020 in Rec. 709 [ITU-R BT.2407].
+TEST(Exr, ColoursOfOtherChromaticitiesAreConverted) {
+  const Rgb red =
+      decode_exr(with_chromaticities({0.708f, 0.292f, 0.17f, 0.797f, 0.131f, 0.046f, 0.3127f, 0.329f}).bytes())
+          .at(0, 0);
+  EXPECT_NEAR(red.r, 1.6605f, 1e-3f);
+  EXPECT_NEAR(red.g, -0.1246f, 1e-3f);
+  EXPECT_NEAR(red.b, -0.0182f, 1e-3f);
+  const auto rec709 = with_chromaticities({0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f});
+  EXPECT_EQ(decode_exr(rec709.bytes()).at(0, 0), Rgb(1, 0, 0));
+  EXPECT_THROW(decode_exr(with_chromaticities({0, 0, 0, 0, 0, 0, 0, 0}).bytes()), std::exception);
+}
+
 }  // namespace
 }  // namespace dspm

@@ -32,8 +32,11 @@ std::vector<std::string> valid_files(const TemporaryDirectory& directory) {
     hdr += std::string("\2\2\0\12", 4);
     for (int channel = 0; channel < 4; ++channel) hdr += std::string("\x85\x80\5\1\2\3\4\5", 8);
   }
-  return {test::contents(directory / "a.png"), test::contents(directory / "a.exr"), exr.bytes(),
-          test::multi_part({exr, exr}), hdr};
+  std::vector<std::string> files = {test::contents(directory / "a.png"), test::contents(directory / "a.exr"),
+                                    exr.bytes(), test::multi_part({exr, exr}), hdr};
+  for (const auto& small : std::filesystem::directory_iterator(DSPM_SOURCE_DIR "/tests/fuzz/corpus/pictures"))
+    files.push_back(test::contents(small.path()));
+  return files;
 }
 
 /// Either an image with as many pixels as it says, or an error with the file's name.

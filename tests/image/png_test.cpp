@@ -137,5 +137,19 @@ TEST(Png, ADirectoryThatIsNotThereIsNamed) {
   EXPECT_EQ(directory.file_count(), 0);
 }
 
+TEST(Png, AlphaIsKeptUnlessAllIsOpaque) {
+  const TemporaryDirectory directory;
+  PngKind kind;
+  kind.width = 2, kind.height = 1, kind.bits = 8, kind.color_type = PNG_COLOR_TYPE_RGB_ALPHA;
+  write_raw_png(directory / "a.png", kind, {51, 0, 0, 51, 0, 255, 0, 255});
+  const Image image = read_image(directory / "a.png", {ColorEncoding::Kind::linear, 1});
+  ASSERT_EQ(image.alpha.size(), 2u);
+  EXPECT_FLOAT_EQ(image.alpha[0], 0.2f);
+  EXPECT_EQ(image.alpha[1], 1);
+  EXPECT_FLOAT_EQ(image.at(0, 0).r, 0.2f);
+  write_raw_png(directory / "b.png", kind, {51, 0, 0, 255, 0, 255, 0, 255});
+  EXPECT_TRUE(read_image(directory / "b.png").alpha.empty());
+}
+
 }  // namespace
 }  // namespace dspm
