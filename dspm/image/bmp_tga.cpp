@@ -6,6 +6,7 @@
 
 #include "dspm/image/decoders.h"
 #include "dspm/image/encoding.h"
+#include "dspm/image/image.h"
 #include "dspm/image/samples.h"
 
 #define STB_IMAGE_IMPLEMENTATION

@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/image/decoders.h"
 #include "dspm/image/encoding.h"
+#include "dspm/image/image.h"
 
 namespace dspm {
 
