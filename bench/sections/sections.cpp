@@ -28,6 +28,7 @@ std::span<const Section> sections() {
       {"threads", "from one thread to all", measure_threads},
       {"error", "time to equal error of the integrators and estimators", measure_error},
       {"light", "scenes whose light hardly reaches what the camera sees", measure_light},
+      {"table", "every integrator on scenes of every kind", measure_table},
       {"queries", "partition queries against other ways to the same answer", measure_queries},
       {"rays", "the same rays in dspm's trees and in Embree", measure_rays},
       {"sppm", "one frame, against other renderers", measure_sppm},
