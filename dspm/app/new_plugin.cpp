@@ -93,9 +93,9 @@ void check(const std::string& kind, const std::string& name, const fs::path& fol
   if (name.empty() || !std::all_of(name.begin(), name.end(), fits) || name[0] < 'a' || name == "test")
     throw UsageError(fmt::format(
         "--new-plugin {} {}: a name is made of a-z, 0-9 and _, begins with a letter, and is not \"test\"", kind, name));
-  if (kind == "integrator" && is_name_of_path(name))
-    throw UsageError(
-        fmt::format("--new-plugin: in pbrt scenes the integrator \"{}\" means \"path\"; choose another name", name));
+  if (kind == "integrator" && !stand_in_for(name).empty())
+    throw UsageError(fmt::format("--new-plugin: in pbrt scenes the integrator \"{}\" means \"{}\"; choose another name",
+                                 name, stand_in_for(name)));
   if (is_plugin(kind, name)) throw UsageError(fmt::format("--new-plugin: {} \"{}\" exists already", kind, name));
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))

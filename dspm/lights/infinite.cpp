@@ -7,7 +7,7 @@
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
 // | L           | 1       | radiance of one colour; instead of filename |
-// | filename    |         | PNG, JPEG, EXR or HDR image of the radiance |
+// | filename    |         | picture of the radiance, of any format of image.h |
 // | mapping     | auto    | equalarea: pbrt-v4's squares; equirectangular: latitude, longitude; auto: by the aspect |
 // | scale       | 1       | multiplies L or the image |
 // | illuminance | -1      | if above 0: lux on a surface facing +z of light space; with L, as if its luminance were 1 |

@@ -10,8 +10,13 @@
 namespace dspm {
 namespace {
 
-/// pbrt's integrators that compute the same as `path` if there is no medium.
-constexpr std::string_view kPathLike[] = {"volpath", "simplepath", "simplevolpath"};
+/// pbrt's integrators that converge to the same images without a medium, if with less noise or more.
+struct StandIn {
+  std::string_view name, by;
+};
+constexpr StandIn kStandIns[] = {{"volpath", "path"},    {"simplepath", "path"}, {"simplevolpath", "path"},
+                                 {"randomwalk", "path"}, {"bdpt", "vcm"},        {"mlt", "vcm"},
+                                 {"lightpath", "vcm"}};
 constexpr std::string_view kPhotonsAlias = "photonsperiteration";
 
 bool knows(const std::vector<ParamInfo>& described, std::string_view name) {
@@ -30,9 +35,12 @@ void set_integer(ParamList& list, std::string_view name, int value) {
 
 /// The plugin for the scene's own directive.
 const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
-  const bool path_like = is_name_of_path(use.type) && integrator_plugins().find(use.type) == nullptr;
-  if (path_like) diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"path\"", use.type));
-  return integrator_plugins().find(path_like ? "path" : use.type, use.type_where, diagnostics);
+  const std::string_view by = stand_in_for(use.type);
+  const bool is_stood_in_for = !by.empty() && integrator_plugins().find(use.type) == nullptr;
+  if (is_stood_in_for)
+    diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"{}\"{}", use.type, by,
+                                            by == "vcm" ? " with \"merge\" false" : ""));
+  return integrator_plugins().find(is_stood_in_for ? by : use.type, use.type_where, diagnostics);
 }
 
 void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrator>& plugin,
@@ -47,8 +55,10 @@ void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrat
 
 }  // namespace
 
-bool is_name_of_path(std::string_view name) {
-  return std::find(std::begin(kPathLike), std::end(kPathLike), name) != std::end(kPathLike);
+std::string_view stand_in_for(std::string_view name) {
+  const auto found =
+      std::find_if(std::begin(kStandIns), std::end(kStandIns), [&](const StandIn& each) { return each.name == name; });
+  return found == std::end(kStandIns) ? std::string_view() : found->by;
 }
 
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin) {
@@ -82,6 +92,8 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
   if (use) {
     choice.params = use->params;
     if (use->type != choice.plugin->name) keep_known(choice.params, *use, *choice.plugin, described, diagnostics);
+    if (choices.integrator.empty() && use->type != choice.plugin->name && choice.plugin->name == "vcm")
+      choice.params.params.push_back(param_of(ParamType::boolean, "merge", std::vector<bool>{false}, use->where));
   }
   if (choices.photons) {
     if (!knows(described, "photons"))

@@ -19,8 +19,9 @@ struct IntegratorChoice {
 IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
                                    Diagnostics& diagnostics);
 
-/// Names of pbrt's integrators that "path" stands in for, unless a plugin has them.
-bool is_name_of_path(std::string_view name);
+/// Of those that pbrt has and dspm does not: the integrator that renders in its place, unless a module has one of that
+/// name. Empty: none does. "vcm" does it without merging, as bidirectional path tracing.
+std::string_view stand_in_for(std::string_view name);
 
 /// How the integrator describes its parameters.
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);

@@ -20,12 +20,26 @@ std::string integrator_of(const std::string& name) {
   return loaded.job.integrator;
 }
 
-TEST(IntegratorChoice, PathAnswersToNamesOfPbrt) {
-  for (const char* name : {"volpath", "simplepath", "simplevolpath"}) {
-    EXPECT_TRUE(is_name_of_path(name));
+TEST(IntegratorChoice, PathAndVcmAnswerToNamesOfPbrt) {
+  for (const char* name : {"volpath", "simplepath", "simplevolpath", "randomwalk"}) {
+    EXPECT_EQ(stand_in_for(name), "path");
     EXPECT_EQ(integrator_of(name), "path");
   }
-  EXPECT_FALSE(is_name_of_path("path"));
+  for (const char* name : {"bdpt", "mlt", "lightpath"}) EXPECT_EQ(integrator_of(name), "vcm");
+  for (const char* name : {"path", "vcm", "ao", "function"}) EXPECT_EQ(stand_in_for(name), "");
+  EXPECT_THROW(integrator_of("ao"), SceneError);
+}
+
+TEST(IntegratorChoice, BdptIsVcmWithoutMergingAndKeepsItsDepth) {
+  Diagnostics diagnostics;
+  const std::string text = R"(
+Integrator "bdpt" "integer maxdepth" 3 "bool visualizestrategies" true
+WorldBegin Shape "sphere")";
+  const LoadedScene loaded("test.pbrt", text, {}, diagnostics);
+  const ParamList& params = loaded.job.params;
+  EXPECT_EQ(std::get<std::vector<int>>(params.find("maxdepth")->values), std::vector<int>{3});
+  EXPECT_EQ(std::get<std::vector<bool>>(params.find("merge")->values), std::vector<bool>{false});
+  EXPECT_EQ(params.find("visualizestrategies"), nullptr);
 }
 
 TEST(IntegratorChoice, ButAModulesIntegratorOfThatNameComesFirst) {
