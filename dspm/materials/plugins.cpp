@@ -3,7 +3,8 @@
 
 namespace dspm {
 
-MakeMaterial make_coateddiffuse, make_conductor, make_dielectric, make_diffuse, make_thindielectric;
+MakeMaterial make_coateddiffuse, make_conductor, make_dielectric, make_diffuse, make_diffusetransmission,
+    make_thindielectric;
 
 PluginTable<Plugin<MakeMaterial>>& material_plugins() {
   static PluginTable<Plugin<MakeMaterial>> table(
@@ -13,9 +14,10 @@ PluginTable<Plugin<MakeMaterial>>& material_plugins() {
           {"conductor", "metal, smooth or rough", make_conductor},
           {"dielectric", "glass or water, smooth or rough; light passes into the body", make_dielectric},
           {"diffuse", "matte, with equal radiance in all directions", make_diffuse},
+          {"diffusetransmission", "matte on both sides and through, such as paper or a leaf", make_diffusetransmission},
           {"thindielectric", "a pane of glass without thickness", make_thindielectric},
       },
-      {"coatedconductor", "diffusetransmission", "subsurface", "hair", "measured", "mix", "interface"});
+      {"coatedconductor", "subsurface", "hair", "measured", "mix", "interface"});
   return table;
 }
 
