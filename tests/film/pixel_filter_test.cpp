@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -113,6 +115,42 @@ TEST(PixelFilter, Gaussian) {
   expect_profiles(*make("gaussian", {{"sigma", 2}, {"yradius", 3}}), {1.5f, 3}, lowered(1.5, 2), lowered(3, 2));
 }
 
+TEST(PixelFilter, MitchellIsThePositivePartOfItsSpline) {
+  const auto spline = [](double radius, double b, double c) {
+    return [=](double offset) {
+      const double x = std::abs(2 * offset / radius), x2 = x * x, x3 = x2 * x;
+      const double inner = (12 - 9 * b - 6 * c) * x3 + (-18 + 12 * b + 6 * c) * x2 + 6 - 2 * b,
+                   outer = (-b - 6 * c) * x3 + (6 * b + 30 * c) * x2 + (-12 * b - 48 * c) * x + 8 * b + 24 * c;
+      return std::max(0.0, x < 1 ? inner : outer);
+    };
+  };
+  // B = 1, C = 0 is the cubic B-spline, which has no negative lobes.
+  expect_profiles(*make("mitchell", {{"B", 1}, {"C", 0}}), {2, 2}, spline(2, 1, 0), spline(2, 1, 0));
+  const auto filter = make("mitchell");
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 0.0199 * i, y = spline(2, 1 / 3., 1 / 3.)(x) / spline(2, 1 / 3., 1 / 3.)(0);
+    EXPECT_NEAR(filter->density({static_cast<float>(x), 0}) / filter->density({0, 0}), y, 2e-3) << x;
+  }
+}
+
+TEST(PixelFilter, SincIsItsPositivePart) {
+  const auto filter = make("sinc");
+  for (int i = 1; i <= 100; ++i) {
+    const double x = 0.0399 * i, windowed = std::sin(std::numbers::pi * x) * std::sin(std::numbers::pi * x / 3) /
+                                            (std::numbers::pi * x * std::numbers::pi * x / 3);
+    EXPECT_NEAR(filter->density({static_cast<float>(x), 0}) / filter->density({0, 0}), std::max(0.0, windowed), 3e-3)
+        << x;
+  }
+}
+
+TEST(PixelFilter, LobesThatAreLeftOutAreNoted) {
+  for (const auto& [name, c, notes] : {std::tuple{"mitchell", 0.3f, 1u}, {"mitchell", 0.f, 0u}}) {
+    Diagnostics diagnostics;
+    make(name, {{"C", c}}, diagnostics);
+    EXPECT_EQ(diagnostics.all().size(), notes);
+  }
+}
+
 TEST(PixelFilter, DensityIsThatOfTheSamples) {
   for (const char* name : {"box", "triangle", "gaussian"}) {
     const auto filter = make(name, {{"xradius", 1.25f}, {"yradius", 0.75f}});
@@ -179,13 +217,10 @@ TEST(PixelFilter, BothAxesAreIndependent) {
 
 TEST(PixelFilter, WrongOnesAreErrors) {
   const std::vector<std::pair<std::string, std::vector<std::pair<std::string, float>>>> wrong = {
-      {"box", {{"xradius", 0}}},
-      {"triangle", {{"yradius", -1}}},
-      {"gaussian", {{"sigma", 0}}},
-      {"gaussian", {{"alpha", 2}}},
-      {"mitchell", {}},
-      {"sinc", {}},
-      {"gauss", {}}};
+      {"box", {{"xradius", 0}}},    {"triangle", {{"yradius", -1}}},
+      {"gaussian", {{"sigma", 0}}}, {"gaussian", {{"alpha", 2}}},
+      {"mitchell", {{"B", 3}}},     {"mitchell", {{"C", -1}}},
+      {"sinc", {{"tau", 0}}},       {"gauss", {}}};
   for (const auto& [name, values] : wrong) {
     Diagnostics diagnostics;
     make(name, values, diagnostics);
