@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "dspm/app/option_values.h"
+#include "dspm/output/write_image.h"
 #include "dspm/params/errors.h"
 #include "dspm/system/version.h"
 
@@ -172,9 +173,8 @@ void check(const Options& o) {
   const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin;
   if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
   if (o.crop_window && o.pixel_bounds) throw UsageError("--cropwindow and --pixelbounds exclude each other");
-  const std::string extension = std::filesystem::path(o.outfile).extension();
-  if (!o.outfile.empty() && extension != ".exr" && extension != ".png")
-    throw UsageError("-o " + o.outfile + ": images are written as .exr or .png");
+  if (!o.outfile.empty() && !is_image_name(o.outfile))
+    throw UsageError(fmt::format("-o {}: images are written as {}", o.outfile, kImageNames));
   if (!o.contact_sheet.empty() && std::filesystem::path(o.contact_sheet).extension() != ".png")
     throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
   if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")

@@ -1,5 +1,7 @@
 #include "dspm/film/film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -30,10 +32,8 @@ void check_side(ParamReader& reader, const char* name, int& side, int fallback) 
 void check(ParamReader& reader, FilmSettings& film) {
   check_side(reader, "xresolution", film.width, FilmSettings().width);
   check_side(reader, "yresolution", film.height, FilmSettings().height);
-  const std::string extension = std::filesystem::path(film.filename).extension().string();
-  if (extension != ".exr" && extension != ".png") {
-    reader.error("filename", "images are written as .exr or .png, not as \"" + film.filename + "\"");
-  }
+  if (!is_image_name(film.filename))
+    reader.error("filename", fmt::format("images are written as {}, not as \"{}\"", kImageNames, film.filename));
   if (film.crop_window && film.pixel_bounds) {
     reader.warning("cropwindow", "the crop window is used, the pixel bounds are not");
   }
@@ -47,7 +47,8 @@ void check(ParamReader& reader, FilmSettings& film) {
 void read_common(ParamReader& reader, FilmSettings& film) {
   film.width = reader.integer("xresolution", film.width, "pixels", "width of the full image");
   film.height = reader.integer("yresolution", film.height, "pixels", "height of the full image");
-  film.filename = reader.text("filename", film.filename, "the image file, .exr or .png; frames are numbered");
+  film.filename =
+      reader.text("filename", film.filename, "the image file, .exr, .png, .pfm or .hdr; frames are numbered");
   film.crop_window =
       four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the region to render"));
   film.pixel_bounds =
@@ -89,6 +90,11 @@ PluginTable<Plugin<MakeFilm>>& film_plugins() {
                                               {"gbuffer", "colours, and what the camera sees first", make_gbuffer}},
                                              {"spectral"});
   return table;
+}
+
+bool is_image_name(const std::string& filename) {
+  const std::string extension = std::filesystem::path(filename).extension().string();
+  return extension == ".exr" || extension == ".png" || extension == ".pfm" || extension == ".hdr";
 }
 
 PixelRect crop_of(const FilmSettings& film) {

@@ -19,7 +19,7 @@ namespace dspm {
 
 struct FilmSettings {
   int width = 1280, height = 720;                   // of the full image
-  std::string filename = "pbrt.exr";                // .exr or .png; frames are numbered, see image_name.h
+  std::string filename = "pbrt.exr";                // see is_image_name(); frames are numbered, see image_name.h
   std::optional<std::array<float, 4>> crop_window;  // x0 x1 y0 y1 in 0..1; takes precedence over pixel_bounds
   std::optional<std::array<int, 4>> pixel_bounds;   // x0 x1 y0 y1
   float diagonal = 0.035f;                          // of the film, in metres
@@ -29,6 +29,10 @@ struct FilmSettings {
   bool surface_outputs = false;  // next to radiance, what the camera sees first
   bool in_camera_space = false;  // positions and normals among them; else in world space
 };
+
+/// What image files may be, by their extensions, in words.
+inline constexpr std::string_view kImageNames = ".exr, .png, .pfm or .hdr";
+bool is_image_name(const std::string& filename);
 
 /// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.
 PixelRect crop_of(const FilmSettings& film);

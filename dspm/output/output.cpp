@@ -96,10 +96,13 @@ std::vector<std::filesystem::path> Output::image_files(FileFrame frame) const {
 
 std::uint64_t Output::bytes_on_disk() const {
   constexpr std::uint64_t kMostOfAnOutput = 12;
-  constexpr std::uint64_t kBytes = 3;  // per pixel of a PNG; EXR takes two or four for each of them
+  constexpr std::uint64_t kBytes =
+      3;  // per pixel of a PNG; HDR adds an exponent; EXR and PFM take two or four for each of them
   std::uint64_t a_pixel = 0;
   for (const std::filesystem::path& file : image_files(job_.frames.front()))
-    a_pixel += file.extension() == ".png" ? kBytes : kBytes * (job_.film.save_half ? 2 : 4);
+    a_pixel += file.extension() == ".png" || file.extension() == ".hdr" ? kBytes + 1
+               : file.extension() == ".exr" && job_.film.save_half      ? 2 * kBytes
+                                                                        : 4 * kBytes;
   a_pixel += kMostOfAnOutput * job_.settings.outputs.size();
   return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
 }

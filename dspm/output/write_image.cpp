@@ -1,8 +1,11 @@
 #include "dspm/output/write_image.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "dspm/image/png.h"
+#include "dspm/image/write_floats.h"
 #include "dspm/system/atomic_file.h"
 
 namespace dspm {
@@ -10,9 +13,9 @@ namespace dspm {
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const ToneMap& tone, const std::vector<ExrLayer>& more) {
   if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
-  if (path.extension() != ".exr") {
-    throw WriteError(path, "images are .exr or .png files");
-  }
+  if (path.extension() == ".pfm") return write_pfm(path, image);
+  if (path.extension() == ".hdr") return write_hdr(path, image);
+  if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;
   header.full_width = film.width, header.full_height = film.height;

@@ -13,7 +13,7 @@ namespace dspm {
 inline ExrPixels pixels_of(const FilmSettings& film) { return film.save_half ? ExrPixels::half : ExrPixels::single; }
 
 /// `image` holds the pixels of crop_of(film). The extension chooses OpenEXR, with the place of the crop added to
-/// `header` and `more` layers, or PNG through `tone`. Throws WriteError.
+/// `header` and `more` layers, PNG through `tone`, or PFM or HDR, which hold nothing but the pixels. Throws WriteError.
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const ToneMap& tone = {}, const std::vector<ExrLayer>& more = {});
 

@@ -221,7 +221,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.crop = crop_of(job.film);
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
   settings.outputs = outputs_of(job.film, choices), settings.in_camera_space = job.film.in_camera_space;
-  if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() == ".png")
+  if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
     throw UsageError(
         fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
                     job.film.filename, settings.outputs.front()));

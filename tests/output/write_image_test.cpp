@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "dspm/colour/rgb.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm {
@@ -37,6 +38,28 @@ TEST(WriteImage, PngGoesThroughTheToneMap) {
   image.at(0, 0) = {8, 2, 0};
   write_image(directory / "a.png", image, film, {}, {0.5f, false});
   EXPECT_EQ(read_image(directory / "a.png").at(0, 0), Rgb(1, 1, 0));
+}
+
+/// Three pixels wide and two high, of values far apart.
+Image floats() {
+  Image image(3, 2);
+  image.pixels = {{1, 0.5f, 0}, {1e-6f, 3e5f, 7}, {0, 0, 0}, {0.1f, 0.2f, 0.3f}, {1e30f, 1, 1}, {255, 254, 128}};
+  return image;
+}
+
+TEST(WriteImage, PfmKeepsEveryBit) {
+  const TemporaryDirectory directory;
+  write_image(directory / "a.pfm", floats(), {}, {});
+  EXPECT_EQ(read_image(directory / "a.pfm"), floats());
+}
+
+TEST(WriteImage, HdrIsExactToHalfAMantissa) {
+  const TemporaryDirectory directory;
+  write_image(directory / "a.hdr", floats(), {}, {});
+  const Image image = floats(), back = read_image(directory / "a.hdr");
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(back.pixels[i][c], image.pixels[i][c], max_component(image.pixels[i]) * 1.01f / 255) << i;
 }
 
 TEST(WriteImage, OtherEndingsAreErrors) {
