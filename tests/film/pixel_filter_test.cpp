@@ -125,11 +125,14 @@ TEST(PixelFilter, MitchellIsThePositivePartOfItsSpline) {
     };
   };
   // B = 1, C = 0 is the cubic B-spline, which has no negative lobes.
-  expect_profiles(*make("mitchell", {{"B", 1}, {"C", 0}}), {2, 2}, spline(2, 1, 0), spline(2, 1, 0));
-  const auto filter = make("mitchell");
-  for (int i = 0; i <= 100; ++i) {
-    const double x = 0.0199 * i, y = spline(2, 1 / 3., 1 / 3.)(x) / spline(2, 1 / 3., 1 / 3.)(0);
-    EXPECT_NEAR(filter->density({static_cast<float>(x), 0}) / filter->density({0, 0}), y, 2e-3) << x;
+  for (const auto& [b, c] : {std::pair(1 / 3.f, 1 / 3.f), {1.f, 0.f}, {0.f, 0.5f}}) {
+    const auto formula = spline(3, static_cast<double>(b), static_cast<double>(c));
+    const auto filter = make("mitchell", {{"B", b}, {"C", c}, {"xradius", 3}});
+    for (int i = -100; i <= 100; ++i) {
+      const float x = 0.0299f * static_cast<float>(i);
+      EXPECT_NEAR(filter->density({x, 0}) / filter->density({0, 0}), formula(static_cast<double>(x)) / formula(0), 2e-3)
+          << x << " " << b;
+    }
   }
 }
 

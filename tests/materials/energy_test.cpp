@@ -56,6 +56,27 @@ TEST(Energy, DiffuseReflectsItsReflectance) {
   for (const Vec3& wo : directions()) EXPECT_NEAR(albedo(*material, wo, 1000), 0.7, 1e-3);
 }
 
+TEST(Energy, DiffuseTransmissionSendsAShareToEachSide) {
+  const auto shares = [](const std::vector<Param>& params) {
+    const auto material = make("diffusetransmission", params);
+    BsdfSlot slot;
+    const Bsdf& bsdf = material->bsdf(surface(), slot);
+    const Vec3 wo = direction(-0.4f, 1);
+    const float reflected = bsdf.evaluate(wo, direction(-0.9f, 3), Transport::radiance, 1).g,
+                transmitted = bsdf.evaluate(wo, direction(0.2f, 2), Transport::radiance, 1).g;
+    return Vec2{reflected * kPi, transmitted * kPi};
+  };
+  const auto expect = [](const Vec2& share, float reflected, float transmitted) {
+    EXPECT_NEAR(share.x, reflected, 1e-6);
+    EXPECT_NEAR(share.y, transmitted, 1e-6);
+  };
+  expect(shares({}), 0.25f, 0.25f);
+  const Param red = rgb("reflectance", {0, 0.3f, 0}), green = rgb("transmittance", {0, 0.6f, 0});
+  expect(shares({red, green}), 0.3f, 0.6f);
+  expect(shares({red, green, number("scale", 0.5f)}), 0.15f, 0.3f);
+  expect(shares({red, green, number("scale", 3)}), 0.9f / 1.9f, 1 / 1.9f);  // clamped to 0.9 and 1, then to a sum of 1
+}
+
 TEST(Energy, SmoothBoundariesLoseNothing) {
   for (const char* type : {"dielectric", "thindielectric"})
     for (const float eta : {1.f, 1.33f, 2.4f}) {

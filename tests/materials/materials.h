@@ -51,8 +51,8 @@ struct Named {
 inline std::vector<Named> all_materials() {
   std::vector<Named> all;
   all.push_back({"diffuse", make("diffuse", {rgb("reflectance", {0.2f, 0.5f, 0.8f})})});
-  for (const Rgb& through : {Rgb(0.6f, 0.3f, 0), Rgb(0)})
-    all.push_back({"diffuse transmission", make("diffusetransmission", {rgb("reflectance", {0.2f, 0.5f, 0.3f}),
+  for (const Rgb& through : {Rgb(0.4f, 0.3f, 0), Rgb(0)})
+    all.push_back({"diffuse transmission", make("diffusetransmission", {rgb("reflectance", {0.5f, 0.2f, 0.3f}),
                                                                         rgb("transmittance", through)})});
   all.push_back({"smooth conductor", make("conductor", {})});
   all.push_back({"smooth dielectric", make("dielectric", {})});

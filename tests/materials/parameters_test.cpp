@@ -39,8 +39,8 @@ TEST(Parameters, EveryPluginDescribesItself) {
     EXPECT_FALSE(names(plugin).empty()) << plugin.name;
     EXPECT_TRUE(said(plugin.name, {}).empty()) << said(plugin.name, {});
   }
-  EXPECT_EQ(plugins,
-            (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "thindielectric"}));
+  EXPECT_EQ(plugins, (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse",
+                                               "diffusetransmission", "thindielectric"}));
   EXPECT_EQ(
       names(*material_plugins().find("conductor")),
       (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k", "reflectance"}));
