@@ -76,8 +76,8 @@ TEST(Modules, OneFileIsLoadedOnce) {
 TEST(Modules, ListsTellTheOrigin) {
   const TinyDirectory directory;
   const std::string list = run(directory, {"--plugin", module_file("mischief"), "--list"}).out;
-  expect_contains(list, "  mischief        libmischief.so  does what a bad integrator may do\n");
-  expect_contains(list, "  photonmap       dspm            ");
+  expect_contains(list, "  mischief             libmischief.so  does what a bad integrator may do\n");
+  expect_contains(list, "  photonmap            dspm            ");
   const std::string description =
       run(directory, {"--plugin", module_file("mischief"), "--describe", "integrator:mischief"}).out;
   expect_contains(description, "integrator:mischief (libmischief.so): does what");
