@@ -71,7 +71,7 @@ Row measure_one(const Example& example, double seconds) {
 }  // namespace
 
 Findings measure_table(const Setup& setup) {
-  const double seconds = setup.quick ? 2 : 8;
+  const double seconds = setup.quick ? 2 : 5;
   std::vector<std::string> head = {fmt::format("error after {} s", seconds)};
   head.insert(head.end(), std::begin(kIntegrators), std::end(kIntegrators));
   head.push_back("the reference is uncertain by");
