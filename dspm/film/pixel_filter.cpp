@@ -5,8 +5,8 @@
 //   PixelFilter "mitchell" "float xradius" 2 "float yradius" 2 "float B" 0.333 "float C" 0.333
 //   PixelFilter "sinc" "float xradius" 4 "float yradius" 4 "float tau" 3
 // Radii and sigma are in pixels. The gaussian is lowered so that it ends in 0 at its radius, as in pbrt. The negative
-// lobes of mitchell and sinc would need negative weights: they are left out, so pictures are a little softer than pbrt's.
-// Reference: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., section 8.8.
+// lobes of mitchell and sinc would need negative weights: they are left out, so pictures are a little softer than
+// pbrt's. Reference: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., section 8.8.
 #include "dspm/film/pixel_filter.h"
 
 #include <fmt/format.h>

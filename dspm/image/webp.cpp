@@ -1,3 +1,4 @@
+// WebP through libwebp.
 #include <webp/decode.h>
 
 #include <stdexcept>

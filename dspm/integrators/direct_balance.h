@@ -20,8 +20,9 @@ struct DirectWays {
   float photons_a_ray = 1;               // so many photons are as good as one ray: the inverse of its relative variance
 };
 
-/// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon carries
-/// its weight in its flux: all hit points count as having the same radius, and as scattering like a matte surface.
+/// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon
+/// carries its weight in its flux: all hit points count as having the same radius, and as scattering like a matte
+/// surface.
 class DirectBalance {
  public:
   DirectBalance(const Scene& scene, const DirectWays& ways);

@@ -17,8 +17,8 @@ using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
 /// A name as OBJ and MTL files end them: with the line.
 std::string trimmed(std::string_view text);
 
-/// The materials of the text of the MTL file `path`, read by tinyobjloader. Places of parameters are left to the caller.
-/// What there is no picture for is added to `complaints`, what dspm does not have to `left_out`.
+/// The materials of the text of the MTL file `path`, read by tinyobjloader. Places of parameters are left to the
+/// caller. What there is no picture for is added to `complaints`, what dspm does not have to `left_out`.
 std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
                                    std::vector<std::string>& complaints, MtlLeftOut& left_out);
 

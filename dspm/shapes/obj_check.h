@@ -5,8 +5,8 @@
 
 namespace dspm {
 
-/// Throws std::runtime_error that gives the line, unless all numbers of vertices, normals, texture coordinates and faces
-/// are numbers, and as many as they need.
+/// Throws std::runtime_error that gives the line, unless all numbers of vertices, normals, texture coordinates and
+/// faces are numbers, and as many as they need.
 void check_obj_numbers(const std::string& text);
 
 }  // namespace dspm

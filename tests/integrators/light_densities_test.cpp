@@ -45,8 +45,8 @@ EmissionGuide some_guide(const Scene& scene) {
   return guide_from(records, usual);
 }
 
-// What a light subpath holds for a shadow ray in its place is the inverse of what a shadow ray holds for it, and what it
-// holds for a hit is the cosine at the light over the density that the hit holds for it.
+// What a light subpath holds for a shadow ray in its place is the inverse of what a shadow ray holds for it, and what
+// it holds for a hit is the cosine at the light over the density that the hit holds for it.
 TEST(LightDensities, AreTheSameFromBothEnds) {
   const TestScene test(kRoom);
   const auto scene = test.scene({FileFrame(0)});
@@ -73,8 +73,8 @@ TEST(LightDensities, AreTheSameFromBothEnds) {
       const Vec3& w = e->ray.direction;
       const float cosine = std::abs(dot(point.ng, w));
       if (cosine < 0.05f || (!light.is_delta && !state.is_infinite() && std::abs(dot(e->normal, w)) < 0.05f)) continue;
-      // The numbers that were drawn have one density, and their start tells it, but at the edges of cells. Of a light that
-      // does not use all numbers, the start tells the mean over the others.
+      // The numbers that were drawn have one density, and their start tells it, but at the edges of cells. Of a light
+      // that does not use all numbers, the start tells the mean over the others.
       const float emitted = emission_density(pass, light, state, start, e->pdf);
       const float drawn = chosen.density * e->pdf.position * e->pdf.direction;
       const EmissionNumbers told = state.emission_numbers(e->ray, e->normal, e->primitive);

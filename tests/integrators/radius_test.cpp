@@ -75,8 +75,8 @@ struct Estimate {
   int lit = 0;  // iterations in which the pixel found photons
 };
 
-/// What n iterations make of a pixel at that distance: an iteration within whose radius r the beam lies gives albedo / pi
-/// times power / (pi r^2), and nothing otherwise.
+/// What n iterations make of a pixel at that distance: an iteration within whose radius r the beam lies gives albedo /
+/// pi times power / (pi r^2), and nothing otherwise.
 template <class Shrinkage>
 Estimate expected(double distance, int n, double radius, Shrinkage&& shrinkage) {
   Estimate estimate;
@@ -215,8 +215,8 @@ void for_each_first_radius2(const std::string& integrator, double fov, const std
 constexpr double kFov = 60;
 const double kFourSpacings = 4 * 2 * std::tan(kFov / 360 * kPiD) / kHeight;  // at distance 1
 
-// A floor at y = -1 up to the horizon: the ray through (x, y, 1) meets it at (x, y, 1) / -y. Half of the diagonal of the
-// floor, 40 x 60, is the scene's radius.
+// A floor at y = -1 up to the horizon: the ray through (x, y, 1) meets it at (x, y, 1) / -y. Half of the diagonal of
+// the floor, 40 x 60, is the scene's radius.
 TEST(FirstRadius, IsBoundedAtTheHorizon) {
   const double most = 0.05 * std::hypot(40, 60) / 2;
   for (const char* integrator : {R"("dsppm")", R"("sppm")"}) {

@@ -13,8 +13,8 @@ namespace {
 
 enum class LightKind { area, infinite, point, parallel };
 
-/// A path from the light, vertex 0, over surfaces 1 to `length` to the camera. Numbers are made up, but each density has
-/// one value, whichever way asks for it.
+/// A path from the light, vertex 0, over surfaces 1 to `length` to the camera. Numbers are made up, but each density
+/// has one value, whichever way asks for it.
 struct MadeUpPath {
   struct Surface {
     float cosine_to_light, cosine_to_camera;    // of the segments there, to the normal

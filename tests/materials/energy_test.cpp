@@ -197,8 +197,8 @@ TEST(Energy, CoatOfAnyIndexLosesNothing) {
   }
 }
 
-// The coat mirrors off facets and lets in as if it were smooth: together no more than there is, also where facets reflect
-// totally.
+// The coat mirrors off facets and lets in as if it were smooth: together no more than there is, also where facets
+// reflect totally.
 TEST(Energy, RoughCoatsOfAnyIndexGainNothing) {
   for (const float eta : {1e-4f, 0.2f, 0.376f, 0.7f, 0.95f, 1.05f, 1.2f, 1.5f, 2.f, 4.f, 100.f})
     for (const Vec2 rough : {Vec2{0.1f, 0.1f}, Vec2{0.4f, 0.4f}, Vec2{1, 1}, Vec2{0.4f, 0}, Vec2{0.02f, 1}}) {

@@ -2,11 +2,12 @@
 // subpath carries two sums over other ways to find it, relative to its own density; a way's weight needs only the sums
 // of its two ends. [Georgiev 2012, Implementing Vertex Connection and Merging; (n) is an equation there]
 //
-// Beside connections, vertices are merged only where light arrives from a mirror or a narrow lobe, since there a connection fails: either its
-// end is specular, or it meets the lobe by chance. Elsewhere all merges of a camera path share its own variance, so they
-// do less than their number says and would take weight from better ways. [Jendersie and Grosch 2018, Variance Reduction
-// via Footprint Estimation in the Presence of Path Reuse] The rule asks only for the density of one scattering of light,
-// which both subpaths know, so it is a property of the path, as weights that sum to 1 demand.
+// Beside connections, vertices are merged only where light arrives from a mirror or a narrow lobe, since there a
+// connection fails: either its end is specular, or it meets the lobe by chance. Elsewhere all merges of a camera path
+// share its own variance, so they do less than their number says and would take weight from better ways. [Jendersie and
+// Grosch 2018, Variance Reduction via Footprint Estimation in the Presence of Path Reuse] The rule asks only for the
+// density of one scattering of light, which both subpaths know, so it is a property of the path, as weights that sum to
+// 1 demand.
 //
 // The sums hold for every frame of the subpath: frames stay together only as long as all densities are the same.
 // Russian roulette is left out of all densities. Of the report's three sums, d_VM is d_VC / eta: hits of lights, shadow

@@ -1,12 +1,12 @@
 // Integrator "vcm" "integer photons" 300000 "bool connect" true "bool merge" true
 //
-// Vertex connection and merging [Georgiev et al. 2012; Hachisuka et al. 2012] of all frames together: bidirectional path
-// tracing and photon mapping in one estimate, weighted by the balance heuristic. A camera path hits lights, sends
+// Vertex connection and merging [Georgiev et al. 2012; Hachisuka et al. 2012] of all frames together: bidirectional
+// path tracing and photon mapping in one estimate, weighted by the balance heuristic. A camera path hits lights, sends
 // shadow rays to them, is connected to the vertices of one light path and merged with those of all that lie within a
 // radius; light paths are connected to the camera. Light paths are traced once for all frames that share them, a
 // connection is one shadow ray for all frames that hold both ends, and each frame has the weights that it has alone.
-// Without "merge" it is bidirectional path tracing, which is unbiased; without "connect" as well, path tracing and light
-// tracing. The radius shrinks as kz11's does [Knaus and Zwicker 2011] and is the same everywhere.
+// Without "merge" it is bidirectional path tracing, which is unbiased; without "connect" as well, path tracing and
+// light tracing. The radius shrinks as kz11's does [Knaus and Zwicker 2011] and is the same everywhere.
 //
 //   iterations    paths per pixel                         the sampler's pixelsamples, else 256
 //   photons       light paths per iteration               -1: one per pixel
