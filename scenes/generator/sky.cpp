@@ -1,5 +1,5 @@
 // sky.exr: the radiance of an afternoon sky with a low sun, thin clouds and a brown ground, latitude and longitude, +z
-// up. The sun is a disk of 2 degrees around azimuth 50 and height 35 degrees; it gives three times the light of the
+// up. The sun is a disk of 2 degrees around azimuth 50 and height 35 degrees; it gives about three times the light of the
 // sky.
 #include <algorithm>
 #include <cmath>
