@@ -47,13 +47,9 @@ class Renderer {
 };
 
 double error_of(const Image& image, const Image& truth) {
-  double mean = 0, sum = 0;
-  for (const Rgb& pixel : truth.pixels) mean += luminance(pixel);
-  const double floor = 0.01 * mean / static_cast<double>(truth.pixels.size());
-  for (std::size_t p = 0; p < image.pixels.size(); ++p) {
-    const double a = luminance(image.pixels[p]), b = luminance(truth.pixels[p]);
-    if (a != b) sum += std::min(1., std::abs(a - b) / (b + floor));
-  }
+  const double floor = error_floor(truth);
+  double sum = 0;
+  for (std::size_t p = 0; p < image.pixels.size(); ++p) sum += error_of(image.pixels[p], truth.pixels[p], floor);
   return sum / static_cast<double>(image.pixels.size());
 }
 
@@ -64,6 +60,17 @@ double power_law(double ax, double ay, double bx, double by, double at) {
 
 }  // namespace
 
+double error_of(const Rgb& pixel, const Rgb& truth, double floor) {
+  const double a = luminance(pixel), b = luminance(truth);
+  return a == b ? 0 : std::min(1., std::abs(a - b) / (b + floor));
+}
+
+double error_floor(const Image& truth) {
+  double sum = 0;
+  for (const Rgb& pixel : truth.pixels) sum += luminance(pixel);
+  return 0.01 * sum / static_cast<double>(truth.pixels.size());
+}
+
 double error_of(const Images& images, const Images& truth) {
   double sum = 0;
   for (std::size_t f = 0; f < truth.size(); ++f) sum += error_of(images[f], truth[f]);
@@ -71,12 +78,18 @@ double error_of(const Images& images, const Images& truth) {
 }
 
 std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method, const Images& truth, double limit) {
+  return converge(
+      loaded, method, [&](const Images& images) { return error_of(images, truth); }, limit);
+}
+
+std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method,
+                                 const std::function<double(const Images&)>& error, double limit) {
   Renderer renderer(loaded, method);
   std::vector<ErrorPoint> curve;
   for (int next = 1; renderer.seconds() < limit;) {
     renderer.iterate();
     if (renderer.iterations() != next && renderer.seconds() < limit) continue;
-    curve.push_back({renderer.iterations(), renderer.seconds(), error_of(renderer.images(), truth)});
+    curve.push_back({renderer.iterations(), renderer.seconds(), error(renderer.images())});
     next = 2 * renderer.iterations();
   }
   return curve;

@@ -1,11 +1,13 @@
 // How the error of a progressive integrator falls with time, against a picture that took much longer.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "bench/measure/run.h"
+#include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/scene/scene.h"
 
@@ -18,6 +20,9 @@ using Images = std::vector<Image>;
 /// relative, because dark areas are seen too, and bounded, so that neither a lamp's edge nor a firefly counts more than
 /// a completely wrong pixel.
 double error_of(const Images& images, const Images& truth);
+/// What a pixel counts in it; the floor is that hundredth.
+double error_of(const Rgb& pixel, const Rgb& truth, double floor);
+double error_floor(const Image& truth);
 
 struct ErrorPoint {
   int iterations;
@@ -33,6 +38,9 @@ struct Method {
 
 /// The error after 1, 2, 4, ... iterations, until they took `limit` seconds (of the integrator's steps).
 std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method, const Images& truth, double limit);
+/// With an error of another kind.
+std::vector<ErrorPoint> converge(const LoadedScene& loaded, const Method& method,
+                                 const std::function<double(const Images&)>& error, double limit);
 
 /// The images of `method` after that many seconds.
 Images render_for(const LoadedScene& loaded, const Method& method, double limit);

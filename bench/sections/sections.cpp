@@ -28,6 +28,8 @@ std::span<const Section> sections() {
       {"threads", "from one thread to all", measure_threads},
       {"error", "time to equal error of the integrators and estimators", measure_error},
       {"light", "scenes whose light hardly reaches what the camera sees", measure_light},
+      {"seen", "after equal time, apart: what path finds, and what it does not", measure_seen},
+      {"open", "a sun and a sky over a wide ground: what is found, and when its caustic is there", measure_open},
       {"table", "every integrator on scenes of every kind", measure_table},
       {"queries", "partition queries against other ways to the same answer", measure_queries},
       {"rays", "the same rays in dspm's trees and in Embree", measure_rays},
@@ -43,6 +45,7 @@ std::span<const Section> scene_sections() {
       {"looks", "all frames against one of them, and their noise", measure_looks},
       {"threads", "from one thread to all", measure_threads},
       {"error", "time to equal error of the integrators and estimators", measure_error},
+      {"seen", "after equal time, apart: what path finds, and what it does not", measure_seen},
   };
   return kSections;
 }

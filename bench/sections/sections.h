@@ -20,6 +20,8 @@ Findings measure_frames(const Setup& setup);
 Findings measure_threads(const Setup& setup);
 Findings measure_error(const Setup& setup);
 Findings measure_light(const Setup& setup);
+Findings measure_seen(const Setup& setup);
+Findings measure_open(const Setup& setup);
 Findings measure_table(const Setup& setup);
 Findings measure_queries(const Setup& setup);
 Findings measure_rays(const Setup& setup);
