@@ -21,7 +21,7 @@ namespace dspm {
 struct IntervalState {
   FrameList frames;
   int iterations = 0;                  // done; 0: no state
-  double seconds = 0;                  // that they took
+  double seconds = 0;                  // that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
 

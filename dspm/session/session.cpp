@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = std::numeric_limits<double>::infinity(), kEndless = kUnknown;
 
 std::optional<double> worst_error(const Integrator& integrator) {
   const std::vector<double> errors = integrator.statistics().errors;
@@ -53,10 +53,12 @@ void Session::run() {
 }
 
 double Session::time_share(std::size_t index) const {
+  if (settings_.time_limit == 0) return kEndless;
   return (settings_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
 }
 
 void Session::render_interval(std::size_t index) {
+  const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
   const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
   const std::unique_ptr<Integrator> integrator =
@@ -67,13 +69,12 @@ void Session::render_interval(std::size_t index) {
         fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",
                     intervals_.size()));
   if (index == 0) observer_.ready(*scene, *integrator, iterations);
-  const IntervalProgress progress = iterate_to_the_end(index, *scene, *integrator, iterations);
+  const IntervalProgress progress = iterate_to_the_end(index, *scene, *integrator, iterations, time);
   observer_.interval_ends(progress, *scene, *integrator);
 }
 
 IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator,
-                                             int iterations) {
-  const double seconds = settings_.time_limit > 0 ? time_share(index) : 0;
+                                             int iterations, const Share& time) {
   IntervalProgress progress = observer_.interval_begins(index, integrator);
   progress.error = worst_error(integrator);
   const double seconds_before = progress.seconds;
@@ -87,7 +88,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   if (is_good()) messages_.say("the error is as small as wanted already; ask for less with --until-error");
   const auto finished = [&] {
     return (iterations > 0 && progress.iterations >= iterations) || is_good() || observer_.end_wanted() ||
-           (settings_.time_limit > 0 && progress.iterations > 0 && seconds_since(begin) >= seconds);
+           (progress.iterations > 0 && seconds_since(time.begin) >= time.limit);
   };
   const auto expected = [&] {
     const int done = progress.iterations - first;
@@ -95,7 +96,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   };
   while (!finished() && iterate(progress, scene, integrator, expected())) {
     ++progress.iterations;
-    progress.seconds = seconds_before + seconds_since(begin);
+    progress.seconds = seconds_before + seconds_since(time.begin);
     progress.error = worst_error(integrator);
     observer_.iteration_done(progress, integrator);
     if (progress.iterations == RunWarnings::kFirstLook) warnings_.look(integrator.statistics(), iterations);
@@ -106,7 +107,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
     if ((schedule.due(progress.iterations) || wanted) && !finished())
       write(progress, integrator, SessionObserver::Images::so_far);
   }
-  progress.seconds = seconds_before + seconds_since(begin);
+  progress.seconds = seconds_before + seconds_since(time.begin);
   if (progress.iterations > 0) write(progress, integrator, SessionObserver::Images::last);
   judge(progress, integrator);
   return progress;

@@ -38,8 +38,15 @@ class Session {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// An interval's time. It begins before the scene is made.
+  struct Share {
+    Clock::time_point begin;
+    double limit;  // seconds
+  };
+
   void render_interval(std::size_t index);
-  IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations);
+  IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations,
+                                      const Share& time);
   /// False: the iteration was cancelled. `expected`: seconds that it may take.
   bool iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected);
   /// Whether a copy of the integrator's state can be afforded.
@@ -49,7 +56,7 @@ class Session {
   /// Says what the interval has come to.
   void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
-  /// Seconds for the interval: an equal share of the time that the intervals before it left.
+  /// Seconds for the interval: an equal share of the time that the intervals before it left. Infinite without a limit.
   double time_share(std::size_t index) const;
 
   const LoadedScene& loaded_;
