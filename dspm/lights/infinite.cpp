@@ -17,14 +17,14 @@
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.5; Clarberg 2008, Fast Equal-Area Mapping of the
 // (Hemi)Sphere using SIMD]
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/lights/environment_map.h"
 #include "dspm/lights/light.h"
+#include "dspm/lights/light_space.h"
+#include "dspm/lights/read_environment.h"
 #include "dspm/lights/scene_sphere.h"
 #include "dspm/lights/strength.h"
 #include "dspm/math/ray.h"
@@ -38,9 +38,7 @@ class Infinite final : public Light {
  public:
   Infinite(const LightContext& context, EnvironmentMap map, float scale)
       : scene_(context),
-        to_world_(context.to_world),
-        volume_scale_(std::abs(
-            dot(to_world_.vector({1, 0, 0}), cross(to_world_.vector({0, 1, 0}), to_world_.vector({0, 0, 1}))))),
+        space_(context.to_world),
         map_(std::move(map)),
         scale_(scale),
         power_(map_.fluence() * (scene_.disk_area() * scale)) {}
@@ -59,7 +57,8 @@ class Infinite final : public Light {
   }
 
   EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
-    const Vec2 position = scene_.entering_numbers(start), direction = map_.sample_numbers(to_light(-start.direction));
+    const Vec2 position = scene_.entering_numbers(start),
+               direction = map_.sample_numbers(space_.to_light(-start.direction));
     return {position.x, position.y, direction.x, direction.y};
   }
 
@@ -70,16 +69,16 @@ class Infinite final : public Light {
   }
 
   bool is_infinite() const override { return true; }
-  Rgb escaped(const Vec3& direction) const override { return scale_ * map_.radiance(to_light(direction)); }
+  Rgb escaped(const Vec3& direction) const override { return scale_ * map_.radiance(space_.to_light(direction)); }
 
   float escaped_pdf_w(const Vec3& direction) const override {
-    const Vec3 w = to_light(direction);
-    return map_.pdf_w(w) * density_scale(w);
+    const Vec3 w = space_.to_light(direction);
+    return map_.pdf_w(w) * space_.density_scale(w);
   }
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const Infinite*>(&other);
-    if (o == nullptr || !(to_world_ == o->to_world_)) return std::nullopt;
+    if (o == nullptr || !(space_ == o->space_)) return std::nullopt;
     if (map_.constant() && o->map_.constant()) return ratio(scale_ * *map_.constant(), o->scale_ * *o->map_.constant());
     if (!(map_ == o->map_)) return std::nullopt;
     return ratio(Rgb(scale_), Rgb(o->scale_));
@@ -88,48 +87,20 @@ class Infinite final : public Light {
  private:
   EmissionPdf pdf(float pdf_w) const { return {1 / scene_.disk_area(), pdf_w, false, false}; }
 
-  Vec3 to_light(const Vec3& direction) const { return normalize(to_world_.inverse_vector(direction)); }
-
   EnvironmentMap::Sample draw(Vec2 u) const {
     const EnvironmentMap::Sample s = map_.sample(u);
-    return {normalize(to_world_.vector(s.direction)), scale_ * s.radiance, s.pdf_w * density_scale(s.direction)};
-  }
-
-  // A map M turns a solid angle around the unit vector w into |det M| / |M w|^3 of it: 1 unless M stretches.
-  float density_scale(const Vec3& w) const {
-    const float stretch = length(to_world_.vector(w));
-    return stretch * stretch * stretch / volume_scale_;
+    return {space_.to_world(s.direction), scale_ * s.radiance, s.pdf_w * space_.density_scale(s.direction)};
   }
 
   SceneSphere scene_;
-  Transform to_world_;
-  float volume_scale_;
+  LightSpace space_;
   EnvironmentMap map_;
   float scale_;
   Rgb power_;  // an estimate if the transform stretches
 };
 
-// Values that no light can have become black.
-void clean(Image& image) {
-  for (Rgb& pixel : image.pixels)
-    for (int c = 0; c < 3; ++c)
-      if (!(pixel[c] > 0) || !std::isfinite(pixel[c])) pixel[c] = 0;
-}
-
-SphereMapping mapping_of(const Image& image, const std::string& word) {
-  const bool twice_as_wide = image.width == 2 * image.height;
-  if (word == "equirectangular" || (word == "auto" && twice_as_wide)) return SphereMapping::equirectangular;
-  if (image.width == image.height) return SphereMapping::equal_area;
-  throw std::runtime_error(
-      fmt::format("the image has {} x {} pixels, but the equal-area mapping needs a square; a "
-                  "latitude-longitude image must be twice as wide as high, or needs "
-                  "\"string mapping\" \"equirectangular\"",
-                  image.width, image.height));
-}
-
 EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping) {
-  Image image = read_image(file);
-  clean(image);
+  Image image = read_light_image(file);
   const SphereMapping kind = mapping_of(image, mapping);
   return EnvironmentMap(std::move(image), kind);
 }
@@ -145,8 +116,8 @@ EnvironmentMap constant(const Rgb& radiance) {
 std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& context) {
   const Rgb radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance of one colour from everywhere");
   const std::filesystem::path file = reader.optional_file("filename", "an image of the radiance, instead of L");
-  const std::string mapping = reader.choice("mapping", "auto", {"auto", "equalarea", "equirectangular"},
-                                            "how the image covers the sphere; auto: by its aspect ratio");
+  const std::string mapping =
+      reader.choice("mapping", "auto", kMappingWords, "how the image covers the sphere; auto: by its aspect ratio");
   const Strength strength = read_illuminance(reader);
   reader.unsupported("portal", "portals");
   if (reader.has("L") && reader.has("filename"))

@@ -2,66 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/lights/density.h"
-#include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
+#include "tests/lights/named_lights.h"
 
 namespace dspm {
 namespace {
 
 using namespace dspm::test;
 
-constexpr float kRadius = 4;                                      // of the sphere around the scene
-const Rgb kStrength(3, 2, 1);                                     // also of area_lamps()
 const Vec3 kPoints[] = {{0.3f, -0.2f, -3}, {1.9f, 1.2f, -0.8f}};  // each lamp is seen from one of them
-
-struct NamedLight {
-  std::string name;
-  std::unique_ptr<Light> light;
-};
-
-LightContext around_the_scene() {
-  LightContext context;
-  context.scene_center = {.5f, .2f, -1.5f};
-  context.scene_radius = kRadius;
-  return context;
-}
-
-NamedLight sun() { return {"distant", make_light("distant", {rgb("L", kStrength)}, around_the_scene())}; }
-
-std::vector<NamedLight> spots() {
-  std::vector<NamedLight> lights;
-  for (const auto& [angle, delta] : {std::pair{40.f, 0.f}, {40.f, 10.f}, {40.f, 40.f}, {120.f, 50.f}})
-    lights.push_back(
-        {"spot " + std::to_string(angle) + " " + std::to_string(delta),
-         make_light("spot", {rgb("I", kStrength), number("coneangle", angle), number("conedeltaangle", delta)}, {})});
-  return lights;
-}
-
-/// Lights at one point.
-std::vector<NamedLight> points() {
-  std::vector<NamedLight> lights = spots();
-  lights.push_back({"point", make_light("point", {rgb("I", kStrength)}, {})});
-  return lights;
-}
-
-/// The image in a file as an infinite light, turned and stretched.
-std::vector<NamedLight> images(const EnvironmentFile& file) {
-  LightContext context = around_the_scene();
-  std::vector<NamedLight> lights;
-  const Matrix4 turned = Matrix4::rotate(70, 1, 2, 3);
-  for (const Matrix4& m : {turned, turned * Matrix4::scale(1, 2, .7)}) {
-    context.to_world = Transform(m);
-    lights.push_back({"image", make_light("infinite", {text("filename", file.path())}, context)});
-  }
-  return lights;
-}
-
-/// Infinite lights of that image, and of one colour.
-std::vector<NamedLight> skies(const EnvironmentFile& file) {
-  std::vector<NamedLight> lights = images(file);
-  lights.push_back({"infinite", make_light("infinite", {rgb("L", kStrength)}, around_the_scene())});
-  return lights;
-}
 
 template <class Check>
 void for_each_emission(const Light& light, const Check& check) {
@@ -121,6 +70,23 @@ TEST(Emission, OfAPointIsRadiantIntensity) {
   }
 }
 
+TEST(Emission, OfAPointThatAnImageShapesIsRadiantIntensity) {
+  const EnvironmentFile file(7, 7);
+  for (const NamedLight& named : shaped(file)) {
+    int n = 0, at_a_border = 0;
+    for_each_emission(*named.light, [&](const Emission& e) {
+      const auto l = named.light->illuminate(e.ray.at(1), {});
+      const Rgb seen = l ? l->radiance : Rgb(), product = e.flux * e.pdf.direction;
+      const float off = std::max(max_component(product - seen), max_component(seen - product));
+      ++n, at_a_border += off > 1e-4f * max_component(seen) ? 1 : 0;
+      expect_deltas(e.pdf, true, false, named.name);
+    });
+    EXPECT_GT(n, 1900) << named.name;
+    EXPECT_LE(at_a_border, 2) << named.name;
+    expect_same_pdf(*named.light, 1, named.name);
+  }
+}
+
 TEST(Emission, FromInfinitelyFarAwayIsAcrossTheDisk) {
   const float on_disk = 1 / (kPi * kRadius * kRadius);
   const NamedLight distant = sun();
@@ -152,10 +118,11 @@ TEST(Emission, LightsWithoutASurfaceHaveNeitherNormalNorPrimitive) {
   const EnvironmentFile file(4, 4);
   std::vector<NamedLight> lights = points();
   lights.push_back(sun());
+  for (NamedLight& named : shaped(file)) lights.push_back(std::move(named));
   for (NamedLight& sky : skies(file)) lights.push_back(std::move(sky));
   for (const NamedLight& named : lights) {
     const Emission e = named.light->emit({.3f, .6f}, {.2f, .7f}).value();
-    const Illumination l = named.light->illuminate({0, 0, 1}, {.2f, .7f}).value();
+    const Illumination l = named.light->illuminate(e.ray.at(1), {.2f, .7f}).value();
     EXPECT_EQ(e.normal, Vec3{}) << named.name;
     EXPECT_EQ(l.normal, Vec3{}) << named.name;
     EXPECT_EQ(e.primitive, -1) << named.name;
@@ -227,11 +194,16 @@ TEST(EmissionNumbers, LeadToTheSameStart) {
   const EnvironmentFile file(7, 7), wide(12, 6);
   for (const EnvironmentFile* map : {&file, &wide})
     for (const NamedLight& sky : skies(*map)) expect_numbers(*sky.light, 4, sky.name);
+  for (const EnvironmentFile* map : {&file, &wide})
+    for (const NamedLight& named : shaped(*map)) expect_numbers(*named.light, 4, named.name);
 }
 
 // If a light did not say which numbers do not matter, the guide's density over them would count as that of the start.
 TEST(EmissionNumbers, AreAnyIfTheyDoNotMatter) {
-  for (const NamedLight& named : points()) {
+  const EnvironmentFile file(4, 4);
+  std::vector<NamedLight> lights = points();
+  for (NamedLight& named : shaped(file)) lights.push_back(std::move(named));
+  for (const NamedLight& named : lights) {
     const Emission e = named.light->emit({.3f, .6f}, {.2f, .7f}).value();
     const EmissionNumbers u = named.light->emission_numbers(e.ray, e.normal, e.primitive);
     EXPECT_TRUE(u[0] == kAnyNumber && u[1] == kAnyNumber && u[2] >= 0 && u[3] >= 0) << named.name;
@@ -270,12 +242,13 @@ void expect_directions(const Light& light, const Vec3& normal, const std::string
   EXPECT_LT(comparison.deviation(), 4) << name;
 }
 
-// Eight comparisons, each of which fails for right code in one of 1000 cases. Those of a point and of a sky of one
+// Twelve comparisons, each of which fails for right code in one of 1000 cases. Those of a point and of a sky of one
 // colour are uniform, and above.
 TEST(Emission, DirectionsFollowTheirDensity) {
   const EnvironmentFile file(7, 7);
   for (const NamedLight& named : spots()) expect_directions(*named.light, {}, named.name);
   for (const NamedLight& sky : images(file)) expect_directions(*sky.light, {}, sky.name);
+  for (const NamedLight& named : shaped(file)) expect_directions(*named.light, {}, named.name);
   for (const bool two_sided : {false, true}) {
     const AreaLamp disk =
         make_lamp("disk", make_shape("disk", {}), Matrix4::rotate(30, 1, 1, 0), {flag("twosided", two_sided)});

@@ -129,6 +129,17 @@ TEST(Photons, AgreeWithIlluminationForSpots) {
   expect_photons_agree(*spot(0.5f, 0.5f), tiny, "narrow spot");
 }
 
+TEST(Photons, AgreeWithIlluminationForPointsThatAnImageShapes) {
+  LightContext context;
+  context.to_world = Transform(Matrix4::translate(0, 0, 1) * Matrix4::rotate(180, 1, .1, 0));
+  const EnvironmentFile square(6, 6), panorama(8, 4);
+  for (const EnvironmentFile* file : {&square, &panorama})
+    for (const std::string kind : {"goniometric", "projection"}) {
+      const auto light = make_light(kind, {text("filename", file->path()), number("scale", 3)}, context);
+      expect_photons_agree(*light, kBelow, kind + file->path());
+    }
+}
+
 // A receiver within the inner cone of both, and one that sees the falloffs.
 TEST(Photons, OfASpotStartAsThoseOfAWiderOne) {
   const auto spot = [](float angle, float delta, const Rgb& intensity) {

@@ -1,0 +1,62 @@
+// What a projector sends through the image on a screen in front of it: radiant intensity by direction, constant within
+// each pixel. The screen lies in the plane z = 1, its image upright for an eye at the origin with +x to the right and
+// +y up.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+class ScreenImage {
+ public:
+  struct Sample {
+    Vec3 direction;
+    Rgb radiance;
+    float pdf_w;
+  };
+
+  /// The shorter axis of the image covers `fov` degrees. All values must be finite and non-negative.
+  ScreenImage(Image image, float fov);
+
+  Rgb radiance(const Vec3& direction) const;
+  float pdf_w(const Vec3& direction) const;
+  /// Only if the image is not black.
+  Sample sample(Vec2 u) const;
+  /// The u for which sample(u) has that direction, if there is one.
+  Vec2 sample_numbers(const Vec3& direction) const;
+  bool is_black() const { return !(rows_.total() > 0); }
+  /// Integrated over all directions.
+  Rgb fluence() const;
+  friend bool operator==(const ScreenImage& a, const ScreenImage& b) {
+    return a.half_ == b.half_ && a.image_ == b.image_;
+  }
+
+ private:
+  /// Pixels are cut into cells, so that their solid angle varies little within one.
+  struct Place {
+    int x, y;  // of the cell
+    Vec2 rest;
+  };
+
+  std::optional<Place> place_of(const Vec3& direction) const;
+  const Rgb& pixel(int cell_x, int cell_y) const { return image_.at(cell_x / cut_, cell_y / cut_); }
+  float solid_angle(int x, int y) const;
+  float pdf_w(int x, int y, float cosine) const;
+  std::vector<Distribution1D> distributions_within_rows() const;
+  Distribution1D distribution_of_rows() const;
+
+  Image image_;
+  Vec2 half_;  // of the screen's width and height
+  int cut_;
+  int width_, height_;                   // in cells
+  std::vector<Distribution1D> columns_;  // of each row
+  Distribution1D rows_;
+};
+
+}  // namespace dspm
