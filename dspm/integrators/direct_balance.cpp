@@ -22,7 +22,7 @@ const Light& drawn_as(const SceneLight& light, const Light& state) {
 
 DirectBalance::DirectBalance(const Scene& scene, const DirectWays& ways)
     : scene_(scene),
-      guide_(ways.guide),
+      guides_(ways.guides),
       photons_times_area_(kernel_size(ways.radius * ways.radius, static_cast<float>(ways.photons))),
       photons_a_ray_(ways.photons_a_ray),
       scatters_(!scene.infinite_lights.empty()) {}
@@ -65,7 +65,7 @@ DirectBalance::Densities DirectBalance::densities(const SceneLight& light, const
   const Light& drawn = drawn_as(light, state);
   const EmissionPdf pdf = drawn.pdf_emit(start.ray, start.normal, start.primitive);
   d.photons = photons_times_area_ *
-              start_density(guide_, scene_, light, drawn, start.ray, start.normal, start.primitive) * pdf.position *
+              start_density(guides_, scene_, light, drawn, start.ray, start.normal, start.primitive) * pdf.position *
               pdf.direction * cosine;
   if (light.is_delta && !pdf.delta_direction)
     d.photons /= length2(place.p - start.ray.origin);

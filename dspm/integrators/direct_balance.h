@@ -14,10 +14,10 @@ namespace dspm {
 
 /// What weights rest on besides the scene.
 struct DirectWays {
-  std::int64_t photons = 0;              // paths of an iteration; 0: photons bring no direct light
-  const EmissionGuide* guide = nullptr;  // they are drawn with; null or off: by power
-  float radius = 0;                      // of a typical hit point in this iteration
-  float photons_a_ray = 1;               // so many photons are as good as one ray: the inverse of its relative variance
+  std::int64_t photons = 0;                // paths of an iteration; 0: photons bring no direct light
+  const EmissionGuides* guides = nullptr;  // they are drawn with; null or off: by power
+  float radius = 0;                        // of a typical hit point in this iteration
+  float photons_a_ray = 1;  // so many photons are as good as one ray: the inverse of its relative variance
 };
 
 /// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon
@@ -55,7 +55,7 @@ class DirectBalance {
                       float sample_pdf_w) const;
 
   const Scene& scene_;
-  const EmissionGuide* guide_;
+  const EmissionGuides* guides_;
   float photons_times_area_;  // of a typical kernel
   float photons_a_ray_;
   bool scatters_;

@@ -98,10 +98,48 @@ void EmissionGuide::persist(StateStream& state, int lights) {
   *this = nodes.empty() ? EmissionGuide() : EmissionGuide(lights, std::move(nodes));
 }
 
-float start_density(const EmissionGuide* guide, const Scene& scene, const SceneLight& light, const Light& state,
+std::size_t EmissionGuides::cell_count() const {
+  std::size_t sum = 0;
+  for (const EmissionGuide& guide : of_choice) sum += guide.cell_count();
+  return sum;
+}
+
+std::size_t EmissionGuides::bytes() const {
+  std::size_t sum = 0;
+  for (const EmissionGuide& guide : of_choice) sum += guide.bytes();
+  return sum;
+}
+
+void EmissionGuides::persist(StateStream& state, int lights) {
+  constexpr std::uint64_t kMostChoices = 1 << 10;
+  std::uint64_t count = of_choice.size();
+  state.value(count);
+  if (count > kMostChoices) throw std::runtime_error("its record of where photons start is damaged");
+  of_choice.resize(static_cast<std::size_t>(count));
+  for (EmissionGuide& guide : of_choice) guide.persist(state, lights);
+}
+
+EmissionStart start_of(const EmissionGuides* guides, const Scene& scene, std::size_t choice, const PathRandom& random) {
+  if (guides != nullptr && !guides->are_off()) return guides->of_choice[choice].draw(random);
+  const ChosenLight chosen = scene.light_choices[choice].choose(random.number(0, kLightChoice));
+  const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
+  return {chosen.index, {position.x, position.y, direction.x, direction.y}, chosen.probability};
+}
+
+float start_density(const EmissionGuides* guides, const Scene& scene, const SceneLight& light, const Light& state,
                     const Ray& ray, const Vec3& normal, int primitive) {
-  if (guide == nullptr || guide->is_off()) return light.photon_probability;
-  return guide->density(static_cast<int>(&light - scene.lights.data()), state.emission_numbers(ray, normal, primitive));
+  const auto index = static_cast<std::size_t>(&light - scene.lights.data());
+  const bool guided = guides != nullptr && !guides->are_off();
+  EmissionNumbers numbers{};
+  if (guided) numbers = state.emission_numbers(ray, normal, primitive);
+  float density = 0;
+  for (std::size_t choice = 0; choice < light.choice_shares.size(); ++choice) {
+    if (light.choice_shares[choice] == 0) continue;
+    density +=
+        light.choice_shares[choice] * (guided ? guides->of_choice[choice].density(static_cast<int>(index), numbers)
+                                              : scene.light_choices[choice].probability[index]);
+  }
+  return density;
 }
 
 }  // namespace dspm

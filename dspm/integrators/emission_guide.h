@@ -51,7 +51,7 @@ class EmissionGuide {
     int side = 0;          // that is halved
   };
 
-  /// Of no use: lights are chosen by their power.
+  /// Off: of no use.
   EmissionGuide() = default;
   /// The first nodes are those of all numbers, light by light; children come after their parents. The probabilities of
   /// the cells add up to 1.
@@ -85,9 +85,24 @@ class EmissionGuide {
   std::vector<Cell> cells_;
 };
 
-/// Of choosing the light and the numbers with which emit() of its `state` starts this ray; by power if `guide` is null
-/// or off. Where emission_numbers() does not tell the numbers, it is the light's probability.
-float start_density(const EmissionGuide* guide, const Scene& scene, const SceneLight& light, const Light& state,
+/// By Scene::light_choices. Empty, or all off: lights are chosen by their power.
+struct EmissionGuides {
+  std::vector<EmissionGuide> of_choice;
+
+  bool are_off() const { return of_choice.empty() || of_choice.front().is_off(); }
+  std::size_t cell_count() const;
+  std::size_t bytes() const;
+  /// Loading throws std::runtime_error unless it finds guides for that many lights.
+  void persist(StateStream& state, int lights);
+};
+
+/// Where a photon path of the frames with that choice starts. A density of 0: nowhere, as there is no light.
+EmissionStart start_of(const EmissionGuides* guides, const Scene& scene, std::size_t choice, const PathRandom& random);
+
+/// Of choosing the light and the numbers with which emit() of its `state` starts this ray, by power if `guides` is null
+/// or off; the mean over the choices, see SceneLight::choice_shares. Where emission_numbers() does not tell the
+/// numbers, it is the light's probability.
+float start_density(const EmissionGuides* guides, const Scene& scene, const SceneLight& light, const Light& state,
                     const Ray& ray, const Vec3& normal, int primitive);
 
 }  // namespace dspm

@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-class EmissionGuide;
+struct EmissionGuides;
 class Scene;
 
 /// Of one kind of an integrator's photons. What is found is a sample: of the pilot paths, by pilot pixels of the whole
@@ -33,8 +33,8 @@ struct EmissionReport {
 
   double share_found() const { return paths > 0 ? static_cast<double>(found) / static_cast<double>(paths) : 0; }
 
-  /// `started`, `found`: pilot paths by light. The guide is the one that the run has.
-  void add_lights(const Scene& scene, const EmissionGuide& guide, const std::vector<std::uint64_t>& started,
+  /// `started`, `found`: pilot paths by light. The guides are those that the run has.
+  void add_lights(const Scene& scene, const EmissionGuides& guides, const std::vector<std::uint64_t>& started,
                   const std::vector<std::uint64_t>& found);
   void persist(StateStream& state);
 };

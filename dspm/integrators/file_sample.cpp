@@ -17,7 +17,7 @@ bool is_learned(const LearnedEmission& known) { return known.report.start != Emi
 void persist(LearnedEmission& known, StateStream& state) {
   state.value(known.lights);
   if (known.lights < 0 || known.lights > kMostLights) throw std::runtime_error("its number of lights is not possible");
-  known.guide.persist(state, known.lights);
+  known.guides.persist(state, known.lights);
   known.direct.persist(state);
   known.report.persist(state);
 }

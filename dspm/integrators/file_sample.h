@@ -19,7 +19,7 @@ namespace dspm {
 
 /// What integrators with the same settings share.
 struct LearnedEmission {
-  EmissionGuide guide;
+  EmissionGuides guides;
   LearnedDirect direct;
   std::size_t bytes_while_learning = 0;
   std::int32_t lights = 0;
@@ -49,7 +49,7 @@ class FileSample {
   /// Of all that was learned.
   std::size_t bytes() const {
     std::size_t sum = 0;
-    for (const auto& [settings, known] : known_) sum += known->guide.bytes();
+    for (const auto& [settings, known] : known_) sum += known->guides.bytes();
     return sum;
   }
   bool has_learned() const;

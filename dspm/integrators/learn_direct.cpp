@@ -82,7 +82,7 @@ void LearnedDirect::persist(StateStream& state) {
 }
 
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
-                           std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes) {
+                           std::int64_t photons, const EmissionGuides& guides, std::size_t& bytes) {
   Pilot pilot(sample, render, settings);
   LearnedDirect learned;
   const DirectBalance rays_alone(sample, {});
@@ -93,7 +93,7 @@ LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, co
   const std::vector<double> seen_again = pilot.direct_light(nullptr, 1);
   for (std::size_t i = 0; i < seen.size(); ++i) alone[i] -= seen[i], again[i] -= seen_again[i];
   learned.photons_a_ray = static_cast<float>(1 / std::max(kLeastVariance, relative_variance(alone, again)));
-  const DirectBalance balance(sample, {photons, &guide, kLater * learned.radius, learned.photons_a_ray});
+  const DirectBalance balance(sample, {photons, &guides, kLater * learned.radius, learned.photons_a_ray});
   const std::vector<double> shared = pilot.direct_light(&balance, 0);
   double by_rays = 0, all = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) by_rays += shared[i] - seen[i], all += alone[i];

@@ -17,9 +17,9 @@ struct LearnedDirect {
   void persist(StateStream& state);
 };
 
-/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guide. `bytes`: what it
+/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guides. `bytes`: what it
 /// took, at most.
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
-                           std::int64_t photons, const EmissionGuide& guide, std::size_t& bytes);
+                           std::int64_t photons, const EmissionGuides& guides, std::size_t& bytes);
 
 }  // namespace dspm

@@ -43,65 +43,65 @@ class Learner {
         pixels_(render, kPilotPixels) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.direct = nullptr;
-    for (const SceneLight& light : sample.lights) usual_.push_back(light.photon_probability);
+    for (const LightChoice& choice : sample.light_choices) choices_ += !choice.frames.empty();
     HitPointSettings camera = hit_point;
     camera.sample_direct = false, camera.direct = nullptr, camera.share_paths = true;
     tiles_ = pixels_.trace(sample, camera);
   }
 
-  EmissionGuide learn(PilotPaths& pilot) {
+  EmissionGuides learn(PilotPaths& pilot) {
     const PilotRound first = trace_first(pilot);
-    EmissionGuide guide = fine(first.found_share() < kFew ? coarse() : EmissionGuide(), first, pilot);
+    EmissionGuides guides = fine(first.found_share() < kFew ? coarse() : EmissionGuides(), first, pilot);
     pilot.rounds = rounds_, pilot.bytes = bytes_;
-    return guide;
+    return guides;
   }
 
-  /// Without a guide.
+  /// Without guides.
   PilotRound trace_first(PilotPaths& pilot) {
-    PilotRound first = trace(EmissionGuide(), 1);
-    pilot.rounds = 1, pilot.of_a_round = first.paths, pilot.found_first = first.found.size();
+    PilotRound first = trace({}, 1);
+    pilot.rounds = 1, pilot.of_a_round = first.all_paths(), pilot.found_first = first.found.size();
     pilot.count(first, scene_, photon_);
     return first;
   }
 
  private:
   // All photons count, even if the integrator stores some kinds only: those that arrive first lead to the others.
-  EmissionGuide coarse() {
+  EmissionGuides coarse() {
     photon_.kinds = kAllPhotons;
-    EmissionGuide guide;
+    EmissionGuides guides;
     for (float scale = kWidest; scale >= 1; scale /= kShrink) {
       std::vector<PilotRound> rounds;
       for (int i = 0; i < kWideRounds && (i == 0 || rounds.back().found_share() < kEnough); ++i) {
-        rounds.push_back(trace(guide, scale));
-        guide = guide_after(rounds);
+        rounds.push_back(trace(guides, scale));
+        guides = guides_after(rounds);
       }
     }
     photon_.kinds = kinds_;
-    return guide;
+    return guides;
   }
 
-  EmissionGuide fine(EmissionGuide guide, const PilotRound& first, PilotPaths& pilot) {
+  EmissionGuides fine(EmissionGuides guides, const PilotRound& first, PilotPaths& pilot) {
     std::vector<PilotRound> rounds;
     for (int i = 0; i < kMostRounds; ++i) {
-      rounds.push_back(trace(guide, 1));
+      rounds.push_back(trace(guides, 1));
       if (i == kTrialRounds) pilot.gain = gain(rounds.back(), first);
       if (i == kTrialRounds && !(pilot.gain > kLeastGain)) return {};
-      guide = guide_after(rounds);
+      guides = guides_after(rounds);
       if (i >= kLeastRounds &&
           rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
         break;
     }
     pilot.gain = gain(rounds.back(), first);
     pilot.count(rounds.back(), scene_, photon_);
-    return guide;
+    return guides;
   }
 
   /// `scale`: of the search radius.
-  PilotRound trace(const EmissionGuide& guide, float scale) {
+  PilotRound trace(const EmissionGuides& guides, float scale) {
     const VisiblePoints matte = visible(&HitPointTile::hit_points, scale),
                         glossy = visible(&HitPointTile::glossy, scale);
-    PilotRound round{guide, {}, rounds_, static_cast<std::uint64_t>(paths_)};
-    photon_.guide = &guide;
+    PilotRound round{guides, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
+    photon_.guides = &guides;
     for (std::int64_t first = 0; first < paths_; first += kPathsAtOnce) {
       traces_ =
           trace_photons(scene_, photon_, rounds_, first, std::min(paths_, first + kPathsAtOnce), std::move(traces_));
@@ -122,67 +122,94 @@ class Learner {
   }
 
   void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, PilotRound& round) const {
-    std::vector<std::vector<double>> squares(traces_.size());  // by trace and path
+    const std::size_t choices = scene_.light_choices.size();
+    std::vector<std::vector<double>> squares(traces_.size());  // by trace, path and choice
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
+      std::vector<double>& of_trace = squares[static_cast<std::size_t>(t)];
       std::size_t photon = 0, hidden = 0;
       for (const PhotonTrace::End& end : trace.ends) {
-        double sum = 0;
+        of_trace.resize(of_trace.size() + choices);
+        double* const sums = &of_trace.back() + 1 - choices;
         const auto add = [&](float radiance, FrameSet frames) {
-          sum += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
+          sums[choice_of(frames)] += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
         };
         for (; photon < end.photons; ++photon) matte.for_each_gathering(trace.photons[photon], add);
         for (; hidden < end.hidden; ++hidden) glossy.for_each_gathering(trace.hidden[hidden], add);
-        squares[static_cast<std::size_t>(t)].push_back(sum);
       }
     });
     for (std::size_t t = 0; t < traces_.size(); ++t) {
       round.work += traces_[t].paths.segments.done + traces_[t].photons.size();
-      for (const double sum : squares[t]) {
-        const PathRandom random(photon_.seed, photon_.stream, path++, rounds_);
-        if (sum > 0 && std::isfinite(sum)) round.found.push_back({start_of(&round.guide, scene_, random), sum});
+      for (std::size_t i = 0; i < squares[t].size(); ++i) {
+        const std::size_t choice = i % choices;
+        const PathRandom random(photon_.seed, photon_.stream, path + i / choices, rounds_);
+        if (const double sum = squares[t][i]; sum > 0 && std::isfinite(sum))
+          round.found.push_back({choice, start_of(&round.guides, scene_, choice, random), sum});
       }
+      path += traces_[t].ends.size();
     }
   }
 
-  double usual(int light) const { return static_cast<double>(usual_[static_cast<std::size_t>(light)]); }
+  /// All frames of a photon have the same.
+  std::size_t choice_of(FrameSet frames) const {
+    std::size_t choice = 0;
+    while ((scene_.light_choices[choice].frames & frames).empty()) ++choice;
+    return choice;
+  }
+
+  double usual(const FoundPath& path) const {
+    return static_cast<double>(
+        scene_.light_choices[path.choice].probability[static_cast<std::size_t>(path.start.light)]);
+  }
   /// The scene's factor to what a light gets of the paths. Boxes get paths by the root of what their records add up to.
   double favour(int light) const { return static_cast<double>(scene_.lights[static_cast<std::size_t>(light)].photons); }
-  double density(const EmissionGuide& guide, const EmissionStart& start) const {
-    return guide.is_off() ? usual(start.light) : static_cast<double>(guide.density(start.light, start.numbers));
+  double density(const EmissionGuides& guides, const FoundPath& path) const {
+    return guides.are_off()
+               ? usual(path)
+               : static_cast<double>(guides.of_choice[path.choice].density(path.start.light, path.start.numbers));
   }
 
   /// A path counts as drawn from the mixture of all rounds; else those that were unlikely in their own round would
   /// outweigh all others. [Veach 1997, 9.2]
-  EmissionGuide guide_after(const std::vector<PilotRound>& rounds) {
-    std::vector<EmissionRecord> records;
+  EmissionGuides guides_after(const std::vector<PilotRound>& rounds) {
+    std::vector<std::vector<EmissionRecord>> records(scene_.light_choices.size());
+    std::size_t count = 0;
     for (const PilotRound& round : rounds)
-      for (const auto& [start, squares] : round.found) {
+      for (const FoundPath& path : round.found) {
         double mixture = 0;
-        for (const PilotRound& other : rounds) mixture += density(other.guide, start);
+        for (const PilotRound& other : rounds) mixture += density(other.guides, path);
+        const EmissionStart& start = path.start;
         const auto own = static_cast<double>(start.density), wanted = favour(start.light);
-        records.push_back({start.light, start.numbers, squares * own * own / mixture * wanted * wanted});
+        records[path.choice].push_back(
+            {start.light, start.numbers, path.squares * own * own / mixture * wanted * wanted});
+        ++count;
       }
-    // The records, once more by light and box, and the tree.
-    bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
-                                  records.size() * (2 * sizeof(FoundPath) + sizeof(EmissionRecord)) + kTreeBytes);
-    return guide_from(records, usual_);
+    // The records, once more by light and box, and the trees.
+    bytes_ =
+        std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
+                             count * (2 * sizeof(FoundPath) + sizeof(EmissionRecord)) + records.size() * kTreeBytes);
+    EmissionGuides guides;
+    for (std::size_t choice = 0; choice < records.size(); ++choice)
+      guides.of_choice.push_back(guide_from(records[choice], scene_.light_choices[choice].probability));
+    return guides;
   }
 
   /// The time that the same variance would take without a guide, over that with the round's.
   double gain(const PilotRound& round, const PilotRound& without) const {
     double variance = 0, usual_variance = 0;
-    for (const auto& [start, squares] : round.found)
-      variance += squares, usual_variance += squares * static_cast<double>(start.density) / usual(start.light);
+    for (const FoundPath& path : round.found) {
+      variance += path.squares;
+      usual_variance += path.squares * static_cast<double>(path.start.density) / usual(path);
+    }
     return usual_variance * without.cost() / (variance * round.cost());
   }
 
   const Scene& scene_;
   PhotonSettings photon_;
   unsigned kinds_;
-  std::int64_t paths_;  // of a round
+  std::int64_t paths_;         // of a round and choice
+  std::uint64_t choices_ = 0;  // of frames of the sample
   PilotPixels pixels_;
-  std::vector<float> usual_;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
   std::uint64_t rounds_ = 0;
@@ -197,8 +224,8 @@ bool read_emission(ParamReader& params) {
                        "lights' power") == "guided";
 }
 
-EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-                             const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
+EmissionGuides learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+                              const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
   return Learner(sample, render, photon, hit_point, photons).learn(pilot);
 }
 
@@ -222,14 +249,14 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
     LearnedEmission result;
     const std::shared_ptr<const Scene> sample = render.file->scene(scene);
     if (guided)
-      result.guide = learn_emission(*sample, render, photon, hit_point, photons, pilot);
+      result.guides = learn_emission(*sample, render, photon, hit_point, photons, pilot);
     else if (render.count_found)
       count_found(*sample, render, photon, hit_point, photons, pilot);
     std::size_t bytes = 0;
-    if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guide, bytes);
+    if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guides, bytes);
     result.bytes_while_learning = std::max(bytes, pilot.bytes);
     result.lights = static_cast<std::int32_t>(sample->lights.size());
-    if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guide, guided);
+    if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guides, guided);
     return result;
   });
   if (learned->report.rounds > 0) statistics.emission.put(learned->report);

@@ -14,10 +14,10 @@ namespace dspm {
 /// Reads "emission": whether to learn.
 bool read_emission(ParamReader& params);
 
-/// Of a scene whose frames stand for the file. `photons`: paths of an iteration. The guide is off if it would not pay.
+/// Of a scene whose frames stand for the file. `photons`: paths of an iteration. The guides are off if they would not pay.
 /// It depends on the seed and on the size of the full image, but not on the crop.
-EmissionGuide learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-                             const HitPointSettings& hit_point, int photons, PilotPaths& pilot);
+EmissionGuides learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
+                              const HitPointSettings& hit_point, int photons, PilotPaths& pilot);
 
 /// Without learning: the paths that are found if they start by power.
 void count_found(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,

@@ -47,12 +47,17 @@ class PhotonTracer {
   friend BranchingPath<PhotonPath>;
 
   void start(const PathRandom& random) {
-    const EmissionStart chosen = start_of(settings_.guide, scene_, random);
-    if (chosen.density == 0) return;
-    chosen_light_ = chosen.light;
     started_.clear();
+    for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
+      if (!scene_.light_choices[choice].frames.empty()) start(random, choice);
+  }
+
+  void start(const PathRandom& random, std::size_t choice) {
+    const EmissionStart chosen = start_of(settings_.guides, scene_, choice, random);
+    if (chosen.density == 0) return;
+    const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
     const EmissionNumbers& u = chosen.numbers;
-    for (const PhotonStart& start : starts_.of(chosen.light)) {
+    for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.density;
@@ -62,9 +67,8 @@ class PhotonTracer {
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}});
       path.start = static_cast<int>(started_.size());
-      started_.push_back({start.light, {emission->ray, emission->normal, emission->primitive}});
+      started_.push_back({light, *start.light, {emission->ray, emission->normal, emission->primitive}});
       path.random = random, path.strands = start.strands;
-      const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();
@@ -154,9 +158,8 @@ class PhotonTracer {
   }
 
   float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
-    const auto& [light, start] = started_[static_cast<std::size_t>(path.start)];
-    return settings_.direct->weight_of_photon(scene_.lights[static_cast<std::size_t>(chosen_light_)], *light, start,
-                                              {point.p, point.ng});
+    const auto& [light, state, start] = started_[static_cast<std::size_t>(path.start)];
+    return settings_.direct->weight_of_photon(light, state, start, {point.p, point.ng});
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
@@ -229,9 +232,9 @@ class PhotonTracer {
   const PhotonSettings& settings_;
   const PhotonStarts& starts_;
   FrameSet frames_;
-  int chosen_light_ = 0;
   struct Started {
-    const Light* light;
+    const SceneLight& light;
+    const Light& state;
     LightStart start;
   };
   std::vector<Started> started_;  // of the path that is traced
@@ -261,13 +264,6 @@ void finish_balance(PhotonTrace& trace, int frames) {
 }
 
 }  // namespace
-
-EmissionStart start_of(const EmissionGuide* guide, const Scene& scene, const PathRandom& random) {
-  if (guide != nullptr && !guide->is_off()) return guide->draw(random);
-  const ChosenLight chosen = scene.choose_light(random.number(0, kLightChoice));
-  const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
-  return {chosen.index, {position.x, position.y, direction.x, direction.y}, chosen.probability};
-}
 
 void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
   for (const PhotonTrace& trace : traces) {

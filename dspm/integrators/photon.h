@@ -41,13 +41,10 @@ struct PhotonSettings {
   unsigned kinds = kAllPhotons;  // to be stored
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
-  const EmissionGuide* guide = nullptr;
+  const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool keep_ends = false;                 // the traces say which photons are of which path
 };
-
-/// Where a photon path starts. A density of 0: nowhere, as there is no light.
-EmissionStart start_of(const EmissionGuide* guide, const Scene& scene, const PathRandom& random);
 
 /// The results of a range of photon paths.
 struct PhotonTrace {

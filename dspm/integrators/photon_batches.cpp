@@ -30,7 +30,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
                                     const RenderSettings& render, const EstimatorKind& estimator,
                                     std::size_t learning) {
   if (render.memory == 0) return {settings.photons, settings.photons};
-  const std::size_t guide = settings.photon.guide != nullptr ? settings.photon.guide->bytes() : 0;
+  const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
   const double a_path = bytes_a_photon_path(scene, settings.photon);
   MemoryNeeds needs, least;
   needs.learning = learning;
@@ -39,7 +39,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
-    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render) + guide;
+    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render) + guides;
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

@@ -6,31 +6,39 @@
 namespace dspm {
 
 PhotonStarts::PhotonStarts(const Scene& scene, bool share_paths) {
-  for (const SceneLight& light : scene.lights) {
-    std::vector<PhotonStart>& starts = of_light_.emplace_back();
-    if (!share_paths) {
-      light.states.for_each(scene.frames(), [&](FrameSet frames, const Light& state) {
-        starts.push_back({&state, frames, Rgb(1), 0});
-      });
-      continue;
-    }
-    for (const SceneLight::Alike& alike : light.alike) {
-      const Light& first = *alike.first;
-      if (alike.factors.empty()) {
-        FrameSet frames;
-        for (const auto& state : alike.states) frames |= state.frames;
-        starts.push_back({&first, frames, Rgb(1), 0, &alike});
-      } else {
-        add(first, alike.factors, starts);
-      }
-    }
+  for (const LightChoice& choice : scene.light_choices) {
+    auto& of_light = of_choice_.emplace_back();
+    for (const SceneLight& light : scene.lights) of_light.push_back(starts_of(light, choice.frames, share_paths));
   }
 }
 
-void PhotonStarts::add(const Light& light, std::span<const FrameFactor> factors, std::vector<PhotonStart>& starts) {
+std::vector<PhotonStart> PhotonStarts::starts_of(const SceneLight& light, FrameSet frames, bool share_paths) {
+  std::vector<PhotonStart> starts;
+  if (!share_paths) {
+    light.states.for_each(frames, [&](FrameSet common, const Light& state) {
+      starts.push_back({&state, common, Rgb(1), 0});
+    });
+    return starts;
+  }
+  for (const SceneLight::Alike& alike : light.alike) {
+    const Light& first = *alike.first;
+    if (alike.factors.empty()) {
+      FrameSet all;
+      for (const auto& state : alike.states) all |= state.frames & frames;
+      if (!all.empty()) starts.push_back({&first, all, Rgb(1), 0, &alike});
+    } else {
+      add(first, alike.factors, frames, starts);
+    }
+  }
+  return starts;
+}
+
+void PhotonStarts::add(const Light& light, std::span<const FrameFactor> factors, FrameSet frames,
+                       std::vector<PhotonStart>& starts) {
   Strands strands;
   for (const FrameFactor& f : factors)
-    if (!is_black(f.factor)) strands.add(f.frames, f.factor);
+    if (const FrameSet common = f.frames & frames; !common.empty() && !is_black(f.factor))
+      strands.add(common, f.factor);
   if (strands.strands().empty()) return;
   Rgb common;
   const StrandList list = strands_.add(strands, common);

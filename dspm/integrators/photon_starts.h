@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// A path that starts whenever the light is chosen.
+/// A path that starts whenever its frames choose the light.
 struct PhotonStart {
   const Light* light;
   FrameSet frames;
@@ -24,14 +24,17 @@ class PhotonStarts {
  public:
   /// share_paths: frames whose lights differ only in strength or colour start together.
   PhotonStarts(const Scene& scene, bool share_paths);
-  const std::vector<PhotonStart>& of(int light) const { return of_light_[static_cast<std::size_t>(light)]; }
+  const std::vector<PhotonStart>& of(std::size_t choice, int light) const {
+    return of_choice_[choice][static_cast<std::size_t>(light)];
+  }
   /// The strands that paths start with: the first lists of every trace.
   const StrandTable& strands() const { return strands_; }
 
  private:
-  void add(const Light& light, std::span<const FrameFactor> factors, std::vector<PhotonStart>& starts);
+  std::vector<PhotonStart> starts_of(const SceneLight& light, FrameSet frames, bool share_paths);
+  void add(const Light& light, std::span<const FrameFactor> factors, FrameSet frames, std::vector<PhotonStart>& starts);
 
-  std::vector<std::vector<PhotonStart>> of_light_;
+  std::vector<std::vector<std::vector<PhotonStart>>> of_choice_;  // by light
   StrandTable strands_;
 };
 

@@ -54,7 +54,7 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
   return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
 }
 
-/// With the guide's pointer set.
+/// With the guides' pointer set.
 struct GuidedPhotons {
   PhotonSettings settings;
   std::shared_ptr<const LearnedEmission> learned;
@@ -63,7 +63,7 @@ struct GuidedPhotons {
                 const RenderSettings& render, int photons, bool guided, Statistics& statistics)
       : settings(of), learned(emission_of_file(scene, render, of, within(radius, s), photons, guided, statistics)) {
     expect_enough(render.memory, {.learning = learned->bytes_while_learning});
-    settings.guide = &learned->guide;
+    settings.guides = &learned->guides;
   }
   static HitPointSettings within(float radius, const PhotonMapSettings& s) {
     HitPointSettings settings = hit_point_settings(s);
@@ -107,7 +107,7 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
   MemoryNeeds needs;
   needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count());
   needs.hit_points = hit_point_bytes(scene, render, hit_point_settings(s));
-  needs.photons = static_cast<std::size_t>(photons) + global.learned->guide.bytes() + caustic.learned->guide.bytes();
+  needs.photons = static_cast<std::size_t>(photons) + global.learned->guides.bytes() + caustic.learned->guides.bytes();
   return needs;
 }
 

@@ -13,17 +13,21 @@ namespace dspm {
 
 /// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
 struct FoundPath {
+  std::size_t choice;  // of its frames
   EmissionStart start;
   double squares;
 };
 
 struct PilotRound {
-  EmissionGuide guide;  // that its paths were drawn with
+  EmissionGuides guides;  // that its paths were drawn with
   std::vector<FoundPath> found;
-  std::uint64_t number = 0, paths = 0, work = 0;  // work: rays and photons
+  std::uint64_t number = 0, paths = 0;  // paths: of each choice
+  std::uint64_t choices = 1, work = 0;  // work: rays and photons
 
-  double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(paths); }
-  double cost() const { return static_cast<double>(work) / static_cast<double>(paths); }
+  std::uint64_t all_paths() const { return paths * choices; }
+
+  double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(all_paths()); }
+  double cost() const { return static_cast<double>(work) / static_cast<double>(all_paths()); }
 };
 
 /// What learning took, and the paths of a round of which a hit point finds a photon.
@@ -37,8 +41,8 @@ struct PilotPaths {
   void count(const PilotRound& round, const Scene& scene, const PhotonSettings& photon);
 };
 
-/// Of a run with that guide. `guided`: it was to have one, if it pays.
+/// Of a run with these guides. `guided`: it was to have one, if it pays.
 EmissionReport report_of(const PilotPaths& pilot, const Scene& scene, const PhotonSettings& photon,
-                         const EmissionGuide& guide, bool guided);
+                         const EmissionGuides& guides, bool guided);
 
 }  // namespace dspm

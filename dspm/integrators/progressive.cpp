@@ -100,7 +100,7 @@ class Progressive final : public Integrator {
     const StepTimer timer(statistics_.steps[kEmission]);
     learned_ = emission_of_file(scene, render_, settings_.photon, settings_.hit_point, settings_.photons,
                                 settings_.guided, statistics_);
-    settings_.photon.guide = &learned_->guide;
+    settings_.photon.guides = &learned_->guides;
   }
 
   void persist_learned(StateStream& state) {
@@ -108,9 +108,9 @@ class Progressive final : public Integrator {
     std::uint8_t is_learned = learned_ != nullptr;
     state.value(is_learned);
     emission.direct.persist(state);
-    emission.guide.persist(state, lights_);
+    emission.guides.persist(state, lights_);
     learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
-    settings_.photon.guide = learned_ != nullptr ? &learned_->guide : nullptr;
+    settings_.photon.guides = learned_ != nullptr ? &learned_->guides : nullptr;
   }
 
   void balance_direct_light(const Scene& scene) {
@@ -121,7 +121,7 @@ class Progressive final : public Integrator {
       settings_.hit_point.sample_direct = false;
       return;
     }
-    direct_.emplace(scene, DirectWays{by_photons ? settings_.photons : 0, settings_.photon.guide,
+    direct_.emplace(scene, DirectWays{by_photons ? settings_.photons : 0, settings_.photon.guides,
                                       shrinkage_.of(learned.radius), learned.photons_a_ray});
     settings_.photon.direct = settings_.hit_point.direct = &*direct_;
   }

@@ -48,7 +48,7 @@ struct FrameFactor {
   Rgb factor;
 };
 
-/// A light and how often it is chosen, in proportion to its mean power over all frames of the file.
+/// A light with its states.
 struct SceneLight {
   /// States whose photons start alike: like those of `first`, a state of the file, times a weight.
   struct Alike {
@@ -58,17 +58,30 @@ struct SceneLight {
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;
-  float probability = 0;         // of a direct light sample
-  float photon_probability = 0;  // of a photon path: the mean power times `photons`, over the sum of all lights
-  std::vector<Alike> alike;      // all states, grouped
-  bool is_delta = false;         // no ray can hit it: it has no surface and is not infinite
-  float photons = 1;             // the scene's factor to its share of the photon paths
-  bool caustics = true;          // false: its photons end where they would go on to a caustic
+  float probability = 0;     // of a direct light sample: its mean power over all frames of the file, over that of all
+  std::vector<Alike> alike;  // all states, grouped
+  bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
+  float photons = 1;         // the scene's factor to its share of the photon paths
+  bool caustics = true;      // false: its photons end where they would go on to a caustic
+  /// By Scene::light_choices: the shares of the file's frames with this light; they add up to 1. Weights take the
+  /// density of a photon's start as the mean with these.
+  std::vector<float> choice_shares;
 };
 
 struct ChosenLight {
   int index;
-  float probability;  // of a photon path
+  float probability;
+};
+
+/// Frames whose photon paths choose lights alike: in proportion to mean power over these frames of the file, times
+/// SceneLight::photons. Other frames start paths of their own, with the same random numbers.
+struct LightChoice {
+  FrameSet frames;
+  std::vector<float> probability;  // by light
+  float share = 1;                 // of the file's frames
+
+  /// Probability 0 if there are no lights.
+  ChosenLight choose(float u) const;
 };
 
 /// A scene element made by a plugin, for messages.
@@ -93,6 +106,7 @@ class Scene {
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
   std::vector<SceneLight> lights;
+  std::vector<LightChoice> light_choices;    // of the file; their frames here are disjoint, and all frames in the end
   std::span<const std::string> light_names;  // distinct
   std::vector<int> infinite_lights;          // those that implement escaped()
   FrameStates<Camera> camera;
@@ -101,8 +115,6 @@ class Scene {
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
-  /// Chooses a photon path's light by photon_probability; probability 0 if there are none.
-  ChosenLight choose_light(float u) const;
   SurfacePoint surface_point(const RayHit& hit) const {
     return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);
   }

@@ -92,6 +92,7 @@ class LightMaker {
       light.controls = read_photon_controls(reader);
       light.states.states.emplace_back(plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
+      light.powers.push_back(luminance(light.states.states.back()->power()));
     }
     return light;
   }
@@ -121,10 +122,9 @@ std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<cons
 }
 
 float mean_power(const WorldLight& light) {
-  std::vector<float> power;
-  for (const auto& state : light.states.states) power.push_back(luminance(state->power()));
   double sum = 0;
-  for (const int s : light.states.state_of) sum += s < 0 ? 0 : static_cast<double>(power[static_cast<std::size_t>(s)]);
+  for (const int s : light.states.state_of)
+    sum += s < 0 ? 0 : static_cast<double>(light.powers[static_cast<std::size_t>(s)]);
   return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
 }
 
@@ -161,9 +161,9 @@ void share_out(std::vector<WorldLight>& lights, Diagnostics& diagnostics) {
     total += static_cast<double>(light.probability), all_photons += weight(light);
   }
   for (WorldLight& light : lights) {
-    light.photon_probability = all_photons > 0 ? static_cast<float>(weight(light) / all_photons) : 0;
+    const auto of_photons = all_photons > 0 ? static_cast<float>(weight(light) / all_photons) : 0;
     light.probability = total > 0 ? static_cast<float>(static_cast<double>(light.probability) / total) : 0;
-    if (light.photon_probability < kLeastShare && light.probability >= kLeastShare)
+    if (of_photons < kLeastShare && light.probability >= kLeastShare)
       diagnostics.error(
           light.use->where,
           fmt::format("the lights' \"photons\" leave {} less than one photon path in a million", light.name),

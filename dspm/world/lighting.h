@@ -14,8 +14,8 @@ namespace dspm {
 
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
-  float probability = 0;         // in proportion to the mean power over all frames
-  float photon_probability = 0;  // in proportion to that times `photons`
+  std::vector<float> powers;  // by state: luminance
+  float probability = 0;      // in proportion to the mean power over all frames
   PhotonControls controls;
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
@@ -23,6 +23,12 @@ struct WorldLight {
   std::string name;        // for messages
   std::string short_name;  // as the scene gives it, or of its type or its shape
   const PluginUse* use = nullptr;
+
+  /// In a frame of the file; 0 if it is not there.
+  double power(FileFrame frame) const {
+    const int state = states.at(frame);
+    return state < 0 ? 0 : static_cast<double>(powers[static_cast<std::size_t>(state)]);
+  }
 };
 
 /// The directives' lights, then the geometry's emitters in their order.

@@ -1,6 +1,8 @@
 #include "dspm/world/photon_worth.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -22,45 +24,34 @@ std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphe
   return all;
 }
 
-/// Of a light's state. If it is infinitely far, its power is what falls on the file's whole sphere.
-struct Power {
-  double power;
-  bool infinitely_far;
-};
-
-std::vector<Power> powers(const WorldLight& light, const Vec3& center) {
-  std::vector<Power> all;
-  for (const auto& state : light.states.states) {
+/// Its power is then what falls on the file's whole sphere.
+bool is_infinitely_far(const WorldLight& light, const Vec3& center) {
+  const auto& states = light.states.states;
+  return std::any_of(states.begin(), states.end(), [&](const std::shared_ptr<const Light>& state) {
     const auto seen = state->illuminate(center, {0.5f, 0.5f});
-    all.push_back({static_cast<double>(luminance(state->power())), seen && std::isinf(seen->distance)});
-  }
-  return all;
+    return seen && std::isinf(seen->distance);
+  });
 }
 
 }  // namespace
 
-// n paths, of which a fraction p_i starts at light i of power P_i, give the flux of light i as n p_i photons of P_i /
-// (n p_i) each: a variance in proportion to P_i^2 / p_i, and to the sum of that for all lights. In a file of its own
-// p_i is P_i / P, P the sum of all P_i, which makes the sum P^2, the minimum.
 std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vector<WorldLight>& lights,
-                                      const BoundingSphere& sphere, int frames) {
-  std::vector<std::vector<Power>> of_states;
-  for (const WorldLight& light : lights) of_states.push_back(powers(light, sphere.center));
+                                      const LightChoices& choices, const BoundingSphere& sphere) {
+  std::vector<bool> far;
+  for (const WorldLight& light : lights) far.push_back(is_infinitely_far(light, sphere.center));
+  const auto frames = static_cast<int>(choices.of_frame.size());
   const std::vector<BoundingSphere> own = spheres(geometry, sphere, frames);
-  std::vector<PhotonWorth> worth(static_cast<std::size_t>(frames));
+  std::vector<PhotonWorth> worth(choices.of_frame.size());
   for (FileFrame f(0); f.index() < frames; ++f) {
     PhotonWorth& of_frame = worth[f.slot()];
     const double radius = static_cast<double>(own[f.slot()].radius) / static_cast<double>(sphere.radius);
-    double flux = 0, variance = 0;
+    std::vector<double> powers;  // what enters the frame's own sphere
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      const int state = lights[i].states.at(f);
-      if (state < 0) continue;
-      Power there = of_states[i][static_cast<std::size_t>(state)];
-      if (!(there.power > 0)) continue;
-      if (there.infinitely_far) of_frame.by_reach = radius * radius, there.power *= radius * radius;
-      flux += there.power, variance += there.power * there.power / static_cast<double>(lights[i].photon_probability);
+      powers.push_back(lights[i].power(f) * (far[i] ? radius * radius : 1));
+      if (far[i] && powers[i] > 0) of_frame.by_reach = radius * radius;
     }
-    if (variance > 0) of_frame.by_choice = flux * flux / variance;
+    of_frame.by_choice =
+        worth_of_choice(powers, choices.probabilities[static_cast<std::size_t>(choices.of_frame[f.slot()])]);
   }
   return worth;
 }

@@ -6,6 +6,7 @@
 
 #include "dspm/world/bounding_sphere.h"
 #include "dspm/world/geometry.h"
+#include "dspm/world/light_choices.h"
 #include "dspm/world/lighting.h"
 
 namespace dspm {
@@ -18,8 +19,8 @@ struct PhotonWorth {
   double by_reach = 1;
 };
 
-/// By frame of the file, whose sphere and lights' probabilities these are.
+/// By frame of the file, whose sphere and choices these are.
 std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vector<WorldLight>& lights,
-                                      const BoundingSphere& sphere, int frames);
+                                      const LightChoices& choices, const BoundingSphere& sphere);
 
 }  // namespace dspm

@@ -108,8 +108,8 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   return lines;
 }
 
-std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
-                                       std::span<const FileFrame> frames) {
+std::vector<std::string> explain_worth(const FileFrames& file, const LightChoices& choices,
+                                       const std::vector<PhotonWorth>& worth, std::span<const FileFrame> frames) {
   constexpr double kWorthTelling = 0.9;
   const auto of = [&](FileFrame f, double PhotonWorth::*share) { return worth[f.slot()].*share; };
   const auto worst = [&](double PhotonWorth::*share) -> std::optional<FileFrame> {
@@ -119,11 +119,18 @@ std::vector<std::string> explain_worth(const FileFrames& file, const std::vector
   };
   const std::string all = counted(static_cast<std::size_t>(file.count()), "frame");
   std::vector<std::string> lines;
-  if (const auto frame = worst(&PhotonWorth::by_choice))
+  const std::size_t groups = choices.probabilities.size();
+  if (groups > 1)
     lines.push_back(fmt::format(
-        "lights: photon paths choose them by their mean power over the {} of the file. Frame {} fares worst: "
-        "the flux of its lights is as noisy as with {:.2g}% of the photons in a file of its own.",
-        all, file.label(*frame), 100 * of(*frame, &PhotonWorth::by_choice)));
+        "lights: they differ so much between the {} of the file that these are {} groups, each of which chooses lights "
+        "for its photons by its own mean power. Photons are shared within a group.",
+        all, groups));
+  if (const auto frame = worst(&PhotonWorth::by_choice))
+    lines.push_back(
+        fmt::format("lights: photon paths choose them by their mean power over the {}. Frame {} fares worst: "
+                    "the flux of its lights is as noisy as with {:.2g}% of the photons in a file of its own.",
+                    groups > 1 ? "group's frames" : all + " of the file", file.label(*frame),
+                    100 * of(*frame, &PhotonWorth::by_choice)));
   if (const auto frame = worst(&PhotonWorth::by_reach))
     lines.push_back(
         fmt::format("distant and infinite lights: their photons start on a disk that covers what is in any "

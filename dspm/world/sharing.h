@@ -9,6 +9,7 @@
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
 #include "dspm/world/geometry.h"
+#include "dspm/world/light_choices.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/photon_worth.h"
 
@@ -20,8 +21,9 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const FileFrame> frames);
 
-/// If photons are worth less to some of these frames than in files of their own: how much, and why.
-std::vector<std::string> explain_worth(const FileFrames& file, const std::vector<PhotonWorth>& worth,
-                                       std::span<const FileFrame> frames);
+/// Which frames choose lights for their photons on their own; and if photons are worth less to some of these frames
+/// than in files of their own, how much, and why.
+std::vector<std::string> explain_worth(const FileFrames& file, const LightChoices& choices,
+                                       const std::vector<PhotonWorth>& worth, std::span<const FileFrame> frames);
 
 }  // namespace dspm

@@ -95,6 +95,7 @@ struct World::Impl {
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());
     lights = make_lights(text, geometry, sphere, diagnostics);
+    if (diagnostics.error_count() == 0) light_choices = make_light_choices(lights, text.frames.count());
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
@@ -132,6 +133,7 @@ struct World::Impl {
   Geometry geometry;
   BoundingSphere sphere;
   std::vector<WorldLight> lights;
+  LightChoices light_choices;
   DistinctNames light_names;
   Timeline<std::shared_ptr<const Camera>> camera;
   const AccelPlugin* accel = nullptr;
@@ -154,10 +156,11 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->material_names = impl_->looks.material_names();
   for (const WorldLight& light : impl_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
-    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability, light.photon_probability,
+    scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
-                             light.controls.caustics});
+                             light.controls.caustics, impl_->light_choices.shares(light)});
   }
+  scene->light_choices = impl_->light_choices.in(scene->file_frames);
   scene->light_names = impl_->light_names.all();
   scene->camera = cut(impl_->camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
@@ -167,14 +170,7 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   return scene;
 }
 
-std::vector<FileFrame> World::sample_frames() const {
-  constexpr int kMost = 16;
-  const int count = std::min(frame_count(), kMost);
-  std::vector<FileFrame> frames;
-  for (int i = 0; i < count; ++i)
-    frames.emplace_back(count == 1 ? 0 : static_cast<int>(std::int64_t{i} * (frame_count() - 1) / (count - 1)));
-  return frames;
-}
+std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(); }
 
 const PluginUse& World::use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const {
   switch (element.kind) {
@@ -197,8 +193,9 @@ std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
 std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {
   std::vector<std::string> lines =
       explain_sharing(impl_->description, impl_->geometry, impl_->looks, impl_->lights, impl_->camera, frames);
-  const auto worth = photon_worth(impl_->geometry, impl_->lights, impl_->sphere, frame_count());
-  for (std::string& line : explain_worth(impl_->description.frames, worth, frames)) lines.push_back(std::move(line));
+  const auto worth = photon_worth(impl_->geometry, impl_->lights, impl_->light_choices, impl_->sphere);
+  for (std::string& line : explain_worth(impl_->description.frames, impl_->light_choices, worth, frames))
+    lines.push_back(std::move(line));
   return lines;
 }
 

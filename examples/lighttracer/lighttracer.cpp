@@ -26,13 +26,15 @@ class PhotonTracer {
 
   void trace(std::uint64_t path_index, int iteration) {
     const PathRandom random(render_.seed, Stream::photon, path_index, static_cast<std::uint64_t>(iteration));
-    const ChosenLight chosen = scene_.choose_light(random.number(0, kLightChoice));
-    if (chosen.probability == 0) return;
-    const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
-    light.states.for_each(scene_.frames(), [&](FrameSet frames, const Light& state) {
-      const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
-      if (start) branches_.push({start->ray, start->flux / chosen.probability, frames}).random = random;
-    });
+    for (const LightChoice& choice : scene_.light_choices) {
+      const ChosenLight chosen = choice.choose(random.number(0, kLightChoice));
+      if (chosen.probability == 0) continue;
+      const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
+      light.states.for_each(choice.frames, [&](FrameSet frames, const Light& state) {
+        const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
+        if (start) branches_.push({start->ray, start->flux / chosen.probability, frames}).random = random;
+      });
+    }
     branches_.follow(*this);
     branches_.count_path();
   }

@@ -36,16 +36,14 @@ WorldBegin
          "Material \"diffuse\" Shape \"disk\" \"float radius\" 2\n";
 }
 
-EmissionGuide some_guide(const Scene& scene) {
+EmissionGuides some_guides(const Scene& scene) {
   std::vector<EmissionRecord> records;
-  std::vector<float> usual;
-  for (const SceneLight& light : scene.lights) usual.push_back(light.probability);
   for (int i = 0; i < 3000; ++i) {
     const PathRandom random(1, Stream::setup, static_cast<std::uint64_t>(i), 0);
     const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
     records.push_back({i % static_cast<int>(scene.lights.size()), {a.x * a.x, a.y, b.x, b.y * b.y}, 1. + i % 3});
   }
-  return guide_from(records, usual);
+  return {{guide_from(records, scene.light_choices.front().probability)}};
 }
 
 /// The weights of the light that starts like that and arrives at the place, or a negative number if its light is black
@@ -72,9 +70,9 @@ TEST(DirectBalance, WeightsAddUpToOne) {
   for (const std::string& sky : {std::string(), std::string("LightSource \"infinite\" \"rgb L\" [1 2 3]\n")}) {
     const TestScene test(room((sky + kLamps).c_str()));
     const auto scene = test.scene({FileFrame(0)});
-    const EmissionGuide guide = some_guide(*scene);
+    const EmissionGuides guides = some_guides(*scene);
     for (const DirectWays& ways :
-         {DirectWays{}, DirectWays{20'000, nullptr, 0.05f, 3}, DirectWays{30'000, &guide, 0.05f, 2}}) {
+         {DirectWays{}, DirectWays{20'000, nullptr, 0.05f, 3}, DirectWays{30'000, &guides, 0.05f, 2}}) {
       const DirectBalance balance(*scene, ways);
       EXPECT_EQ(balance.scatters(), !sky.empty());
       int shared = 0;
@@ -106,7 +104,7 @@ LearnedDirect learned(const std::string& text, int photons) {
   HitPointSettings settings;
   settings.sample_direct = true;
   std::size_t bytes = 0;
-  return learn_direct(*scene, render, settings, photons, EmissionGuide(), bytes);
+  return learn_direct(*scene, render, settings, photons, EmissionGuides(), bytes);
 }
 
 // One lamp that is nearly a point, and nothing in its way: a shadow ray finds all of its light.

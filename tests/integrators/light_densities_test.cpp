@@ -33,16 +33,14 @@ AttributeEnd
 Material "diffuse" Shape "disk" "float radius" 2
 )";
 
-EmissionGuide some_guide(const Scene& scene) {
+EmissionGuides some_guides(const Scene& scene) {
   std::vector<EmissionRecord> records;
-  std::vector<float> usual;
-  for (const SceneLight& light : scene.lights) usual.push_back(light.photon_probability);
   for (int i = 0; i < 3000; ++i) {
     const PathRandom random(1, Stream::setup, static_cast<std::uint64_t>(i), 0);
     const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
     records.push_back({i % static_cast<int>(scene.lights.size()), {a.x * a.x, a.y, b.x, b.y * b.y}, 1. + i % 3});
   }
-  return guide_from(records, usual);
+  return {{guide_from(records, scene.light_choices.front().probability)}};
 }
 
 // What a light subpath holds for a shadow ray in its place is the inverse of what a shadow ray holds for it, and what
@@ -50,16 +48,16 @@ EmissionGuide some_guide(const Scene& scene) {
 TEST(LightDensities, AreTheSameFromBothEnds) {
   const TestScene test(kRoom);
   const auto scene = test.scene({FileFrame(0)});
-  const EmissionGuide guide = some_guide(*scene);
-  ASSERT_FALSE(guide.is_off());
+  const EmissionGuides guides = some_guides(*scene);
+  ASSERT_FALSE(guides.are_off());
   const RenderSettings& render = test.job().settings;
   const VcmSettings settings;
-  for (const EmissionGuide* used : {static_cast<const EmissionGuide*>(nullptr), &guide}) {
+  for (const EmissionGuides* used : {static_cast<const EmissionGuides*>(nullptr), &guides}) {
     const VcmPass pass{*scene, render, settings, 0, 0, {}, used};
     int tried = 0, same = 0;
     for (std::uint64_t i = 0; i < 4000; ++i) {
       const PathRandom random(2, Stream::photon, i, 0);
-      const EmissionStart chosen = start_of(used, *scene, random);
+      const EmissionStart chosen = start_of(used, *scene, 0, random);
       const SceneLight& light = scene->lights[static_cast<std::size_t>(chosen.light)];
       const Light& state = *light.states.states.at(0).object;
       const EmissionNumbers& n = chosen.numbers;

@@ -102,7 +102,7 @@ TEST(LightChoice, IsMadeAsOftenAsItSays) {
   constexpr int kNumbers = 1 << 20;
   std::vector<int> chosen(scene->lights.size());
   for (int i = 0; i < kNumbers; ++i) {
-    const ChosenLight choice = scene->choose_light((static_cast<float>(i) + 0.5f) / kNumbers);
+    const ChosenLight choice = scene->light_choices.front().choose((static_cast<float>(i) + 0.5f) / kNumbers);
     ASSERT_EQ(choice.probability, scene->lights[static_cast<std::size_t>(choice.index)].probability);
     ++chosen[static_cast<std::size_t>(choice.index)];
   }
@@ -117,7 +117,7 @@ TEST(LightChoice, NeverEndsAtABlackLight) {
   for (int count = 1; count <= 40; ++count) {
     lights += "LightSource \"point\" \"rgb I\" [1 1 1]\n";
     TestScene test(kBefore + ("WorldBegin " + lights) + R"(LightSource "point" "rgb I" [0 0 0])" + kWalls);
-    const ChosenLight last = test.scene({FileFrame(0)})->choose_light(0x0.ffffffp0f);
+    const ChosenLight last = test.scene({FileFrame(0)})->light_choices.front().choose(0x0.ffffffp0f);
     EXPECT_EQ(last.index, count - 1);
     EXPECT_NEAR(last.probability, 1. / count, 1e-6);
   }
@@ -125,7 +125,7 @@ TEST(LightChoice, NeverEndsAtABlackLight) {
 
 TEST(LightChoice, FindsNothingInTheDark) {
   TestScene test(std::string(kBefore) + R"(WorldBegin LightSource "point" "rgb I" [0 0 0])" + kWalls);
-  EXPECT_EQ(test.scene({FileFrame(0)})->choose_light(0.5f).probability, 0);
+  EXPECT_EQ(test.scene({FileFrame(0)})->light_choices.front().choose(0.5f).probability, 0);
 }
 
 // Three variations and two moments: the first light has the factors 1, 0.25 and 0, the second is always the same.

@@ -27,12 +27,13 @@ TEST(PhotonControls, MultiplyTheShareOfThePaths) {
     const auto scene = test.scene(frames);
     const double powers[] = {1, 2, 4}, weights[] = {3, 2, 2};
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_NEAR(scene->lights[i].photon_probability, weights[i] / 7, 1e-6) << i;
+      EXPECT_NEAR(scene->light_choices.front().probability[i], weights[i] / 7, 1e-6) << i;
       EXPECT_NEAR(scene->lights[i].probability, powers[i] / 7, 1e-6) << i;
     }
     int chosen[3] = {};
     constexpr int kNumbers = 7 << 12;
-    for (int n = 0; n < kNumbers; ++n) ++chosen[scene->choose_light((static_cast<float>(n) + 0.5f) / kNumbers).index];
+    for (int n = 0; n < kNumbers; ++n)
+      ++chosen[scene->light_choices.front().choose((static_cast<float>(n) + 0.5f) / kNumbers).index];
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(chosen[i], weights[i] * (1 << 12), 2) << i;
   }
 }

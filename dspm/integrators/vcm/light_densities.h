@@ -22,7 +22,7 @@ inline bool is_parallel(const Light& light, const EmissionPdf& pdf) {
 inline float emission_density(const VcmPass& pass, const SceneLight& light, const Light& state, const LightStart& start,
                               const EmissionPdf& pdf) {
   return pdf.position * pdf.direction *
-         start_density(pass.guide, pass.scene, light, state, start.ray, start.normal, start.primitive);
+         start_density(pass.guides, pass.scene, light, state, start.ray, start.normal, start.primitive);
 }
 inline float emission_density(const VcmPass& pass, const SceneLight& light, const Light& state,
                               const LightStart& start) {

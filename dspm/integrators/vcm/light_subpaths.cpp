@@ -28,22 +28,28 @@ class LightPathTracer {
 
   void trace(std::uint64_t path_index) {
     const PathRandom random(pass_.render.seed, Stream::photon, path_index, pass_.iteration);
-    const EmissionStart chosen = start_of(pass_.guide, scene_, random);
-    if (chosen.density > 0)
-      for (const PhotonStart& start : starts_.of(chosen.light)) {
-        // States that would start alike with other densities than their own part.
-        if (start.varied == nullptr)
-          follow(chosen, start, random);
-        else
-          for (const auto& [frames, light] : start.varied->states)
-            follow(chosen, {light.get(), frames, Rgb(1), 0}, random);
-      }
+    for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
+      if (!scene_.light_choices[choice].frames.empty()) start(choice, random);
     branches_.count_path();
     out_.ends.push_back(out_.vertices.size());
   }
 
  private:
   friend BranchingPath<LightPath>;
+
+  void start(std::size_t choice, const PathRandom& random) {
+    const EmissionStart chosen = start_of(pass_.guides, scene_, choice, random);
+    if (chosen.density == 0) return;
+    for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
+      // States that would start alike with other densities than their own part.
+      if (start.varied == nullptr)
+        follow(chosen, start, random);
+      else
+        for (const auto& [frames, light] : start.varied->states)
+          if (const FrameSet common = frames & start.frames; !common.empty())
+            follow(chosen, {light.get(), common, Rgb(1), 0}, random);
+    }
+  }
 
   void follow(const EmissionStart& chosen, const PhotonStart& start, const PathRandom& random) {
     const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(chosen.light)];

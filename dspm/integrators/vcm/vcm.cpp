@@ -59,13 +59,13 @@ float usual_radius(const Scene& sample, const RenderSettings& render, int max_de
 bool needs_light_paths(const VcmSettings& settings) { return settings.connect || settings.merge || settings.sight; }
 
 VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSettings& render, std::uint64_t iteration,
-                float radius, const EmissionGuide* guide) {
+                float radius, const EmissionGuides* guides) {
   const auto paths = static_cast<float>(settings.photons);
   VcmWays ways;
   if (settings.merge) ways.merging = paths * kPi * radius * radius;
   if (settings.sight) ways.sighting = paths;
   ways.connecting = settings.connect;
-  return {scene, render, settings, iteration, radius, ways, guide};
+  return {scene, render, settings, iteration, radius, ways, guides};
 }
 
 /// Where light paths start that shadow rays cannot replace.
@@ -91,7 +91,7 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
   LightSubpaths sample;
   Statistics not_counted;
   const auto learned = learned_emission(settings, scene, render, not_counted);
-  sample.trace(pass_of(few, scene, render, 0, settings.radius, &learned->guide));
+  sample.trace(pass_of(few, scene, render, 0, settings.radius, &learned->guides));
   LightVertexMap map;
   if (settings.merge) map.build(sample.traces(), scene.frame_count(), 2 * scene.radius);
   const double bytes = static_cast<double>(sample.bytes()) + kWithCells * static_cast<double>(map.bytes());
@@ -120,7 +120,7 @@ class Vcm final : public Integrator {
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
       if (learned_ == nullptr) learn(scene, statistics);
       const VcmPass pass = pass_of(settings_, scene, render_, static_cast<std::uint64_t>(iteration),
-                                   radius_.of(settings_.radius), &learned_->guide);
+                                   radius_.of(settings_.radius), &learned_->guides);
       if (needs_light_paths(settings_)) trace_light_subpaths(pass, sums, statistics);
       if (settings_.merge) build_map(pass, statistics);
       const StepTimer timer(statistics.steps[kCameraPaths]);

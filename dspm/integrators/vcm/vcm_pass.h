@@ -32,7 +32,7 @@ struct VcmPass {
   std::uint64_t iteration;
   float radius;  // of merging, the same everywhere and in all frames
   VcmWays ways;
-  const EmissionGuide* guide = nullptr;  // of light paths' starts; null or off: by power
+  const EmissionGuides* guides = nullptr;  // of light paths' starts; null or off: by power
 };
 
 /// How a subpath is scattered in some of its frames. Frames stay together only if all their densities are the same.
