@@ -18,6 +18,7 @@
 #include "dspm/params/errors.h"
 #include "dspm/session/load.h"
 #include "dspm/session/load_modules.h"
+#include "dspm/session/messages.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/system/file_access.h"
 #include "dspm/system/standard_streams.h"
@@ -31,6 +32,10 @@ int run(const Options& options) {
     case Task::describe: return print_data(describe_plugins(options.described)), 0;
     case Task::new_plugin: return print_data(new_plugin(options.created[0], options.created[1], options.created[2])), 0;
     case Task::format: return print_data(formatted(options.scenes)), 0;
+    case Task::upgrade: {
+      Messages messages(options.quiet);
+      return print_data(upgraded(options.scenes, options.lenient, messages)), 0;
+    }
     case Task::list_variations: return print_data(variation_names(options.scenes, options)), 0;
     case Task::check: return check_scene(options);
     case Task::render: return render_scene(options);

@@ -64,6 +64,7 @@ void add_tasks(CLI::App& app, Options& o) {
   };
   task("--check", Task::check, "do not render, only validate everything: the scene, the files, the video, the memory");
   task("--format", Task::format, "do not render, print the scene in canonical form");
+  task("--upgrade", Task::upgrade, "do not render, print a file for pbrt-v3 as one for pbrt-v4");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, such as those of material:dielectric",

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-enum class Task { render, check, format, list, describe, list_variations, new_plugin };
+enum class Task { render, check, format, upgrade, list, describe, list_variations, new_plugin };
 
 struct Options : Choices, OutputSettings, CheckpointSettings {
   Task task = Task::render;

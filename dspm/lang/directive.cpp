@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "dspm/lang/old_pbrt.h"
-#include "dspm/lang/param_grammar.h"
 
 namespace dspm {
 namespace {
@@ -71,7 +70,7 @@ void expect_end(Lexer& lexer, const Directive& directive) {
 
 }  // namespace
 
-std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types) {
+std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types) {
   const Token word = lexer.next();
   if (word.kind == Kind::end) return std::nullopt;
   Directive directive;
@@ -82,7 +81,7 @@ std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types) {
     switch (argument) {
       case 'n': read_number(lexer, word, directive); break;
       case 'm': read_matrix(lexer, word, directive); break;
-      case 'P': directive.params = read_params(lexer, accept_old_types); break;
+      case 'P': directive.params = read_params(lexer, old_types); break;
       default: read_word(lexer, word, argument, directive); break;
     }
   }

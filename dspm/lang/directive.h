@@ -8,6 +8,7 @@
 
 #include "dspm/lang/directives.h"
 #include "dspm/lang/lexer.h"
+#include "dspm/lang/param_grammar.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -27,7 +28,6 @@ struct Directive {
 };
 
 /// The next directive; nullopt at the end of the text. After a SyntaxError, call Lexer::skip_to_directive to continue.
-/// `accept_old_types`: see read_params.
-std::optional<Directive> read_directive(Lexer& lexer, bool accept_old_types);
+std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types);
 
 }  // namespace dspm

@@ -31,6 +31,27 @@ constexpr std::string_view kMaterials[] = {
 constexpr std::string_view kTextures[] = {"uv"};
 constexpr std::string_view kMedia[] = {"heterogeneous"};
 
+// Of all these, those that v3 did not have either.
+constexpr std::string_view kBeforeV3[] = {"SurfaceIntegrator",
+                                          "VolumeIntegrator",
+                                          "Volume",
+                                          "Renderer",
+                                          "SearchPath",
+                                          "bestcandidate",
+                                          "adaptive",
+                                          "grid",
+                                          "ao",
+                                          "exinfinite",
+                                          "infinitesample",
+                                          "heightfield2",
+                                          "bluepaint",
+                                          "brushedmetal",
+                                          "clay",
+                                          "felt",
+                                          "primer",
+                                          "skin",
+                                          "shinymetal"};
+
 // Parameters that pbrt-v4 renamed or reads differently, whatever they belong to.
 constexpr std::string_view kParams[] = {
     "Kd", "Ks", "Kr", "Kt", "mapname", "bumpmap", "xwidth", "ywidth", "nlevels", "namedmaterial1", "namedmaterial2"};
@@ -91,15 +112,18 @@ bool is_certainly_new(const Directive& directive) {
          (directive.info->kind == DirectiveKind::film && among(directive.words[0].text, kNewFilms));
 }
 
-SyntaxError old_pbrt_error(const OldWord& sign) {
+bool is_before_v3(const OldWord& sign) {
   const SourceFile& file = *sign.where.file;
-  const bool is_older = is_written_with(file, "SurfaceIntegrator") || is_written_with(file, "VolumeIntegrator") ||
-                        is_written_with(file, "\nRenderer");
+  return among(sign.word, kBeforeV3) || is_written_with(file, "SurfaceIntegrator") ||
+         is_written_with(file, "VolumeIntegrator") || is_written_with(file, "\nRenderer");
+}
+
+SyntaxError old_pbrt_error(const OldWord& sign) {
   return {sign.where,
-          fmt::format("this is a scene for {}; dspm reads the format of pbrt-v4, which does not know \"{}\"",
-                      is_older ? "pbrt-v1 or v2" : "pbrt-v3 or older", sign.word),
-          is_older ? "pbrt-v3's documentation explains how to convert it to v3; pbrt-v4 --upgrade does the rest"
-                   : fmt::format("convert it with pbrt-v4: pbrt --upgrade {} > new.pbrt", file.name)};
+          fmt::format(
+              "this is a scene for pbrt-v1 or v2; dspm reads the formats of pbrt-v4 and v3, which do not know \"{}\"",
+              sign.word),
+          "pbrt-v3's documentation explains how to convert it to v3"};
 }
 
 }  // namespace dspm

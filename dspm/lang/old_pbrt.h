@@ -1,4 +1,5 @@
-// Scenes written for pbrt-v1, v2 or v3 look much like pbrt-v4's: these words distinguish them.
+// Scenes written for pbrt-v1, v2 or v3 look much like pbrt-v4's: these words distinguish them. Those for v3 are
+// translated (lang/v3), older ones are not.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,9 @@ struct OldWord {
 std::optional<OldWord> old_word_in(const Directive& directive);
 /// Film "rgb" and the like have no older namesake.
 bool is_certainly_new(const Directive& directive);
-/// The one error reported for such a scene.
+/// Whether the sign, or the file that it is in, is of pbrt-v1 or v2; else it is of v3.
+bool is_before_v3(const OldWord& sign);
+/// The one error reported for a scene of pbrt-v1 or v2.
 SyntaxError old_pbrt_error(const OldWord& sign);
 
 }  // namespace dspm

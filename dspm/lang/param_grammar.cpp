@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <tuple>
 
@@ -39,10 +40,11 @@ std::string_view new_type(std::string_view word) {
 struct Declaration {
   const TypeWord* type = nullptr;
   std::string_view name, key;  // key: from `@` on
+  bool is_xyz = false;
 };
 
 /// Type, blanks, name; `type` is null if the first word is not a type.
-Declaration split(std::string_view inside, bool accept_old_types) {
+Declaration split(std::string_view inside, OldTypes old_types) {
   const auto skip = [&](auto is_end) {
     const std::size_t length =
         static_cast<std::size_t>(std::find_if(inside.begin(), inside.end(), is_end) - inside.begin());
@@ -54,13 +56,17 @@ Declaration split(std::string_view inside, bool accept_old_types) {
   const auto is_no_blank = [&](char c) { return !is_blank(c); };
   skip(is_no_blank);
   std::string_view word = skip(is_blank);
-  if (accept_old_types && (word == "point" || word == "vector" || word == "normal3")) word = new_type(word);
+  const bool is_geometric = word == "point" || word == "vector" || word == "normal3";
+  const bool is_xyz = word == "xyz";
+  const bool is_colour = word == "color" || is_xyz;
+  if ((old_types != OldTypes::errors && is_geometric) || (old_types == OldTypes::v3 && is_colour))
+    word = new_type(word);
   skip(is_no_blank);
   const std::string_view full_name = skip(is_blank);
   const auto type =
       std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeWord& t) { return t.word == word; });
   const std::size_t at = std::min(full_name.find('@'), full_name.size());
-  return {type == std::end(kTypes) ? nullptr : type, full_name.substr(0, at), full_name.substr(at)};
+  return {type == std::end(kTypes) ? nullptr : type, full_name.substr(0, at), full_name.substr(at), is_xyz};
 }
 
 [[noreturn]] void fail_type(const Lexer& lexer, const Token& string, std::string_view inside) {
@@ -180,10 +186,19 @@ void check_count(Lexer& lexer, const Token& string, const Declaration& declared,
              hint);
 }
 
-Param read_param(Lexer& lexer, bool accept_old_types) {
+void xyz_to_rgb(std::vector<float>& values) {
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+    const float x = values[i], y = values[i + 1], z = values[i + 2];
+    values[i] = 3.240479f * x - 1.537150f * y - 0.498535f * z;
+    values[i + 1] = -0.969256f * x + 1.875991f * y + 0.041556f * z;
+    values[i + 2] = 0.055648f * x - 0.204043f * y + 1.057311f * z;
+  }
+}
+
+Param read_param(Lexer& lexer, OldTypes old_types) {
   const Token string = lexer.next();
   const std::string_view inside = string.text.substr(1, string.text.size() - 2);
-  const Declaration declared = split(inside, accept_old_types);
+  const Declaration declared = split(inside, old_types);
   if (declared.type == nullptr) fail_type(lexer, string, inside);
   if (declared.name.empty()) lexer.fail(string.text, "a name is missing after the parameter's type");
   Param param;
@@ -197,6 +212,7 @@ Param read_param(Lexer& lexer, bool accept_old_types) {
   param.values_where = lexer.locate(first_value(lexer).text);
   param.values = read_values_of(lexer, *declared.type, declared.name);
   check_count(lexer, string, declared, param.values);
+  if (declared.is_xyz) xyz_to_rgb(std::get<std::vector<float>>(param.values));
   return param;
 }
 
@@ -220,18 +236,31 @@ void check_unique(const ParamList& list) {
   for (std::size_t i = 1; i < sorted.size(); ++i) check_pair(*sorted[i - 1], *sorted[i]);
 }
 
+/// Of those that are given twice.
+void keep_last(ParamList& list) {
+  std::vector<Param> kept;
+  for (auto param = list.params.rbegin(); param != list.params.rend(); ++param)
+    if (std::none_of(kept.begin(), kept.end(), [&](const Param& each) { return each.name == param->name; }))
+      kept.push_back(std::move(*param));
+  list.params.assign(std::make_move_iterator(kept.rbegin()), std::make_move_iterator(kept.rend()));
+}
+
 }  // namespace
 
 bool declares_param(std::string_view quoted) {
   if (quoted.size() < 2 || quoted.front() != '"') return false;
-  const Declaration declared = split(quoted.substr(1, quoted.size() - 2), true);
+  const Declaration declared = split(quoted.substr(1, quoted.size() - 2), OldTypes::v3);
   return declared.type != nullptr && !declared.name.empty();
 }
 
-ParamList read_params(Lexer& lexer, bool accept_old_types) {
+ParamList read_params(Lexer& lexer, OldTypes old_types) {
   ParamList list;
-  while (lexer.peek().kind == Token::Kind::string) list.params.push_back(read_param(lexer, accept_old_types));
-  if (list.params.size() > 1) check_unique(list);
+  while (lexer.peek().kind == Token::Kind::string) list.params.push_back(read_param(lexer, old_types));
+  if (list.params.size() < 2) return list;
+  if (old_types == OldTypes::v3)
+    keep_last(list);
+  else
+    check_unique(list);
   return list;
 }
 

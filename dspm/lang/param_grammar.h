@@ -6,9 +6,13 @@
 
 namespace dspm {
 
-/// Reads parameters as long as quoted strings follow. Throws SyntaxError. With `accept_old_types`, the types point,
-/// vector and normal3 mean point3, vector3 and normal; else they are errors with an old_word.
-ParamList read_params(Lexer& lexer, bool accept_old_types);
+/// What the types of older versions of pbrt are: errors with an old_word; or point, vector and normal3 mean point3,
+/// vector3 and normal, as in .dsc files; or color and xyz mean rgb, too, as in pbrt-v3, where a parameter that is given
+/// twice has its last value.
+enum class OldTypes { errors, synonyms, v3 };
+
+/// Reads parameters as long as quoted strings follow. Throws SyntaxError.
+ParamList read_params(Lexer& lexer, OldTypes old_types);
 
 /// Whether the string (with its quotes) is a known type, a blank and a name.
 bool declares_param(std::string_view quoted);

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "dspm/lang/directive.h"
 #include "dspm/lang/old_pbrt.h"
 #include "dspm/lang/scene_builder.h"
+#include "dspm/lang/source_files.h"
+#include "dspm/lang/v3/translator.h"
 #include "dspm/lang/variations.h"
-#include "dspm/system/file_access.h"
-#include "dspm/system/read_file.h"
 
 namespace dspm {
 namespace {
@@ -20,13 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostIncludesDeep = 64;
 constexpr int kMostIncludes = 50'000;  // in total: files that include one another twice would never end
-// Text may be read again up to this size, or up to this many times the size of all text read once. Otherwise a megabyte
-// included often would fill the memory.
-constexpr std::size_t kMostRepeated = std::size_t{2} << 20, kMostRepeats = 4;
 
-/// Ends the reading: one message is enough.
+/// Ends the reading: the scene is for an older pbrt.
 struct OldScene {
-  SyntaxError error;
+  OldWord sign;
 };
 
 bool has_extension(std::string name, std::string_view extension) {
@@ -34,47 +30,39 @@ bool has_extension(std::string name, std::string_view extension) {
   return name.ends_with(extension);
 }
 
-/// Two names of the same file have the same identity.
-std::string identity(const fs::path& path) {
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(path, error);
-  return (error ? path : canonical).string();
-}
+enum class Age { unknown, v4, v3 };
 
 class SceneReader {
  public:
-  SceneReader(const std::string& main_name, const ParseOptions& options, Diagnostics& diagnostics)
-      : options_(options), diagnostics_(diagnostics), builder_(scene_, diagnostics), main_name_(main_name) {
-    scene_.dialect = has_extension(main_name, ".pbrt") ? Dialect::pbrt : Dialect::dsc;
-    is_new_ = has_extension(main_name, ".dsc");
+  SceneReader(SourceFiles& files, Age age, const ParseOptions& options, Diagnostics& diagnostics)
+      : files_(files), options_(options), diagnostics_(diagnostics), builder_(scene_, diagnostics), age_(age) {
+    scene_.dialect = has_extension(files.main_name(), ".pbrt") ? Dialect::pbrt : Dialect::dsc;
+    if (has_extension(files.main_name(), ".dsc")) age_ = Age::v4;
   }
 
   void read_main(const std::string& path) {
     try {
-      open_.push_back({path, identity(path)});
-      read(path == "-" ? own("standard input", read_input(path)) : load(path, path));
+      open_.push_back({path, identity_of(path)});
+      read(files_.load(path));
     } catch (const std::runtime_error& error) {
       diagnostics_.error({}, fmt::format("cannot read \"{}\": {}", path, error.what()));
     }
     open_.pop_back();
   }
 
-  void read_text(std::string text) {
-    open_.push_back({main_name_, identity(main_name_)});
-    read(own(main_name_, std::move(text)));
-  }
-
-  void finish() {
+  SceneDescription finish() {
+    scene_.files = files_.take();
     if (!scene_.files.empty() && !is_full()) builder_.finish();
     std::erase_if(scene_.axes,
                   [](const VariationAxis& axis) { return axis.variations.empty(); });  // after their errors
     scene_.frames = frames_of(scene_, options_.variations, diagnostics_);
-    if (diagnostics_.error_count() > 0) return;
-    for (const auto& [name, value] : options_.defines)
-      if (!is_used(name)) diagnostics_.warning({}, fmt::format("-D {}: the scene has no ${}", name, name));
+    if (diagnostics_.error_count() == 0)
+      for (const auto& [name, value] : options_.defines)
+        if (!is_used(name)) diagnostics_.warning({}, fmt::format("-D {}: the scene has no ${}", name, name));
+    return std::move(scene_);
   }
 
-  SceneDescription take_scene() { return std::move(scene_); }
+  std::string summary() const { return translator_.summary(); }
 
  private:
   struct OpenFile {
@@ -87,21 +75,8 @@ class SceneReader {
   }
   bool is_full() const { return diagnostics_.error_count() >= kErrorsShown; }
 
-  const SourceFile& own(std::string name, std::string text) {
-    scene_.files.push_back(std::make_unique<SourceFile>(SourceFile{std::move(name), std::move(text)}));
-    return *scene_.files.back();
-  }
-
-  /// A file that is included often is read once.
-  const SourceFile& load(const std::string& name, const fs::path& path) {
-    const SourceFile*& file = loaded_[identity(path)];
-    if (file != nullptr) {
-      repeated_ += file->text.size();
-    } else {
-      file = &own(name, read_file(path));
-      read_once_ += file->text.size();
-    }
-    return *file;
+  OldTypes old_types() const {
+    return age_ == Age::v4 ? OldTypes::synonyms : age_ == Age::v3 ? OldTypes::v3 : OldTypes::errors;
   }
 
   void read(const SourceFile& file) {
@@ -109,11 +84,12 @@ class SceneReader {
     Lexer lexer(source);
     while (!is_full()) {
       try {
-        auto directive = read_directive(lexer, is_new_);
+        auto directive = read_directive(lexer, old_types());
         if (!directive) break;
         carry_out(*std::move(directive), file);
       } catch (const SyntaxError& error) {
-        if (!error.old_word.empty() && !is_new_) throw OldScene{old_pbrt_error({error.old_word, error.where})};
+        if (age_ == Age::v3 && error.old_word == "WorldEnd") continue;
+        if (!error.old_word.empty() && age_ != Age::v4) throw OldScene{{error.old_word, error.where}};
         diagnostics_.error(error.where, error.what(), error.hint);
         lexer.skip_to_directive();
       }
@@ -121,11 +97,12 @@ class SceneReader {
   }
 
   void carry_out(Directive directive, const SourceFile& file) {
-    is_new_ = is_new_ || is_certainly_new(directive);
-    if (!is_new_)
-      if (const auto word = old_word_in(directive)) throw OldScene{old_pbrt_error(*word)};
+    if (age_ == Age::unknown && is_certainly_new(directive)) age_ = Age::v4;
+    if (age_ != Age::v4)
+      if (const auto word = old_word_in(directive); word && (age_ == Age::unknown || is_before_v3(*word)))
+        throw OldScene{*word};
     const DirectiveKind kind = directive.info->kind;
-    if (kind != DirectiveKind::include && kind != DirectiveKind::import) return builder_.apply(std::move(directive));
+    if (kind != DirectiveKind::include && kind != DirectiveKind::import) return apply(std::move(directive));
     const SourceFile& included = open(directive.words[0], file);
     if (kind == DirectiveKind::import) builder_.begin_import(directive);
     read(included);
@@ -133,33 +110,54 @@ class SceneReader {
     open_.pop_back();
   }
 
+  void apply(Directive directive) {
+    if (age_ != Age::v3) return builder_.apply(std::move(directive));
+    const bool ends_header = is_header_ && directive.info->kind == DirectiveKind::world_begin;
+    std::vector<Directive> translated = translate(std::move(directive));
+    if (!is_header_) return apply_all(std::move(translated));
+    header_.push_back(std::move(translated));
+    if (!ends_header) return;
+    translator_.settle(header_);
+    is_header_ = false;
+    for (std::vector<Directive>& group : header_) apply_all(std::move(group));
+  }
+
+  std::vector<Directive> translate(Directive directive) {
+    try {
+      return translator_.translate(std::move(directive));
+    } catch (const v3::NoCounterpart& error) {
+      diagnostics_.unsupported(error.where, error.what(), error.hint);
+      return std::move(error.instead);
+    }
+  }
+
+  /// Each reports its own error.
+  void apply_all(std::vector<Directive> directives) {
+    for (Directive& directive : directives) try {
+        builder_.apply(std::move(directive));
+      } catch (const SyntaxError& error) {
+        diagnostics_.error(error.where, error.what(), error.hint);
+      }
+  }
+
   const SourceFile& open(const Argument& name, const SourceFile& file) {
-    const fs::path path = find(name.text, file);
-    const std::string id = identity(path);
+    const fs::path path = files_.find(name.text, file);
+    const std::string id = identity_of(path);
     check_cycle(name, id);
     if (open_.size() == kMostIncludesDeep)
       throw SyntaxError(name.where, fmt::format("Include and Import are nested more than {} deep", kMostIncludesDeep));
     if (++includes_ > kMostIncludes)
       throw SyntaxError(name.where, fmt::format("more than {} files are included", kMostIncludes));
-    if (repeated_ > kMostRepeated && repeated_ / kMostRepeats > read_once_)
-      throw SyntaxError(name.where,
-                        fmt::format("including the same files repeatedly adds up to {} MiB", repeated_ >> 20),
+    if (const std::size_t bytes = files_.excessive_repeats(); bytes > 0)
+      throw SyntaxError(name.where, fmt::format("including the same files repeatedly adds up to {} MiB", bytes >> 20),
                         "ObjectBegin defines shapes once, and ObjectInstance places them as often as needed");
     try {
-      const SourceFile& included = load(path.string(), path);
+      const SourceFile& included = files_.load(path.string());
       open_.push_back({path.string(), id});
       return included;
     } catch (const std::runtime_error& error) {
       throw SyntaxError(name.where, fmt::format("cannot read \"{}\": {}", path.string(), error.what()));
     }
-  }
-
-  /// Next to the file that names it, else next to the main file.
-  fs::path find(const std::string& name, const SourceFile& file) const {
-    const fs::path beside = fs::path(file.name).parent_path() / name;
-    const fs::path beside_main = fs::path(main_name_).parent_path() / name;
-    const bool is_beside_main = !seems_to_exist(beside) && seems_to_exist(beside_main);
-    return (is_beside_main ? beside_main : beside).lexically_normal();
   }
 
   void check_cycle(const Argument& name, const std::string& id) const {
@@ -171,16 +169,17 @@ class SceneReader {
     throw SyntaxError(name.where, "this file includes itself", cycle + first->name);
   }
 
+  SourceFiles& files_;
   const ParseOptions& options_;
   Diagnostics& diagnostics_;
   SceneDescription scene_;
   SceneBuilder builder_;
-  std::string main_name_;
-  bool is_new_ = false;  // certainly not for an older pbrt
+  Age age_;
+  v3::Translator translator_;
+  v3::Header header_;  // of a v3 scene, before WorldBegin
+  bool is_header_ = true;
   std::vector<OpenFile> open_;
-  std::map<std::string, const SourceFile*> loaded_;
   int includes_ = 0;
-  std::size_t read_once_ = 0, repeated_ = 0;  // bytes
 };
 
 void pass_on(const Diagnostic& diagnostic, Diagnostics& diagnostics) {
@@ -191,35 +190,50 @@ void pass_on(const Diagnostic& diagnostic, Diagnostics& diagnostics) {
   }
 }
 
-template <class Read>
-SceneDescription parse(const std::string& main_name, const ParseOptions& options, Diagnostics& diagnostics, Read read) {
+/// Reads the files from the start. `sign`: that of a v3 scene, null if nobody knows.
+SceneDescription read_all(SourceFiles& files, const std::vector<std::string>& paths, const OldWord* sign,
+                          const ParseOptions& options, Diagnostics& diagnostics) {
   Diagnostics found(diagnostics.lenient());
-  SceneReader reader(main_name, options, found);
+  files.start_again();
+  SceneReader reader(files, sign != nullptr ? Age::v3 : Age::unknown, options, found);
+  for (const std::string& path : paths) reader.read_main(path);
+  SceneDescription scene = reader.finish();
+  if (sign != nullptr) diagnostics.note(sign->where, reader.summary());
+  for (const Diagnostic& each : found.all()) pass_on(each, diagnostics);
+  return scene;
+}
+
+SceneDescription parse(SourceFiles& files, const std::vector<std::string>& paths, const ParseOptions& options,
+                       Diagnostics& diagnostics) {
   try {
-    read(reader);
-    reader.finish();
-    for (const Diagnostic& each : found.all()) pass_on(each, diagnostics);
+    try {
+      return read_all(files, paths, nullptr, options, diagnostics);
+    } catch (const OldScene& old) {
+      if (is_before_v3(old.sign)) throw;
+      return read_all(files, paths, &old.sign, options, diagnostics);
+    }
   } catch (const OldScene& old) {
-    diagnostics.error(old.error.where, old.error.what(), old.error.hint);
+    const SyntaxError error = old_pbrt_error(old.sign);
+    diagnostics.error(error.where, error.what(), error.hint);
     SceneDescription nothing;  // the elements read so far would only cause more messages
-    nothing.files = std::move(reader.take_scene().files);
+    nothing.files = files.take();
     return nothing;
   }
-  return reader.take_scene();
 }
 
 }  // namespace
 
 SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
                              Diagnostics& diagnostics) {
-  return parse(paths.empty() ? "" : paths.front(), options, diagnostics, [&](SceneReader& reader) {
-    for (const std::string& path : paths) reader.read_main(path);
-  });
+  SourceFiles files(paths.empty() ? "" : paths.front());
+  return parse(files, paths, options, diagnostics);
 }
 
 SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,
                             Diagnostics& diagnostics) {
-  return parse(name, options, diagnostics, [&](SceneReader& reader) { reader.read_text(std::move(text)); });
+  SourceFiles files(name);
+  files.put(name, std::move(text));
+  return parse(files, {name}, options, diagnostics);
 }
 
 }  // namespace dspm

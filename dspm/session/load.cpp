@@ -5,6 +5,7 @@
 #include "dspm/integrators/file_sample.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
+#include "dspm/lang/upgrade.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/load_modules.h"
 #include "dspm/system/read_file.h"
@@ -23,6 +24,16 @@ ParseOptions parse_options_of(const Choices& choices) {
   }
   parse.variations = choices.variations;
   return parse;
+}
+
+SourceFile file_of(const std::string& name, Diagnostics& diagnostics) {
+  SourceFile file{name, {}};
+  try {
+    file.text = read_input(name);
+  } catch (const std::runtime_error& error) {
+    diagnostics.error({}, fmt::format("cannot read \"{}\": {}", name, error.what()));
+  }
+  return file;
 }
 
 }  // namespace
@@ -79,14 +90,22 @@ std::string variation_names(const std::vector<std::string>& files, const Choices
 std::string formatted(const std::vector<std::string>& files) {
   std::string text;
   for (const std::string& name : files) {
-    SourceFile file{name, {}};
     Diagnostics diagnostics;
-    try {
-      file.text = read_input(name);
-    } catch (const std::runtime_error& error) {
-      diagnostics.error({}, fmt::format("cannot read \"{}\": {}", name, error.what()));
-    }
+    const SourceFile file = file_of(name, diagnostics);
     const std::optional<std::string> canonical = format_scene(file, diagnostics);
+    diagnostics.throw_if_errors();
+    text += canonical.value_or("");
+  }
+  return text;
+}
+
+std::string upgraded(const std::vector<std::string>& files, bool lenient, Messages& messages) {
+  std::string text;
+  for (const std::string& name : files) {
+    Diagnostics diagnostics(lenient);
+    const SourceFile file = file_of(name, diagnostics);
+    const std::optional<std::string> canonical = upgrade_scene(file, diagnostics);
+    messages.show(diagnostics);
     diagnostics.throw_if_errors();
     text += canonical.value_or("");
   }

@@ -36,4 +36,7 @@ std::string variation_names(const std::vector<std::string>& files, const Choices
 /// The scene files' text in canonical form; throws SceneError if it cannot be read.
 std::string formatted(const std::vector<std::string>& files);
 
+/// pbrt-v3 files' text as one for v4; throws SceneError if one cannot be translated. Says what is only close.
+std::string upgraded(const std::vector<std::string>& files, bool lenient, Messages& messages);
+
 }  // namespace dspm

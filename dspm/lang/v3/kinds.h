@@ -1,0 +1,25 @@
+// The translations from pbrt-v3 to v4, one for each kind of directive. Each changes types and parameters by a table of
+// names, and computes where a number means something else. They throw SyntaxError for what has no counterpart.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/v3/edit.h"
+
+namespace dspm::v3 {
+
+void translate_material(Edit& edit);
+void translate_texture(Edit& edit);
+void translate_light(Edit& edit);
+void translate_medium(Edit& edit);
+void translate_shape(Edit& edit);
+/// Camera, Film, Sampler, PixelFilter and Integrator.
+void translate_option(Edit& edit);
+
+/// What stands in the place of each directive from the start of a scene to WorldBegin.
+using Header = std::vector<std::vector<Directive>>;
+/// Moves what v4 says elsewhere: sppm's iterations are the Sampler's, a Film's speed counts the shutter. Adds v3's
+/// defaults before WorldBegin, the last.
+void settle_header(Header& header, Remarks& remarks);
+
+}  // namespace dspm::v3

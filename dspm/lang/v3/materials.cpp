@@ -1,0 +1,244 @@
+// pbrt-v3's materials as pbrt-v4's. v3 adds lobes, v4 stacks layers, so some only come close.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/lang/v3/kinds.h"
+#include "dspm/params/params.h"
+
+namespace dspm::v3 {
+namespace {
+
+constexpr std::string_view kRoughness[] = {"roughness", "uroughness", "vroughness"};
+
+// clang-format off
+constexpr Rule kMaterials[] = {
+    {"matte", "diffuse", "Kd=reflectance sigma! bumpmap=displacement"},
+    {"mirror", "conductor", "Kr=reflectance:rgb.9 bumpmap=displacement"},
+    {"metal", "conductor", "eta k roughness:float.01 uroughness vroughness remaproughness bumpmap=displacement"},
+    {"glass", "dielectric", "Kr! Kt! index=eta eta uroughness:float0 vroughness:float0 remaproughness "
+                            "bumpmap=displacement"},
+    {"plastic", "coateddiffuse", "Kd=reflectance:rgb.25 Ks:rgb.25 roughness:float.1 remaproughness "
+                                 "bumpmap=displacement"},
+    {"substrate", "coateddiffuse", "Kd=reflectance:rgb.5 Ks:rgb.5 uroughness:float.1 vroughness:float.1 remaproughness "
+                                   "bumpmap=displacement"},
+    {"uber", "coateddiffuse", "Kd=reflectance:rgb.25 Ks:rgb.25 Kr:rgb0 Kt:rgb0 roughness:float.1 uroughness vroughness "
+                              "index=eta eta:float1.5 opacity remaproughness bumpmap=displacement"},
+    {"translucent", "diffusetransmission", "Kd=reflectance:rgb.25 reflect:rgb.5 transmit:rgb.5 Ks! roughness= "
+                                           "remaproughness= bumpmap=displacement"},
+    {"mix", "mix", "namedmaterial1 namedmaterial2 amount:float.5"},
+    {"hair", "hair", "sigma_a color=reflectance eumelanin pheomelanin eta beta_m beta_n alpha"},
+    {"disney", "diffuse", "color=reflectance metallic! eta! roughness! speculartint! anisotropic! sheen! sheentint! "
+                          "clearcoat! clearcoatgloss! spectrans! scatterdistance! thin! flatness! difftrans! "
+                          "bumpmap=displacement"},
+    {"subsurface", "subsurface", "name sigma_a sigma_s scale eta g Kr! Kt! uroughness:float0 vroughness:float0 "
+                                 "remaproughness bumpmap=displacement"},
+    {"none", "interface", ""},
+    {"", "interface", ""},
+};
+// clang-format on
+
+/// v3 fitted the Beckmann-like width to "roughness" by this polynomial; v4 takes the root
+/// [pbrt-v3, src/core/microfacet.h, RoughnessToAlpha].
+float alpha_of(float roughness) {
+  const float x = std::log(std::max(roughness, 1e-3f));
+  return 1.62142f + 0.819955f * x + 0.1734f * x * x + 0.0171201f * x * x * x + 0.000640711f * x * x * x * x;
+}
+
+/// The root of 2.13 r is within a tenth of the polynomial from r = 0.01 to 0.5.
+constexpr float kLikeRoot = 2.13f;
+
+/// `Texture "name" "float" "scale" "texture tex" of "float scale" by`, unique to the directive.
+std::string scaled_texture(Edit& edit, std::string_view type, const std::string& of, float by) {
+  const SourceLocation& where = edit.where();
+  const std::string file = where.file != nullptr ? std::filesystem::path(where.file->name).stem().string() : "";
+  const std::string name = fmt::format("{} * {:.3g}, {}:{}", of, by, file, where.line);
+  if (edit.is_before(name)) return name;
+  Directive texture = edit.make("Texture", {name, std::string(type), "scale"});
+  texture.params.params = {param_of(ParamType::texture, "tex", std::vector{of}, where),
+                           param_of(ParamType::number, "scale", std::vector{by}, where)};
+  edit.before(std::move(texture));
+  return name;
+}
+
+/// From v3's roughness to v4's: as alpha itself, unless textures are among them.
+void convert_roughness(Edit& edit) {
+  const bool remap = edit.take_flag("remaproughness", true);
+  bool has_texture = false, has_number = false;
+  for (const std::string_view name : kRoughness) {
+    has_texture = has_texture || !edit.texture(name).empty();
+    has_number = has_number || edit.number(name);
+  }
+  if (!has_number && !has_texture) return;
+  const bool is_specular = edit.type() != "conductor" && edit.type() != "coateddiffuse" && !has_texture &&
+                           edit.number("uroughness").value_or(0) == 0 && edit.number("vroughness").value_or(0) == 0;
+  for (const std::string_view name : kRoughness) {
+    if (const auto value = edit.number(name)) {
+      const float alpha = is_specular ? 0 : remap ? alpha_of(*value) : *value;
+      edit.set_number(std::string(name), remap && has_texture ? alpha * alpha : alpha);
+    } else if (const std::string texture = edit.texture(name); remap && !texture.empty()) {
+      edit.set(ParamType::texture, std::string(name), std::vector{scaled_texture(edit, "float", texture, kLikeRoot)});
+      edit.only_close("roughness by textures");
+    }
+  }
+  if (is_specular) return edit.take("uroughness"), edit.take("vroughness"), void();
+  edit.set(ParamType::boolean, "remaproughness", std::vector<bool>{remap && has_texture});
+}
+
+/// What reflects the share f0 head-on.
+float eta_of(float f0) {
+  const float root = std::sqrt(std::clamp(f0, 0.f, 0.36f));
+  return (1 + root) / (1 - root);
+}
+float f0_of(float eta) { return (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
+
+/// A coat that reflects f0 head-on; none for 0.
+void coat(Edit& edit, float f0) {
+  if (f0 > 1e-5f) return edit.set_number("eta", eta_of(f0));
+  edit.set_type("diffuse");
+  for (const std::string_view name : {"eta", "roughness", "uroughness", "vroughness", "remaproughness"})
+    edit.take(name);
+}
+
+/// The strength of a lobe, taken out: 1 for a texture.
+float take_strength(Edit& edit, std::string_view name) {
+  const auto value = edit.constant(name);
+  edit.take(name);
+  return value ? mean(*value) : 1;
+}
+
+void plastic(Edit& edit) {
+  edit.only_close("plastic");
+  coat(edit, take_strength(edit, "Ks") * f0_of(1.5f));
+}
+
+/// Ks is what it reflects head-on [Ashikhmin and Shirley 2000].
+void substrate(Edit& edit) {
+  edit.only_close("substrate");
+  const bool is_texture = !edit.texture("Ks").empty();
+  const float strength = take_strength(edit, "Ks");
+  coat(edit, is_texture ? f0_of(1.5f) : strength);
+}
+
+/// A mix of the material and nothing.
+void make_see_through(Edit& edit, float opacity) {
+  const std::string name = edit.name().empty() ? fmt::format("line {}", edit.where().line) : edit.name();
+  const auto add = [&](const std::string& part, ParamList params) {
+    Directive directive = edit.make("MakeNamedMaterial", {part});
+    directive.params = std::move(params);
+    edit.before(std::move(directive));
+    return part;
+  };
+  ParamList opaque = std::move(edit.directive().params);
+  edit.directive().params = {};
+  const std::string type = edit.directive().info->name == "Material" ? edit.type() : "";
+  if (!type.empty())
+    opaque.params.insert(opaque.params.begin(), param_of(ParamType::text, "type", std::vector{type}, edit.where()));
+  const ParamList nothing{{param_of(ParamType::text, "type", std::vector<std::string>{"interface"}, edit.where())}};
+  const std::vector<std::string> parts{add(name + ", open", nothing), add(name + ", opaque", std::move(opaque))};
+  edit.set_type("mix");
+  edit.set(ParamType::text, "materials", parts);
+  edit.set_number("amount", opacity);
+}
+
+void uber(Edit& edit) {
+  const auto opacity = edit.constant("opacity");
+  if (edit.find("opacity") != nullptr && !opacity) edit.only_close("uber (opacity by a texture has no effect)");
+  edit.take("opacity");
+  const auto matte = edit.constant("reflectance"), through = edit.constant("Kt");
+  const float rough = take_strength(edit, "Ks"), smooth = take_strength(edit, "Kr"),
+              eta = edit.number("eta").value_or(1.5f);
+  edit.take("Kt");
+  if (through && mean(*through) > (matte ? mean(*matte) : 1)) {
+    edit.only_close("uber with Kt");
+    edit.set_type("dielectric");
+    for (const std::string_view name : {"reflectance", "roughness", "uroughness", "vroughness", "remaproughness"})
+      edit.take(name);
+  } else {
+    if (rough + smooth > 0) edit.only_close("uber");
+    if (smooth > rough) {
+      for (const std::string_view name : {"uroughness", "vroughness", "remaproughness"}) edit.take(name);
+      edit.set_number("roughness", 0);
+    }
+    coat(edit, std::min(std::max(rough, smooth), 1.f) * f0_of(eta));
+  }
+  if (opacity && mean(*opacity) < 1) make_see_through(edit, mean(*opacity));
+}
+
+void translucent(Edit& edit) {
+  const Rgb reflect = edit.constant("reflect").value_or(Rgb(0.5f));
+  const Rgb transmit = edit.constant("transmit").value_or(Rgb(0.5f));
+  if (!edit.texture("reflect").empty() || !edit.texture("transmit").empty())
+    edit.only_close("translucent (textures of reflect and transmit have no effect)");
+  edit.take("reflect"), edit.take("transmit");
+  if (const auto kd = edit.constant("reflectance")) {
+    edit.set_rgb("reflectance", *kd * reflect);
+    edit.set_rgb("transmittance", *kd * transmit);
+    return;
+  }
+  const std::string kd = edit.texture("reflectance");
+  if (kd.empty()) return edit.only_close("translucent");
+  const auto scaled = [&](const Rgb& by) { return std::vector{scaled_texture(edit, "spectrum", kd, mean(by))}; };
+  edit.set(ParamType::texture, "reflectance", scaled(reflect));
+  if (mean(transmit) == mean(reflect))
+    edit.set(ParamType::texture, "transmittance", std::vector{edit.texture("reflectance")});
+  else
+    edit.set(ParamType::texture, "transmittance", scaled(transmit));
+}
+
+/// "amount" is of the first material in v3, of the second in v4.
+void mix(Edit& edit) {
+  const std::string first = edit.take_text("namedmaterial1"), second = edit.take_text("namedmaterial2");
+  edit.set(ParamType::text, "materials", std::vector{second, first});
+  if (const auto amount = edit.constant("amount")) {
+    if (mean(*amount) != amount->r) edit.only_close("mix (by a colour)");
+    edit.take("amount");
+    edit.set_number("amount", mean(*amount));
+  }
+}
+
+/// v3's folders of spectra hold what v4 knows by name: "spds/Au.eta.spd" is "metal-Au-eta".
+void name_metals(Edit& edit) {
+  constexpr std::string_view kMetals[] = {"Ag", "Al", "Au", "Cu", "CuZn", "MgO", "TiO2"};
+  for (const std::string& part : {std::string("eta"), std::string("k")}) {
+    const Param* param = edit.find(part);
+    const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
+    if (texts == nullptr || texts->size() != 1 || param->type != ParamType::spectrum) continue;
+    const std::string file = std::filesystem::path(texts->front()).filename().string();
+    for (const std::string_view metal : kMetals)
+      if (file == fmt::format("{}.{}.spd", metal, part))
+        edit.set(ParamType::spectrum, part, std::vector{fmt::format("metal-{}-{}", metal, part)});
+  }
+}
+
+void finish(Edit& edit, std::string_view from) {
+  if (from == "plastic") plastic(edit);
+  if (from == "substrate") substrate(edit);
+  if (from == "uber") uber(edit);
+  if (from == "translucent") translucent(edit);
+  if (from == "mix") mix(edit);
+  if (from == "mirror") edit.only_close("mirror (a little more at grazing angles)");
+  if (from == "metal") name_metals(edit);
+}
+
+}  // namespace
+
+void translate_material(Edit& edit) {
+  const std::string from = edit.type();
+  for (const std::string_view lost : {"fourier", "kdsubsurface"})
+    if (from == lost)
+      throw NoCounterpart(edit.directive(), "material", from,
+                          from == "fourier" ? "pbrt-v4's nearest is \"measured\", with a file of its own"
+                                            : "pbrt-v4's nearest is \"subsurface\"");
+  const auto* rule =
+      std::find_if(std::begin(kMaterials), std::end(kMaterials), [&](const Rule& each) { return each.from == from; });
+  if (rule == std::end(kMaterials)) return;
+  edit.apply(*rule);
+  convert_roughness(edit);
+  finish(edit, from);
+}
+
+}  // namespace dspm::v3

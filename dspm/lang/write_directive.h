@@ -1,0 +1,13 @@
+// A directive as scene text, on one line.
+#pragma once
+
+#include <string>
+
+#include "dspm/lang/directive.h"
+
+namespace dspm {
+
+/// Reading it gives the same directive, but for source locations.
+std::string text_of(const Directive& directive);
+
+}  // namespace dspm
