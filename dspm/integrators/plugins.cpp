@@ -1,4 +1,5 @@
 // The table of integrators.
+#include "dspm/integrators/ambient_occlusion.h"
 #include "dspm/integrators/dsppm/dsppm.h"
 #include "dspm/integrators/path.h"
 #include "dspm/integrators/photonmap.h"
@@ -11,13 +12,14 @@ PluginTable<IntegratorPlugin>& integrator_plugins() {
   static PluginTable<IntegratorPlugin> table(
       "integrator",
       {
+          {{"ambientocclusion", "how much of the sky the first surface sees", make_ambient_occlusion}},
           {{"dsppm", "dynamic stochastic progressive photon mapping: all frames together", make_dsppm}},
           {{"path", "path tracing, the unbiased reference", make_path}},
           {{"photonmap", "two-pass photon mapping, photons shared between frames", make_photonmap}},
           {{"sppm", "stochastic progressive photon mapping, frame by frame", make_sppm}, 1},
           {{"vcm", "vertex connection and merging: bidirectional paths and photons, all frames together", make_vcm}},
       },
-      {"lightpath", "randomwalk", "bdpt", "mlt", "ambientocclusion", "function"});
+      {"lightpath", "randomwalk", "bdpt", "mlt", "function"});
   return table;
 }
 

@@ -75,6 +75,27 @@ Vec2 uniform_triangle(Vec2 u) { return u.x < u.y ? Vec2{u.x / 2, u.y - u.x / 2} 
 
 Vec2 uniform_triangle_numbers(Vec2 b) { return b.x < b.y ? Vec2{2 * b.x, b.x + b.y} : Vec2{b.x + b.y, 2 * b.y}; }
 
+namespace {
+
+/// std::upper_bound, from the place where it would be if all weights were equal. Most weights vary slowly, as those of a
+/// sky: few steps, close together in memory, find it.
+std::vector<float>::const_iterator first_above(const std::vector<float>& cdf, float u) {
+  const auto last = static_cast<std::ptrdiff_t>(cdf.size()) - 1;
+  std::ptrdiff_t low = 0, high = last, step = 1;  // cdf[low] <= u < cdf[high]
+  const auto guess = std::clamp(static_cast<std::ptrdiff_t>(u * static_cast<float>(last)), low, last - 1);
+  const auto at = [&](std::ptrdiff_t i) { return cdf[static_cast<std::size_t>(i)]; };
+  if (at(guess) <= u) {
+    for (low = guess; low + step < last && at(low + step) <= u; step *= 2) low += step;
+    high = std::min(low + step, last);
+  } else {
+    for (high = guess; high > step && at(high - step) > u; step *= 2) high -= step;
+    low = std::max(high - step, low);
+  }
+  return std::upper_bound(cdf.begin() + low, cdf.begin() + high, u);
+}
+
+}  // namespace
+
 Distribution1D::Distribution1D(std::span<const float> weights) {
   double total = 0;
   for (const float weight : weights) total += static_cast<double>(weight);
@@ -93,7 +114,7 @@ Distribution1D::Distribution1D(std::span<const float> weights) {
 Distribution1D::Choice Distribution1D::choose(float u) const {
   // The last bin that begins at or below u. A bin of zero weight begins where the next one does, so it is never the
   // last.
-  const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), std::min(u, kBelowOne));
+  const auto above = first_above(cdf_, std::min(u, kBelowOne));
   const int index = static_cast<int>(above - cdf_.begin()) - 1;
   const float begin = *(above - 1), width = *above - begin;
   return {index, width, std::min((u - begin) / width, kBelowOne)};

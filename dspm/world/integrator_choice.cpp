@@ -53,6 +53,16 @@ void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrat
   });
 }
 
+/// In a .pbrt file, sppm without parameters is what pbrt makes of it; dspm's own defaults are others.
+void add_pbrt_defaults(ParamList& list, const SourceLocation& where) {
+  const auto add = [&](std::string_view name, ParamType type, Param::Values value) {
+    if (list.find(name) == nullptr) list.params.push_back(param_of(type, std::string(name), std::move(value), where));
+  };
+  if (list.find("photons") == nullptr) add(kPhotonsAlias, ParamType::integer, std::vector<int>{-1});
+  add("radius", ParamType::number, std::vector<float>{1});
+  add("maxdepth", ParamType::integer, std::vector<int>{5});
+}
+
 }  // namespace
 
 std::string_view stand_in_for(std::string_view name) {
@@ -91,6 +101,8 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
   const std::vector<ParamInfo> described = params_of(*choice.plugin);
   if (use) {
     choice.params = use->params;
+    if (description.dialect == Dialect::pbrt && use->type == "sppm" && choice.plugin->name == use->type)
+      add_pbrt_defaults(choice.params, use->where);
     if (use->type != choice.plugin->name) keep_known(choice.params, *use, *choice.plugin, described, diagnostics);
     if (choices.integrator.empty() && use->type != choice.plugin->name && choice.plugin->name == "vcm")
       choice.params.params.push_back(param_of(ParamType::boolean, "merge", std::vector<bool>{false}, use->where));

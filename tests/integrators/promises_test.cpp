@@ -23,6 +23,7 @@ constexpr const char* kVariants[] = {
     R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20)",
     R"("photonmap" "integer photons" 4000 "integer causticphotons" 4000 "integer nearest" 20 "integer finalgather" 4)",
     R"("path" "integer maxdepth" 6)",
+    R"("ambientocclusion" "float maxdistance" 1)",
     R"("vcm" "integer photons" 3000)",
     R"("vcm" "bool merge" false)",
 };

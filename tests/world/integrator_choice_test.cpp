@@ -42,6 +42,27 @@ WorldBegin Shape "sphere")";
   EXPECT_EQ(params.find("visualizestrategies"), nullptr);
 }
 
+int integer(const ParamList& params, const char* name) {
+  return std::get<std::vector<int>>(params.find(name)->values).at(0);
+}
+
+TEST(IntegratorChoice, SppmOfAPbrtFileHasPbrtsDefaults) {
+  Diagnostics diagnostics;
+  const std::string world = "WorldBegin Shape \"sphere\"";
+  const LoadedScene pbrt("a.pbrt", "Sampler \"halton\" \"integer pixelsamples\" 7 Integrator \"sppm\" " + world, {},
+                         diagnostics);
+  EXPECT_EQ(integer(pbrt.job.params, "photonsperiteration"), -1);
+  EXPECT_EQ(integer(pbrt.job.params, "maxdepth"), 5);
+  EXPECT_EQ(std::get<std::vector<float>>(pbrt.job.params.find("radius")->values), std::vector<float>{1});
+  EXPECT_EQ(pbrt.job.settings.default_iterations, 7);
+  const LoadedScene given("a.pbrt", "Integrator \"sppm\" \"float radius\" 2 \"integer photons\" 9 " + world, {},
+                          diagnostics);
+  EXPECT_EQ(std::get<std::vector<float>>(given.job.params.find("radius")->values), std::vector<float>{2});
+  EXPECT_EQ(given.job.params.find("photonsperiteration"), nullptr);
+  const LoadedScene dsc("a.dsc", "Integrator \"sppm\" " + world, {}, diagnostics);
+  EXPECT_EQ(dsc.job.params.find("radius"), nullptr);
+}
+
 TEST(IntegratorChoice, ButAModulesIntegratorOfThatNameComesFirst) {
   integrator_plugins().add({{"simplepath", "does nothing", make_idle}});
   EXPECT_EQ(integrator_of("simplepath"), "simplepath");
