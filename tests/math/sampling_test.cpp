@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <random>
 
 namespace dspm {
 namespace {
@@ -141,6 +142,26 @@ TEST(Distribution1D, ChoosesInProportion) {
   }
   EXPECT_EQ(counts, (std::vector<int>{0, 1000, 0, 3000, 4000, 0}));
   EXPECT_NEAR(rest / 8000, 0.5, 1e-3);
+}
+
+/// Whatever the shape of the weights: the last bin that begins at or below u, found one by one.
+TEST(Distribution1D, ChoosesAsASearchFromTheStartWould) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<float> weights(1 + random() % 300);
+    for (float& weight : weights)
+      weight = i % 3 == 0 ? uniform(random) : uniform(random) < 0.9f ? 0 : std::pow(uniform(random), 8.f);
+    if (i % 5 == 0) weights[random() % weights.size()] = 1e4f;  // a sun
+    const Distribution1D distribution(weights);
+    for (int k = 0; k < 100; ++k) {
+      const float u = k == 0 ? 0 : k == 1 ? 0x1.fffffep-1f : uniform(random);
+      const int chosen = distribution.choose(u).index;
+      int expected = 0;
+      while (expected + 1 < distribution.size() && distribution.number(expected + 1, 0) <= u) ++expected;
+      EXPECT_EQ(chosen, expected) << u;
+    }
+  }
 }
 
 TEST(Distribution1D, NeverChoosesWhatHasNoWeight) {
