@@ -53,7 +53,8 @@ void add_scene(CLI::App& app, Options& o) {
   app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
   app.add_flag("--explain", o.explain,
                "say what is shared between frames and what is not, and why; and where photons start");
-  app.add_option("--integrator", o.integrator, "dsppm, sppm, photonmap, path or vcm, whatever the scene says")
+  app.add_option("--integrator", o.integrator,
+                 "dsppm, sppm, photonmap, path, vcm or ambientocclusion, whatever the scene says")
       ->type_name("NAME");
   app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
 }

@@ -6,6 +6,7 @@
 //
 //   iterations  paths per pixel                   the sampler's pixelsamples, else 256
 //   maxdepth    bounces                           5
+//   indirect    also light that rough surfaces have scattered more than once   true
 #include "dspm/integrators/path.h"
 
 #include <fmt/format.h>
@@ -31,10 +32,16 @@ namespace {
 
 constexpr int kTileSide = 16;
 
+/// Where paths end.
+struct Limits {
+  int max_depth;
+  bool indirect;  // else a path that a rough surface has scattered only looks for lights
+};
+
 class PixelTracer {
  public:
-  PixelTracer(const Scene& scene, const RenderSettings& render, int max_depth, SeenLightSums& out)
-      : scene_(scene), render_(render), max_depth_(max_depth), out_(out), branches_(scene, counts_) {}
+  PixelTracer(const Scene& scene, const RenderSettings& render, const Limits& limits, SeenLightSums& out)
+      : scene_(scene), render_(render), limits_(limits), out_(out), branches_(scene, counts_) {}
 
   void trace(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
@@ -55,7 +62,7 @@ class PixelTracer {
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       add_emission(path, vertex, frames);
-      if (path.bounces >= max_depth_) return;
+      if (path.bounces >= limits_.max_depth || path.only_looks) return;
       add_direct_light(path, vertex, frames, bsdf);
       CameraPath branch = path;
       branch.frames = frames;
@@ -99,6 +106,7 @@ class PixelTracer {
       return reject(path, path.frames, vertex.material_element());
     path.from = vertex.point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    path.only_looks = !limits_.indirect && !sample->specular;
     if (!is_black(path.throughput) &&
         survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
       branches_.push(path);
@@ -116,7 +124,7 @@ class PixelTracer {
 
   const Scene& scene_;
   const RenderSettings& render_;
-  int max_depth_;
+  const Limits& limits_;
   SeenLightSums& out_;
   PathCounts counts_;
   Rejections rejections_;
@@ -125,15 +133,13 @@ class PixelTracer {
 
 class Path final : public Integrator {
  public:
-  Path(int iterations, int max_depth, int frames, const RenderSettings& render)
-      : iterations_(iterations),
-        max_depth_(max_depth),
-        render_(render),
-        done_(render.crop, frames, statistics_at_start()) {}
+  Path(int iterations, const Limits& limits, int frames, const RenderSettings& render)
+      : iterations_(iterations), limits_(limits), render_(render), done_(render.crop, frames, statistics_at_start()) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
-    return fmt::format("one path per pixel and iteration, maxdepth {}", max_depth_);
+    return fmt::format("one path per pixel and iteration, maxdepth {}{}", limits_.max_depth,
+                       limits_.indirect ? "" : ", direct light only");
   }
 
   void iterate(int iteration, const Scene& scene) override {
@@ -162,7 +168,7 @@ class Path final : public Integrator {
     const StepTimer timer(statistics.steps[0]);
     std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
     parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene, render_, max_depth_, sums);
+      PixelTracer tracer(scene, render_, limits_, sums);
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
                              [&](int x, int y) { tracer.trace(x, y, iteration); });
       counts[static_cast<std::size_t>(t)].camera = tracer.counts();
@@ -171,7 +177,8 @@ class Path final : public Integrator {
     for (const Statistics& c : counts) statistics.camera += c.camera, statistics.rejections += c.rejections;
   }
 
-  int iterations_, max_depth_;
+  int iterations_;
+  Limits limits_;
   RenderSettings render_;
   SummedIterations done_;
 };
@@ -183,6 +190,8 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
       params.integer("iterations", render.default_iterations, "",
                      "paths per pixel; 0: until stopped. The default is the sampler's pixelsamples, else 256");
   const int max_depth = params.integer("maxdepth", 5, "", "maximum number of bounces");
+  const bool indirect =
+      params.flag("indirect", true, "light that rough surfaces have scattered more than once, too; false: direct only");
   params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
                 "accepted for pbrt compatibility; dspm samples all lights, or eight of many");
@@ -191,7 +200,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});
-  return std::make_unique<Path>(iterations, max_depth, scene.frame_count(), render);
+  return std::make_unique<Path>(iterations, Limits{max_depth, indirect}, scene.frame_count(), render);
 }
 
 }  // namespace dspm

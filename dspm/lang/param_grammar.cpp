@@ -6,6 +6,7 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "dspm/lang/directives.h"
@@ -238,10 +239,10 @@ void check_unique(const ParamList& list) {
 
 /// Of those that are given twice.
 void keep_last(ParamList& list) {
+  std::set<std::string> seen;
   std::vector<Param> kept;
   for (auto param = list.params.rbegin(); param != list.params.rend(); ++param)
-    if (std::none_of(kept.begin(), kept.end(), [&](const Param& each) { return each.name == param->name; }))
-      kept.push_back(std::move(*param));
+    if (seen.insert(param->name).second) kept.push_back(std::move(*param));
   list.params.assign(std::make_move_iterator(kept.rbegin()), std::make_move_iterator(kept.rend()));
 }
 

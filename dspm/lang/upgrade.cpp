@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "dspm/lang/directive.h"
@@ -93,7 +94,7 @@ class Upgrade {
       diagnostics_.unsupported(error.where, error.what(), error.hint);
       translated_.push_back(std::move(error.instead));
     }
-    if (kind == DirectiveKind::world_begin) translator_.settle(translated_);
+    if (kind == DirectiveKind::world_begin && !std::exchange(is_world_, true)) translator_.settle(translated_);
   }
 
   /// After the directive on its line, if no other comment is there.
@@ -111,7 +112,7 @@ class Upgrade {
   std::vector<Comment> comments_ = comments_of(source_);
   std::vector<Place> places_;
   v3::Header translated_;  // by place
-  bool is_after_comment_ = false, includes_others_ = false;
+  bool is_world_ = false, is_after_comment_ = false, includes_others_ = false;
 };
 
 }  // namespace

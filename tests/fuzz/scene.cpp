@@ -1,6 +1,8 @@
-// The scene language: text to description, and its canonical form, which must not change when it is formatted again.
+// The scene language: text to description, its canonical form, which must not change when it is formatted again, and its
+// translation from pbrt-v3.
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
+#include "dspm/lang/upgrade.h"
 #include "tests/fuzz/target.h"
 
 namespace {
@@ -22,6 +24,15 @@ void format(const std::string& text) {
   fuzz::require(twice == once, "the canonical form has another one");
 }
 
+void upgrade(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto upgraded = upgrade_scene({"scene.pbrt", text}, diagnostics);
+  fuzz::require(upgraded || diagnostics.error_count() > 0, "no translation, and no error");
+  if (!upgraded) return;
+  const auto again = format_scene({"scene.pbrt", *upgraded}, diagnostics);
+  fuzz::require(again == upgraded, "the translation is not canonical");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -31,5 +42,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size % 4 == 0) parse("scene.pbrt", text);
   }
   format(text);
+  upgrade(text);
   return 0;
 }

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dspm/testing/agreement.h"
 #include "dspm/testing/scattering.h"
+#include "dspm/testing/scenes.h"
 
 namespace dspm::test {
 namespace {
@@ -14,16 +16,23 @@ struct Case {
   int iterations;
 };
 
-class Furnace : public testing::TestWithParam<Case> {};
+class FurnaceOf : public testing::TestWithParam<Case> {};
 
-TEST_P(Furnace, HasTheAnalyticRadiance) {
+TEST_P(FurnaceOf, HasTheAnalyticRadiance) {
   const Verdict verdict = check_furnace(GetParam().integrator, GetParam().iterations, {0.01, 0.002});
   EXPECT_TRUE(verdict.passed) << GetParam().integrator << ": " << verdict.message;
 }
 
+/// Its own radiance 1, and once reflected, 0.8.
+TEST(Furnace, DirectLightIsOneReflection) {
+  const std::string scene = furnace(R"("path" "integer maxdepth" 40 "bool indirect" false)", 0.8f);
+  const Verdict verdict = agreement(rendered(scene, 8), Rgb(1.8f));
+  EXPECT_TRUE(verdict.passed) << verdict.message;
+}
+
 // maxdepth 40: what is left out is 0.8^40 = 0.013%.
 INSTANTIATE_TEST_SUITE_P(
-    Integrators, Furnace,
+    Integrators, FurnaceOf,
     testing::Values(
         Case{R"("path" "integer maxdepth" 40)", 8},
         Case{R"("sppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "hj09")", 2},

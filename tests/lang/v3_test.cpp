@@ -183,7 +183,7 @@ TEST(V3, Options) {
           Film "rgb" "integer xresolution" 10 "integer yresolution" 20 "float iso" 400
           PixelFilter "gaussian" "float xradius" 3 "float yradius" 2 "float sigma" 0.5
           Sampler "paddedsobol" "integer pixelsamples" 8
-          Integrator "path"
+          Integrator "path" "bool indirect" false
           WorldBegin)"},
       {R"(Film "image" "integer xresolution" 10 "integer yresolution" 20
           Sampler "random" "integer pixelsamples" 8

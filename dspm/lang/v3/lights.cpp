@@ -1,5 +1,7 @@
 // pbrt-v3's lights and media as pbrt-v4's.
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/colour/spectrum.h"
@@ -31,13 +33,16 @@ float luminance(const Spectrum& spectrum) {
   return sum / whole;
 }
 
+/// Empty, if the wavelengths are not in order: who reads the parameter says so.
 Spectrum of_pairs(const std::vector<float>& pairs) {
   Spectrum spectrum;
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     spectrum.nm.push_back(pairs[i]);
     spectrum.values.push_back(pairs[i + 1]);
   }
-  return spectrum;
+  const bool in_order =
+      std::adjacent_find(spectrum.nm.begin(), spectrum.nm.end(), std::greater_equal<float>()) == spectrum.nm.end();
+  return in_order ? spectrum : Spectrum();
 }
 
 /// Leaves the hue in the parameter, and returns what v4 loses of its strength.
@@ -51,7 +56,8 @@ float take_strength(Edit& edit, const std::string& name) {
   if (param->type != ParamType::blackbody || values->empty()) return 1;
   const float kelvin = values->front(), factor = values->size() > 1 ? (*values)[1] : 1;
   edit.set(ParamType::blackbody, name, std::vector{kelvin});
-  return kelvin > 0 ? factor * luminance(blackbody(kelvin)) : 0;
+  const float strength = kelvin > 0 ? factor * luminance(blackbody(kelvin)) : 0;
+  return std::isfinite(strength) ? strength : 0;
 }
 
 bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }

@@ -1,6 +1,4 @@
 // What pbrt-v3 says before WorldBegin: camera, film, sampler, filter and integrator.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -76,8 +74,7 @@ void finish(Edit& edit, std::string_view from) {
     edit.take("alpha");
     edit.set_number("sigma", 1 / std::sqrt(2 * std::max(*alpha, 1e-6f)));
   }
-  if (from == "directlighting" || from == "whitted")
-    edit.only_close(fmt::format("{} (path finds indirect light, too)", from));
+  if (from == "directlighting" || from == "whitted") edit.set(ParamType::boolean, "indirect", std::vector<bool>{false});
 }
 
 Directive* find_in(Header& header, DirectiveKind kind) {

@@ -47,7 +47,16 @@ void translate_one(Edit& edit) {
   }
 }
 
-std::string joined(const std::set<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+std::string joined(const std::set<std::string>& words) {
+  constexpr std::size_t kMost = 500;  // bytes
+  std::string text;
+  for (const std::string& word : words) {
+    if (text.size() > 0) text += ", ";
+    if (text.size() > kMost) return text + "...";
+    text += word;
+  }
+  return text;
+}
 
 }  // namespace
 
