@@ -15,9 +15,13 @@ constexpr int kSeed = 1000;
 int columns_of(const Image& image) { return std::max(1, image.width / kBlock); }
 int rows_of(const Image& image) { return std::max(1, image.height / kBlock); }
 
+/// All see light of the same depth, whatever their defaults: what one of them cuts off would count as its error.
 LoadedScene loaded_for(const std::filesystem::path& file, Choices choices, const char* integrator) {
+  constexpr int kDepth = 16;
   choices.integrator = integrator;
-  return load(file, choices);
+  LoadedScene loaded = load(file, choices);
+  loaded.job = with_integer(std::move(loaded.job), "maxdepth", kDepth);
+  return loaded;
 }
 
 Images reference_run(const LoadedScene& loaded, const char* integrator, Job job, int seed, double seconds) {
