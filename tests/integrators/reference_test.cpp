@@ -162,6 +162,16 @@ TEST_F(Reference, WaterCausticBySppm) {
   expect_ratio(ratio(blocks), {1.034f, 1.0115f, 0.984f}, 0.004f);
 }
 
+// Paths of up to nine bounces between lamp and camera, as in the reference.
+TEST_F(Reference, WaterCausticByVcm) {
+  const auto blocks =
+      render_blocks({"water-caustic", R"("vcm" "integer maxdepth" 9 "integer photons" 60000)", 128, 128, 24, 8, 10});
+  record(blocks);
+  EXPECT_GT(blocks.size(), 200u);
+  EXPECT_LT(mean_error(blocks), 0.04);
+  expect_ratio(ratio(blocks), Rgb(1), 0.03f);
+}
+
 // The conversion turned the sky by 7 degrees around the line of sight, which shows in the window. The artwork is grey
 // here. The darkest blocks are left to longer renders.
 TEST_F(Reference, DiningRoomByPath) {
