@@ -45,6 +45,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
                    outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
   facts.push_back({"the estimate of the error (--until-error)", s.estimate_error ? "kept" : "not kept"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
+  facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});
   facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),

@@ -42,7 +42,7 @@ class BranchingPath {
   template <class Tracer>
   void arrive(const Path& path, const FrameHit& part, Tracer& tracer) {
     if (part.hit.missed()) return tracer.escaped(path, part.frames);
-    const Vertex vertex(scene_, path.ray, part);
+    const Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
     parted_ |= vertex.differs();
     if (is_finite(vertex.point)) return tracer.arrived(path, vertex);
     tracer.lost(path, part.frames, vertex.shape_element());

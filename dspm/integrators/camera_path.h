@@ -1,6 +1,9 @@
 // Camera paths, starting at the film.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/tiles.h"
@@ -14,12 +17,21 @@ struct CameraPath : PathState {
   const Camera* camera = nullptr;
   int pixel = 0;     // within the crop
   float length = 0;  // of the segments so far, in world units
+  float width = 0;   // in pixel spacings: of what it stands for
   Vec3 from = {};    // where the next segment starts: the last surface's point
   // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
   float pdf_w = 0;
   bool only_looks = false;  // for lights: it has left a hit point
   Vec3 from_ng = {};        // if so, the hit point's normal
+
+  float diameter(float segment) const { return width * camera->pixel_spacing(length + segment); }
 };
+
+/// As in pbrt, n paths through a pixel stand for 1 / sqrt(n) of its width each, but for an eighth at least. As nobody
+/// knows n before the end, it is the number of those so far: the first image is smooth, and the last one sharp.
+inline float path_width(const RenderSettings& render, std::uint64_t iteration) {
+  return render.filter_textures ? std::max(0.125f, 1 / std::sqrt(static_cast<float>(iteration) + 1)) : 0;
+}
 
 /// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or
 /// lost(const CameraPath&) if the camera's ray is not finite.
@@ -29,6 +41,7 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
   CameraPath path;
   path.random = PathRandom(render.seed, Stream::camera, camera_path_index(render, x, y), iteration);
   path.throughput = Rgb(1), path.pixel = pixel_in_crop(render.crop, x, y);
+  path.width = path_width(render, iteration);
   const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
   scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {
     path.ray = camera.ray(film, lens), path.frames = frames, path.camera = &camera;

@@ -65,7 +65,7 @@ class PixelTracer {
       if (path.bounces >= limits_.max_depth || path.only_looks) return;
       add_direct_light(path, vertex, frames, bsdf);
       CameraPath branch = path;
-      branch.frames = frames;
+      branch.frames = frames, branch.length += vertex.hit.t;
       scatter(branch, vertex, bsdf);
     });
   }

@@ -26,6 +26,9 @@ struct PathState {
   float eta_scale = 1;     // of the refractions so far: the factor that throughput regains on leaving glass
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path
+
+  /// The diameter of what the path stands for at the end of its next segment, in the world: textures average over it.
+  float diameter(float /*segment*/) const { return 0; }
 };
 
 inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
@@ -35,13 +38,16 @@ inline bool is_finite(const SurfacePoint& point) {
 
 /// A path's intersection with a surface, in the frames that meet the same one.
 struct Vertex {
-  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part)
+  /// `diameter`: of what the path stands for here.
+  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part, float diameter = 0)
       : hit(part.hit),
         point(scene.surface_point(part.hit)),
         wo(-ray.direction),
         frames(part.frames),
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
-        material(scene.materials[static_cast<std::size_t>(shape.material)]) {}
+        material(scene.materials[static_cast<std::size_t>(shape.material)]) {
+    if (diameter > 0) point.cover(wo, diameter);
+  }
 
   RayHit hit;
   SurfacePoint point;

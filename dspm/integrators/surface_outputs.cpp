@@ -133,7 +133,7 @@ class SurfaceOutputs final : public Integrator {
           vote(path.pixel, part.frames, [](Kind) { return kNone; });
           continue;
         }
-        const Vertex vertex(scene, path.ray, part);
+        const Vertex vertex(scene, path.ray, part, path.diameter(part.hit.t));
         if (is_finite(vertex.point)) add(scene, path, vertex);
       }
     };

@@ -13,15 +13,9 @@ namespace {
 
 using enum DirectiveKind;
 
-constexpr std::string_view kOptionsOfPbrt[] = {"disabletexturefiltering",
-                                               "disablewavelengthjitter",
-                                               "displacementedgescale",
-                                               "msereferenceimage",
-                                               "msereferenceout",
-                                               "rendercoordsys",
-                                               "forcediffuse",
-                                               "pixelstats",
-                                               "wavefront"};
+constexpr std::string_view kOptionsOfPbrt[] = {
+    "disablewavelengthjitter", "displacementedgescale", "msereferenceimage", "msereferenceout",
+    "rendercoordsys",          "forcediffuse",          "pixelstats",        "wavefront"};
 
 /// pbrt ignores case, dashes and underscores in the names of options.
 std::string normalized(std::string_view name) {
@@ -101,15 +95,16 @@ void SceneBuilder::option(const Directive& directive) {
     const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
     if (error != std::errc() || stop != end) diagnostics_.error(value.where, "expected an integer");
     scene_.options.seed = seed;
-  } else if (known == "disablepixeljitter") {
+  } else if (known == "disablepixeljitter" || known == "disabletexturefiltering") {
     if (value.text != "true" && value.text != "false") diagnostics_.error(value.where, "expected true or false");
-    scene_.options.disable_pixel_jitter = value.text == "true";
+    (known == "disablepixeljitter" ? scene_.options.disable_pixel_jitter : scene_.options.disable_texture_filtering) =
+        value.text == "true";
   } else if (std::find(std::begin(kOptionsOfPbrt), std::end(kOptionsOfPbrt), known) != std::end(kOptionsOfPbrt)) {
     diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text));
   } else {
-    const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter"});
+    const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter", "disabletexturefiltering"});
     diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),
-                       guess.empty() ? "available: seed, disablepixeljitter" : guess);
+                       guess.empty() ? "available: seed, disablepixeljitter, disabletexturefiltering" : guess);
   }
 }
 

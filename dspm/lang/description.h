@@ -35,6 +35,7 @@ struct CameraUse : PluginUse {
 struct SceneOptions {
   std::optional<int> seed;
   bool disable_pixel_jitter = false;
+  bool disable_texture_filtering = false;
 };
 
 struct MaterialUse : PluginUse {

@@ -13,7 +13,9 @@
 namespace dspm {
 
 /// The place at which textures are looked up.
-inline TexturePoint texture_point(const SurfacePoint& point) { return {point.p, point.uv}; }
+inline TexturePoint texture_point(const SurfacePoint& point) {
+  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy};
+}
 
 /// A texture may exceed what a surface can reflect.
 inline Rgb clamped_albedo(const Rgb& c) {

@@ -47,6 +47,7 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::BsdfSlot", sizeof(BsdfSlot)},
     {"dspm::BsdfSample", sizeof(BsdfSample)},
     {"dspm::TextureContext", sizeof(TextureContext)},
+    {"dspm::TexturePoint", sizeof(TexturePoint)},
     {"dspm::Emission", sizeof(Emission)},
     {"dspm::Illumination", sizeof(Illumination)},
     {"dspm::LightContext", sizeof(LightContext)},

@@ -43,7 +43,8 @@ class Cylinder final : public Shape {
     point.p = narrow({r_ * c, r_ * s, z_min_ + uv.y * (double{z_max_} - z_min_)});
     point.p_error = gamma_bound(2) * abs(point.p);
     point.ng = point.ns = narrow({c, s, 0});
-    point.dpdu = narrow({-s, c, 0});
+    point.dpdu = narrow(DoubleVec3{-s, c, 0} * (r_ * sweep_.phi_max()));
+    point.dpdv = {0, 0, z_max_ - z_min_};
     point.uv = uv;
     return point;
   }

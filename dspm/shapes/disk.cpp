@@ -44,7 +44,8 @@ class Disk final : public Shape {
     point.p = narrow({rho * c, rho * s, height_});
     point.p_error = gamma_bound(2) * Vec3{std::abs(point.p.x), std::abs(point.p.y), 0};
     point.ng = point.ns = {0, 0, 1};
-    point.dpdu = narrow({-s, c, 0});
+    point.dpdu = narrow(DoubleVec3{-s, c, 0} * (std::max(rho, kLeastSine * r_) * sweep_.phi_max()));
+    point.dpdv = narrow(DoubleVec3{c, s, 0} * (double{inner_} - r_));
     point.uv = uv;
     return point;
   }

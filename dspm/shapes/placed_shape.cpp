@@ -49,7 +49,7 @@ SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
     s.ng = normalize(to_world.normal(s.ng));
     s.ns = normalize(to_world.normal(s.ns));
     if (!(dot(s.ns, s.ng) > 0)) s.ns = s.ng;
-    s.dpdu = to_world.vector(s.dpdu);
+    s.dpdu = to_world.vector(s.dpdu), s.dpdv = to_world.vector(s.dpdv);
   }
   if (flip_normals) s.ng = -s.ng, s.ns = -s.ns;
   return s;

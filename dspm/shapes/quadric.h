@@ -32,6 +32,9 @@ inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d,
   return t0 < t1 ? Roots{{t0, t1}} : Roots{{t1, t0}};
 }
 
+/// Instead of 0 at a pole, where u has no direction, so that dpdu keeps one.
+inline constexpr double kLeastSine = 1e-6;
+
 /// A length that must be above 0.
 inline float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view sentence) {
   const float value = reader.number(name, fallback, "scene units", sentence);

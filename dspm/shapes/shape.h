@@ -30,12 +30,17 @@ struct SurfacePoint {
   Vec3 p_error;  // bound on the rounding error of p, per coordinate
   Vec3 ng;       // geometric normal, unit length, pointing outward
   Vec3 ns;       // shading normal, unit length, in the half space of ng
-  Vec3 dpdu;     // tangent along u; any length, not zero
+  Vec3 dpdu;     // derivative of p by uv.x; any tangent, not zero, if dpdv is zero
   Vec2 uv;       // texture coordinates
+  Vec3 dpdv{};   // derivative of p by uv.y; zero if a shape does not know it: lookups by uv are then not filtered
+  // The footprint, which texture lookups average over: the axes of an ellipse in the surface; zero for a point.
+  Vec3 dpdx{}, dpdy{};
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
   /// of ng.
   Ray spawn(const Vec3& w, float t_max = kInfinity) const;
+  /// Makes the footprint what a disk of this diameter, perpendicular to w (unit length), covers of the surface.
+  void cover(const Vec3& w, float diameter);
 };
 
 /// Geometry in its own (object) space. A Shape is finished and const once constructed.

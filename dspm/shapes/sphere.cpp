@@ -51,7 +51,8 @@ class Sphere final : public Shape {
     point.p = narrow(n * r_);
     point.p_error = gamma_bound(2) * abs(point.p);
     point.ng = point.ns = narrow(n);
-    point.dpdu = narrow({-s, c, 0});
+    point.dpdu = narrow(DoubleVec3{-s, c, 0} * (std::max(rho, kLeastSine) * r_ * sweep_.phi_max()));
+    point.dpdv = narrow(DoubleVec3{n.z * c, n.z * s, -rho} * (r_ * theta_span_));
     point.uv = uv;
     return point;
   }

@@ -94,11 +94,11 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
   s.ng = unit_normal(p0, p1, p2);
   s.ns = shading_normal(primitive, b, s.ng);
   if (data_.uvs.empty()) {  // pbrt's defaults: (0,0), (1,0), (1,1)
-    s.dpdu = p1 - p0;
+    s.dpdu = p1 - p0, s.dpdv = p2 - p1;
     s.uv = {b.y + b.z, b.z};
   } else {
     const auto t = corner_uvs(primitive);
-    s.dpdu = tangent(primitive, t, s.ng);
+    set_tangents(s, primitive, t);
     s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
   }
   return s;
@@ -112,13 +112,14 @@ std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
 }
 
 // Solves p_i - p_2 = (u_i - u_2) dp/du + (v_i - v_2) dp/dv; any tangent if the texture coordinates are degenerate.
-Vec3 TriangleMesh::tangent(int face, const std::array<Vec2, 3>& t, const Vec3& ng) const {
+void TriangleMesh::set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& t) const {
   const Vec2 uv02 = t[0] - t[2], uv12 = t[1] - t[2];
   const Vec3 p02 = vertex(face, 0) - vertex(face, 2), p12 = vertex(face, 1) - vertex(face, 2);
   const float determinant = uv02.x * uv12.y - uv02.y * uv12.x;
-  const Vec3 dpdu = (p02 * uv12.y - p12 * uv02.y) / determinant;
-  const bool usable = std::abs(determinant) > 1e-9f && is_finite(dpdu) && length2(cross(ng, dpdu)) > 0;
-  return usable ? dpdu : Basis::around(ng).x;
+  const Vec3 dpdu = (p02 * uv12.y - p12 * uv02.y) / determinant, dpdv = (p12 * uv02.x - p02 * uv12.x) / determinant;
+  const bool usable = std::abs(determinant) > 1e-9f && is_finite(dpdu) && length2(cross(point.ng, dpdu)) > 0;
+  point.dpdu = usable ? dpdu : Basis::around(point.ng).x;
+  if (usable && is_finite(dpdv)) point.dpdv = dpdv;
 }
 
 Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {

@@ -59,7 +59,7 @@ class TriangleMesh final : public Shape {
     return data_.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
   }
   std::array<Vec2, 3> corner_uvs(int face) const;
-  Vec3 tangent(int face, const std::array<Vec2, 3>& uvs, const Vec3& ng) const;
+  void set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& uvs) const;
   Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;
 
   MeshData data_;

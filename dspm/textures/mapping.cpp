@@ -1,5 +1,6 @@
 #include "dspm/textures/mapping.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dspm/math/vec.h"
@@ -18,6 +19,30 @@ Vec2 spherical(const Vec3& p) { return {std::atan2(std::hypot(p.x, p.y), p.z) / 
 
 /// s is 0 at -x, as in pbrt; t is the height.
 Vec2 cylindrical(const Vec3& p) { return {0.5f + std::atan2(p.y, p.x) / (2 * kPi), p.z}; }
+
+/// The change of a turn around z.
+float turned(const Vec3& p, const Vec3& dp) { return (p.x * dp.y - p.y * dp.x) / (2 * kPi * (p.x * p.x + p.y * p.y)); }
+
+/// The change of the angle from +z, as a fraction of a half turn.
+float tilted(const Vec3& p, const Vec3& dp) {
+  const float rho = std::hypot(p.x, p.y);
+  return ((p.x * dp.x + p.y * dp.y) * (p.z / rho) - rho * dp.z) / (kPi * length2(p));
+}
+
+/// The change of (u, v): the least squares solution of dp = dpdu du + dpdv dv. In double, as triangles may be tiny.
+/// [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.1.1]
+Vec2 uv_change(const TexturePoint& at, const Vec3& dp) {
+  const double uu = dot(at.dpdu, at.dpdu), uv = dot(at.dpdu, at.dpdv), vv = dot(at.dpdv, at.dpdv);
+  const double u = dot(at.dpdu, dp), v = dot(at.dpdv, dp), determinant = uu * vv - uv * uv;
+  if (!(determinant > 0)) return {};
+  return {static_cast<float>((vv * u - uv * v) / determinant), static_cast<float>((uu * v - uv * u) / determinant)};
+}
+
+/// Near a pole or an axis coordinates change without bound.
+Vec2 bounded(Vec2 change) {
+  const auto bound = [](float c) { return std::isnan(c) ? 0 : std::clamp(c, -1e8f, 1e8f); };
+  return {bound(change.x), bound(change.y)};
+}
 
 TextureMapping::Kind kind_of(const std::string& word) {
   using Kind = TextureMapping::Kind;
@@ -45,10 +70,29 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
 
 Vec2 TextureMapping::at(const TexturePoint& point) const {
   if (kind_ == Kind::uv) return {scale_.x * point.uv.x + delta_.x, scale_.y * point.uv.y + delta_.y};
-  const Vec3 p = world_from_texture_.inverse_point(point.p);
+  return at_own(world_from_texture_.inverse_point(point.p));
+}
+
+Vec2 TextureMapping::at_own(const Vec3& p) const {
   if (kind_ == Kind::spherical) return spherical(p);
   if (kind_ == Kind::cylindrical) return cylindrical(p);
   return {dot(p, v1_) + delta_.x, dot(p, v2_) + delta_.y};
+}
+
+TextureCoordinates TextureMapping::map(const TexturePoint& point) const {
+  if (point.dpdx == Vec3{} && point.dpdy == Vec3{}) return {at(point)};
+  return {at(point), bounded(change(point, point.dpdx)), bounded(change(point, point.dpdy))};
+}
+
+Vec2 TextureMapping::change(const TexturePoint& point, const Vec3& dp) const {
+  if (kind_ == Kind::uv) {
+    const Vec2 uv = uv_change(point, dp);
+    return {scale_.x * uv.x, scale_.y * uv.y};
+  }
+  const Vec3 p = world_from_texture_.inverse_point(point.p), own = world_from_texture_.inverse_vector(dp);
+  if (kind_ == Kind::spherical) return {tilted(p, own), turned(p, own)};
+  if (kind_ == Kind::cylindrical) return {turned(p, own), own.z};
+  return {dot(own, v1_), dot(own, v2_)};
 }
 
 }  // namespace dspm

@@ -1,4 +1,5 @@
-// From a point on a surface to the plane in which pictures and checkerboards lie.
+// From a point on a surface to the plane in which pictures and checkerboards lie, or to the space in which noise and
+// cubes do. A footprint is carried along: the changes of the coordinates along its two axes.
 //
 //   | mapping                              | "uv"     | or spherical, cylindrical, planar                         |
 //   | uscale, vscale, udelta, vdelta       | 1, 1, 0, 0 | of uv: s = uscale u + udelta; planar takes the deltas too |
@@ -14,6 +15,12 @@
 
 namespace dspm {
 
+/// In the plane.
+struct TextureCoordinates {
+  Vec2 st;
+  Vec2 dstdx{}, dstdy{};  // the footprint's axes; zero for a point
+};
+
 class TextureMapping {
  public:
   enum class Kind { uv, spherical, cylindrical, planar };
@@ -21,12 +28,27 @@ class TextureMapping {
   static TextureMapping read(ParamReader& reader, const Transform& world_from_texture);
 
   Vec2 at(const TexturePoint& point) const;
+  TextureCoordinates map(const TexturePoint& point) const;
 
  private:
+  Vec2 at_own(const Vec3& p) const;
+  /// How the coordinates change along the axis `dp` of a footprint, to first order.
+  Vec2 change(const TexturePoint& point, const Vec3& dp) const;
+
   Kind kind_ = Kind::uv;
   Vec2 scale_{1, 1}, delta_;
   Vec3 v1_, v2_;
   Transform world_from_texture_;
 };
+
+/// In the texture's own space.
+struct SpaceCoordinates {
+  Vec3 p;
+  Vec3 dpdx, dpdy;  // the footprint's axes; zero for a point
+};
+inline SpaceCoordinates in_own_space(const Transform& world_from_texture, const TexturePoint& at) {
+  return {world_from_texture.inverse_point(at.p), world_from_texture.inverse_vector(at.dpdx),
+          world_from_texture.inverse_vector(at.dpdy)};
+}
 
 }  // namespace dspm

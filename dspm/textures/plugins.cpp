@@ -8,28 +8,49 @@ namespace dspm {
 
 // One file per texture; each makes both kinds.
 template <class T>
+TexturePtr<T> make_bilerp(ParamReader& reader, const TextureContext& context);
+template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_constant(ParamReader& reader, const TextureContext& context);
 template <class T>
+TexturePtr<T> make_directionmix(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_dots(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_fbm(ParamReader& reader, const TextureContext& context);
+template <class T>
 TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_marble(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_mix(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_windy(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_wrinkled(ParamReader& reader, const TextureContext& context);
 
 template <class T>
 PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
   static PluginTable<Plugin<MakeTexture<T>>> table(
       "texture",
       {
+          {"bilerp", "four values at the corners of a square, and what lies between", make_bilerp<T>},
           {"checkerboard", "two textures in alternating squares or cubes", make_checkerboard<T>},
           {"constant", "one value everywhere", make_constant<T>},
+          {"directionmix", "a blend of two textures by where the surface faces", make_directionmix<T>},
+          {"dots", "two textures, one in scattered dots", make_dots<T>},
+          {"fbm", "noise of several sizes", make_fbm<T>},
           {"imagemap", "a picture, or one per frame", make_imagemap<T>},
+          {"marble", "layers of marble, distorted by noise", make_marble<T>},
           {"mix", "a blend of two textures", make_mix<T>},
           {"scale", "a texture times another", make_scale<T>},
+          {"windy", "waves under gusts of wind", make_windy<T>},
+          {"wrinkled", "noise with creases", make_wrinkled<T>},
       },
-      {"bilerp", "directionmix", "dots", "fbm", "marble", "ptex", "windy", "wrinkled"});
+      {"ptex"});
   return table;
 }
 

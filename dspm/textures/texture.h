@@ -10,9 +10,14 @@
 
 namespace dspm {
 
+/// Where a texture is looked up, all in the world. A lookup may average over a footprint: the ellipse around p whose axes
+/// are dpdx and dpdy, as in pbrt; zero for a point.
 struct TexturePoint {
-  Vec3 p;  // in the world
+  Vec3 p;
   Vec2 uv;
+  Vec3 n{};             // geometric normal, unit length
+  Vec3 dpdu{}, dpdv{};  // derivatives of p by uv; dpdv is zero if they are not known
+  Vec3 dpdx{}, dpdy{};  // the footprint
 };
 
 template <class T>

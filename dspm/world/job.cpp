@@ -226,6 +226,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
         fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
                     job.film.filename, settings.outputs.front()));
   settings.jitter = !description.options.disable_pixel_jitter;
+  settings.filter_textures = !description.options.disable_texture_filtering;
   settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));

@@ -67,12 +67,27 @@ class RandomScene {
            "\"texture amount\" \"spots\"\n"
            "Texture \"grain\" \"float\" \"checkerboard\" \"float tex1\" .02 \"float tex2\" .3\n"
            "Texture \"checks\" \"spectrum\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 3 "
-           "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n";
+           "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n" +
+           computed_textures();
+  }
+
+  std::string computed_textures() {
+    return "Texture \"column\" \"spectrum\" \"marble\" \"float scale\" 5" + keyed("float variation", ".2", "2") +
+           "\nTexture \"stains\" \"float\" \"fbm\"\nTexture \"peel\" \"float\" \"wrinkled\" \"integer octaves\" 3\n"
+           "Texture \"waves\" \"float\" \"windy\"\n"
+           "Texture \"rust\" \"spectrum\" \"mix\" \"texture amount\" \"stains\" \"rgb tex1\" [.5 .2 .1]\n"
+           "Texture \"orange\" \"spectrum\" \"scale\" \"rgb tex\" [.9 .5 .1] \"texture scale\" \"peel\"\n"
+           "Texture \"lake\" \"spectrum\" \"mix\" \"texture amount\" \"waves\" \"rgb tex1\" [.2 .3 .7]\n"
+           "Texture \"dots\" \"spectrum\" \"dots\" \"string mapping\" \"spherical\" \"texture outside\" \"paint\"\n"
+           "Texture \"dawn\" \"spectrum\" \"bilerp\" " +
+           keyed("rgb v11", "[1 .6 .3]", "[.2 .6 .9]") +
+           "\nTexture \"slopes\" \"spectrum\" \"directionmix\" \"texture tex1\" \"dawn\" \"rgb tex2\" [.3 .2 .1]\n";
   }
 
   std::string any_texture() {
-    const char* names[] = {"paint", "picture", "pages", "faded", "worn", "checks"};
-    return names[whole(0, 5)];
+    const char* names[] = {"paint", "picture", "pages", "faded", "worn", "checks", "column",
+                           "rust",  "orange",  "lake",  "dots",  "dawn", "slopes"};
+    return names[whole(0, 12)];
   }
 
   std::string room() {

@@ -11,6 +11,7 @@ TEST(Scene, KeepsTheOptionsBlock) {
     Film "rgb" "integer xresolution" 32
     Sampler "zsobol"  PixelFilter "box"  Integrator "path"  Accelerator "bruteforce"
     Option "seed" 12  Option "Disable-Pixel_Jitter" true
+    Option "disabletexturefiltering" true
     ColorSpace "srgb"
     Scale -1 1 1
     Camera "perspective" "float fov" 38
@@ -22,6 +23,7 @@ TEST(Scene, KeepsTheOptionsBlock) {
   EXPECT_EQ(scene.accelerator->type, "bruteforce");
   EXPECT_EQ(scene.options.seed, 12);
   EXPECT_TRUE(scene.options.disable_pixel_jitter);
+  EXPECT_TRUE(scene.options.disable_texture_filtering);
   EXPECT_EQ(scene.camera->type, "perspective");
   EXPECT_EQ(floats(scene.camera->params, "fov"), std::vector<float>{38});
   expect_near(scene.camera->camera_from_world.at(Moment()), Matrix4::scale(-1, 1, 1));

@@ -1,6 +1,5 @@
 #include <limits>
 
-#include "dspm/textures/mapping.h"
 #include "tests/textures/make.h"
 
 namespace dspm {
@@ -89,52 +88,14 @@ TEST(Checkerboard, AnyCoordinateHasAnAnswer) {
   EXPECT_EQ(w.make<float>("checkerboard", {number_param("tex1", .5f), number_param("tex2", .5f)})->constant(), .5f);
 }
 
-TextureMapping mapping_of(std::vector<Param> params, const Transform& placement = {}) {
-  Diagnostics diagnostics;
-  const ParamList list{std::move(params)};
-  ParamReader reader(list, "texture \"t\"", {}, diagnostics);
-  const TextureMapping mapping = TextureMapping::read(reader, placement);
-  reader.finish();
-  EXPECT_EQ(diagnostics.error_count(), 0);
-  return mapping;
-}
-
-TEST(Mapping, UvIsScaledAndShifted) {
-  const TextureMapping m = mapping_of({number_param("uscale", 3), number_param("udelta", .5f)});
-  EXPECT_EQ(m.at(at_uv(2, .25f)), (Vec2{6.5f, .25f}));
-}
-
-TEST(Mapping, SphericalGoesFromPoleToPoleAndAround) {
-  const TextureMapping m = mapping_of({text_param("mapping", "spherical")}, Transform(Matrix4::translate(5, 0, 0)));
-  EXPECT_NEAR(m.at(at_point(5, 0, 2)).x, 0, 1e-6f);
-  EXPECT_NEAR(m.at(at_point(5, 0, -2)).x, 1, 1e-6f);
-  EXPECT_NEAR(m.at(at_point(5, 3, 0)).x, .5f, 1e-6f);
-  EXPECT_NEAR(m.at(at_point(5, 3, 0)).y, .25f, 1e-6f);
-  EXPECT_NEAR(m.at(at_point(5, -3, 0)).y, .75f, 1e-6f);
-  EXPECT_EQ(m.at(at_point(5, 0, 0)), (Vec2{0, 0}));  // the centre has no direction
-}
-
-TEST(Mapping, CylindricalGoesAroundAndUp) {
-  const TextureMapping m = mapping_of({text_param("mapping", "cylindrical")});
-  EXPECT_NEAR(m.at(at_point(1, 0, 7)).x, .5f, 1e-6f);
-  EXPECT_NEAR(m.at(at_point(0, 1, 7)).x, .75f, 1e-6f);
-  EXPECT_EQ(m.at(at_point(0, 1, 7)).y, 7);
-}
-
-TEST(Mapping, PlanarProjectsOntoItsVectors) {
-  const TextureMapping m = mapping_of(
-      {text_param("mapping", "planar"), number_param("vdelta", 1), triple_param(ParamType::vector3, "v1", 0, 0, 2)});
-  EXPECT_EQ(m.at(at_point(1, 2, 3)), (Vec2{6, 3}));
-}
-
 TEST(TexturePlugins, WhatIsNotBuiltIsAnErrorOrGrey) {
   for (const bool lenient : {false, true}) {
     Workshop w(lenient);
-    const auto grey = w.make<Rgb>("marble", {integer_param("octaves", 4)});
+    const auto grey = w.make<Rgb>("ptex", {text_param("filename", "teapot.ptx")});
     EXPECT_EQ(grey->constant(), Rgb(.5f));
     EXPECT_EQ(w.diagnostics.error_count(), lenient ? 0 : 1);
     EXPECT_EQ(w.diagnostics.all().size(), 1u);
-    EXPECT_EQ(w.message().find("texture \"marble\" is not supported by dspm"), 0u);
+    EXPECT_EQ(w.message().find("texture \"ptex\" is not supported by dspm"), 0u);
   }
   Workshop w;
   EXPECT_NE(w.make<float>("imgemap", {}), nullptr);
@@ -145,8 +106,11 @@ TEST(TexturePlugins, DescribeThemselves) {
   const TextureSet none;
   ImageCache images;
   const TextureContext context{none, {}, images};
-  for (const auto& plugin : texture_plugins<Rgb>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
-  for (const auto& plugin : texture_plugins<float>()) EXPECT_FALSE(describe(plugin, context).empty()) << plugin.name;
+  const auto check = [&](const auto& plugin) {
+    EXPECT_EQ(describe(plugin, context).empty(), plugin.name == "windy") << plugin.name;
+  };
+  for (const auto& plugin : texture_plugins<Rgb>()) check(plugin);
+  for (const auto& plugin : texture_plugins<float>()) check(plugin);
   const std::vector<ParamInfo> mix = describe(*texture_plugins<Rgb>().find("mix"), context);
   EXPECT_EQ(mix[0].name, "tex1");
   EXPECT_EQ(mix[0].type, "rgb, spectrum, blackbody or texture");

@@ -78,7 +78,7 @@ class CameraSubpathTracer {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng));
     if (!(cosine > 0)) return;
     CameraSubpath here = path;
-    here.frames = vertex.frames;
+    here.frames = vertex.frames, here.length += vertex.hit.t;
     here.weights = path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine)
                                     : weights_at_first_vertex(path, vertex, cosine);
     add_emission(here, vertex);

@@ -1,0 +1,29 @@
+// Perlin's noise, and sums of its octaves: what the textures fbm, wrinkled, windy, marble and dots are made of.
+// [Perlin 2002, Improving Noise; Perlin 1985, An Image Synthesizer]
+#pragma once
+
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/mapping.h"
+
+namespace dspm {
+
+/// Smooth, 0 at all points with whole coordinates, in (-1, 1), and the same in dspm and pbrt. 0 if p is not finite.
+float noise(const Vec3& p);
+
+/// Of a sum of octaves: each is 1.99 times as fine as the last, and has `roughness` times its strength.
+struct Octaves {
+  int count = 8;
+  float roughness = 0.5f;
+
+  /// Reads "octaves" and "roughness". Wrong values are errors, and their defaults apply.
+  static Octaves read(ParamReader& reader);
+};
+
+/// Sums over `octaves` at a place; those finer than its footprint are left out, as in pbrt. [Musgrave 1992; Pharr,
+/// Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.4]
+float fbm(const SpaceCoordinates& at, const Octaves& octaves);
+/// The same of |noise|; an octave that is left out counts with its mean.
+float turbulence(const SpaceCoordinates& at, const Octaves& octaves);
+
+}  // namespace dspm
