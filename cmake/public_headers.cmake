@@ -19,7 +19,7 @@ set(public_headers
   scene/scene.h
   shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
-  textures/image_cache.h textures/plugins.h textures/texture.h textures/texture_set.h)
+  textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h)
 set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)

@@ -89,22 +89,33 @@ std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
   return names;
 }
 
-/// The channels' values become the pixels' r, g and b.
+/// Where the library writes a channel's values: to every `stride`-th byte.
+Imf::Slice slice(const Imf::Header& header, const std::string& name, float* first, std::size_t stride) {
+  const Imf::Channel* channel = header.channels().findChannel(name);
+  if (channel == nullptr) throw std::runtime_error("it has no channel " + name);
+  if (channel->xSampling != 1 || channel->ySampling != 1) throw std::runtime_error("its channels are subsampled");
+  const Imath::Box2i& window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  return Imf::Slice::Make(Imf::FLOAT, first, window, stride, stride * static_cast<std::size_t>(width));
+}
+
+/// The channels' values become the pixels' r, g and b. Colours stay what they are in the file: by convention, multiplied
+/// by alpha.
 Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std::size_t file_bytes) {
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
   Image image = image_for(file.header(), file_bytes);
   const Imath::Box2i& window = file.header().dataWindow();
   Imf::FrameBuffer buffer;
   float* first = &image.pixels.front().r;
-  for (const std::string& name : channels) {
-    const Imf::Channel* channel = file.header().channels().findChannel(name);
-    if (channel == nullptr) throw std::runtime_error("it has no channel " + name);
-    if (channel->xSampling != 1 || channel->ySampling != 1) throw std::runtime_error("its channels are subsampled");
-    const std::size_t row = sizeof(Rgb) * static_cast<std::size_t>(image.width);
-    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first++, window, sizeof(Rgb), row));
+  for (const std::string& name : channels) buffer.insert(name, slice(file.header(), name, first++, sizeof(Rgb)));
+  const bool has_alpha = file.header().channels().findChannel("A") != nullptr && channels.front() != "A";
+  if (has_alpha) {
+    image.alpha.resize(image.pixels.size());
+    buffer.insert("A", slice(file.header(), "A", image.alpha.data(), sizeof(float)));
   }
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 1; })) image.alpha.clear();
   return image;
 }
 

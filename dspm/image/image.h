@@ -14,7 +14,7 @@ namespace dspm {
 struct Image {
   int width = 0, height = 0;
   std::vector<Rgb> pixels;   // row by row from the top, each from the left
-  std::vector<float> alpha;  // of each pixel, if any is not opaque; colours are not multiplied by it
+  std::vector<float> alpha;  // of each pixel, if any is not opaque; colours are not multiplied by it, but EXR's may be
 
   Image() = default;
   Image(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
@@ -39,8 +39,8 @@ struct ColorEncoding {
 };
 
 /// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y), Radiance HDR, TIFF, WebP, QOI, BMP, PNM, PFM or TGA, told
-/// apart by their first bytes. The alpha of JPEG, EXR and HDR is ignored. Throws std::runtime_error, naming the file
-/// and the cause; never allocates for more than kMaxPixels.
+/// apart by their first bytes. JPEG, HDR and PFM have no alpha. Throws std::runtime_error, naming the file and the cause;
+/// never allocates for more than kMaxPixels.
 Image read_image(const std::filesystem::path& path, ColorEncoding encoding = {});
 
 inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;

@@ -27,24 +27,32 @@ std::vector<std::vector<Share>> shares(int from, int to) {
   return result;
 }
 
+using Shares = std::vector<std::vector<Share>>;
+
+/// `values`: of an image's pixels, row by row.
+template <class T>
+std::vector<T> shrunk(const std::vector<T>& values, int width, const Shares& columns, const Shares& rows) {
+  const std::size_t from = static_cast<std::size_t>(width), to = columns.size(), height = values.size() / from;
+  std::vector<T> narrow(to * height, T(0)), result(to * rows.size(), T(0));
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < to; ++x)
+      for (const Share& share : columns[x])
+        narrow[y * to + x] += values[y * from + static_cast<std::size_t>(share.from)] * share.weight;
+  for (std::size_t y = 0; y < rows.size(); ++y)
+    for (const Share& share : rows[y])
+      for (std::size_t x = 0; x < to; ++x)
+        result[y * to + x] += narrow[static_cast<std::size_t>(share.from) * to + x] * share.weight;
+  return result;
+}
+
 }  // namespace
 
 Image shrunk(const Image& image, int width, int height) {
-  const auto columns = shares(image.width, width), rows = shares(image.height, height);
-  Image narrow(width, image.height);
-  for (int y = 0; y < narrow.height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      for (const Share& share : columns[static_cast<std::size_t>(x)]) {
-        narrow.at(x, y) += image.at(share.from, y) * share.weight;
-      }
-    }
-  }
-  Image result(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (const Share& share : rows[static_cast<std::size_t>(y)]) {
-      for (int x = 0; x < width; ++x) result.at(x, y) += narrow.at(x, share.from) * share.weight;
-    }
-  }
+  const Shares columns = shares(image.width, width), rows = shares(image.height, height);
+  Image result;
+  result.width = width, result.height = height;
+  result.pixels = shrunk(image.pixels, image.width, columns, rows);
+  if (!image.alpha.empty()) result.alpha = shrunk(image.alpha, image.width, columns, rows);
   return result;
 }
 

@@ -6,7 +6,7 @@
 namespace dspm {
 
 /// Every new pixel is the mean of the area that it covers, with partly covered pixels weighted by area: the image's
-/// mean is kept. Meant for smaller sizes; larger ones repeat pixels.
+/// mean is kept. So is alpha, which does not weigh the colours. Meant for smaller sizes; larger ones repeat pixels.
 Image shrunk(const Image& image, int width, int height);
 
 }  // namespace dspm

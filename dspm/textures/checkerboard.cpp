@@ -7,16 +7,36 @@
 //   | tex1      | 1 | in the square or cube whose lower corner is the origin   |
 //   | tex2      | 0 | in the adjacent ones                                     |
 //   and the mapping's parameters, see mapping.h, which apply to squares
+//
+// Within a footprint, squares and cubes are averaged by a product of triangle filters along their edges, whose radius is
+// one and a half footprints, as in pbrt. [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.2]
+#include <algorithm>
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/mapping.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
 namespace {
+
+/// Along one axis: 1 in cells with an even number, -1 in the others; the mean by a triangle filter of that radius.
+float sign(float x, float radius) {
+  const float cell = std::floor(x);  // a float, because it may exceed every integer type
+  if (!(std::floor(x - radius) < std::floor(x + radius))) return cell == 2 * std::floor(cell / 2) ? 1.f : -1.f;
+  // The sign is the second derivative of this function, so its mean is a second difference; in double, as the radius may
+  // be small.
+  const auto integral = [](double at) {
+    const double y = at / 2 - std::floor(at / 2) - 0.5;
+    return y * (1 - 2 * std::abs(y));
+  };
+  const double c = x, r = radius;
+  const double mean = (integral(c + r) - 2 * integral(c) + integral(c - r)) / (r * r);
+  return static_cast<float>(std::clamp(mean, -1., 1.));
+}
+
+float radius(float along_x, float along_y) { return 1.5f * std::max(std::abs(along_x), std::abs(along_y)); }
 
 template <class T>
 class CheckerboardTexture final : public Texture<T> {
@@ -30,7 +50,10 @@ class CheckerboardTexture final : public Texture<T> {
         world_from_texture_(world_from_texture) {}
 
   T evaluate(const TexturePoint& at) const override {
-    return in_second(at) ? second_->evaluate(at) : first_->evaluate(at);
+    const float share = (1 - (cubes_ ? cube(at) : square(at))) / 2;  // of the second
+    if (share == 0) return first_->evaluate(at);
+    if (share == 1) return second_->evaluate(at);
+    return first_->evaluate(at) * (1 - share) + second_->evaluate(at) * share;
   }
 
   std::optional<T> constant() const override {
@@ -39,16 +62,14 @@ class CheckerboardTexture final : public Texture<T> {
   }
 
  private:
-  bool in_second(const TexturePoint& at) const {
-    float sum = 0;  // of the cell's coordinates; in floats, because they may exceed every integer type
-    if (cubes_) {
-      const Vec3 p = world_from_texture_.inverse_point(at.p);
-      sum = std::floor(p.x) + std::floor(p.y) + std::floor(p.z);
-    } else {
-      const Vec2 st = mapping_.at(at);
-      sum = std::floor(st.x) + std::floor(st.y);
-    }
-    return sum != 2 * std::floor(sum / 2);
+  float square(const TexturePoint& at) const {
+    const TextureCoordinates c = mapping_.map(at);
+    return sign(c.st.x, radius(c.dstdx.x, c.dstdy.x)) * sign(c.st.y, radius(c.dstdx.y, c.dstdy.y));
+  }
+  float cube(const TexturePoint& at) const {
+    const SpaceCoordinates c = in_own_space(world_from_texture_, at);
+    return sign(c.p.x, radius(c.dpdx.x, c.dpdy.x)) * sign(c.p.y, radius(c.dpdx.y, c.dpdy.y)) *
+           sign(c.p.z, radius(c.dpdx.z, c.dpdy.z));
   }
 
   TexturePtr<T> first_, second_;

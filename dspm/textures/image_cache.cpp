@@ -4,11 +4,11 @@
 
 namespace dspm {
 
-std::shared_ptr<const Image> ImageCache::read(const std::filesystem::path& path, const ColorEncoding& encoding) {
+std::shared_ptr<const MipMap> ImageCache::read(const std::filesystem::path& path, const ColorEncoding& encoding) {
   const Key key{std::filesystem::weakly_canonical(path).string(), encoding.kind, encoding.exponent};
-  std::weak_ptr<const Image>& known = images_[key];
-  std::shared_ptr<const Image> image = known.lock();
-  if (!image) known = image = std::make_shared<const Image>(read_image(path, encoding));
+  std::weak_ptr<const MipMap>& known = images_[key];
+  std::shared_ptr<const MipMap> image = known.lock();
+  if (!image) known = image = std::make_shared<const MipMap>(read_image(path, encoding), filtered_);
   return image;
 }
 

@@ -9,19 +9,24 @@
 #include <tuple>
 
 #include "dspm/image/image.h"
+#include "dspm/textures/mip_map.h"
 
 namespace dspm {
 
 class ImageCache {
  public:
+  /// `filtered`: whether lookups have footprints, for which smaller pictures are made. They take a third more memory.
+  explicit ImageCache(bool filtered = true) : filtered_(filtered) {}
+
   /// Throws std::runtime_error as read_image does.
-  std::shared_ptr<const Image> read(const std::filesystem::path& path, const ColorEncoding& encoding);
+  std::shared_ptr<const MipMap> read(const std::filesystem::path& path, const ColorEncoding& encoding);
   /// The number of images that textures hold.
   int alive() const;
 
  private:
   using Key = std::tuple<std::string, ColorEncoding::Kind, float>;
-  std::map<Key, std::weak_ptr<const Image>> images_;
+  bool filtered_;
+  std::map<Key, std::weak_ptr<const MipMap>> images_;
 };
 
 }  // namespace dspm

@@ -2,111 +2,79 @@
 //
 //   Texture "label" "spectrum" "imagemap" "string filename" "label.png" "string wrap" "clamp"
 //
-//   | filename | required   | a picture of any format of image.h; "water.%03d.png" is numbered like the frames |
-//   | wrap     | "repeat"   | outside 0..1: repeat, clamp or black |
-//   | filter   | "bilinear" | or point; trilinear and ewa are treated as bilinear |
-//   | scale    | 1          | multiplies the picture |
-//   | invert   | false      | 1 - the scaled picture, not below 0 |
-//   | encoding | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for integers, linear for floating point |
+//   | filename      | required   | a picture of any format of image.h; "water.%03d.png" is numbered like the frames |
+//   | wrap          | "repeat"   | outside 0..1: repeat, black, clamp or octahedralsphere |
+//   | filter        | "bilinear" | or point, trilinear, ewa |
+//   | maxanisotropy | 8          | of ewa: how much longer than wide the ellipse may be; 1 to 64 |
+//   | scale         | 1          | multiplies the picture |
+//   | invert        | false      | 1 - the scaled picture, not below 0 |
+//   | encoding      | ""         | sRGB, linear or "gamma 2.2"; by default sRGB for integers, linear for floating point |
 //   and the mapping's parameters, see mapping.h.
 //
-// (0, 0) is the picture's lower left corner. A texture of numbers takes the mean of red, green and blue.
+// (0, 0) is the picture's lower left corner. A texture of numbers takes the alpha of a picture that has one, else the
+// mean of red, green and blue. Filters but ewa take a size of the picture at which a pixel is at most twice as wide as the
+// footprint is long: point takes one pixel of it, bilinear blends four, and trilinear blends two sizes as well. ewa
+// averages over the ellipse that the footprint is, and so stays sharp where a surface is seen at a slant.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/math/vec.h"
 #include "dspm/params/params.h"
+#include "dspm/textures/image_lookup.h"
 #include "dspm/textures/mapping.h"
 #include "dspm/textures/plugins.h"
 
 namespace dspm {
 namespace {
 
-enum class Wrap { repeat, clamp, black };
-
 Wrap wrap_of(const std::string& word) {
-  return word == "repeat" ? Wrap::repeat : word == "black" ? Wrap::black : Wrap::clamp;
+  return word == "repeat"  ? Wrap::repeat
+         : word == "black" ? Wrap::black
+         : word == "clamp" ? Wrap::clamp
+                           : Wrap::octahedral_sphere;
 }
 
-/// One axis of a lookup: two neighbouring pixels, -1 for none, and the weight of the second.
-struct Taps {
-  std::array<int, 2> pixel;
-  float share;
-};
-
-template <class T>
-T value_of(const Rgb& c) {
-  if constexpr (std::is_same_v<T, float>)
-    return (c.r + c.g + c.b) / 3;
-  else
-    return c;
+ImageFilter filter_of(const std::string& word) {
+  return word == "point"                  ? ImageFilter::point
+         : word == "bilinear"             ? ImageFilter::bilinear
+         : word == "ewa" || word == "EWA" ? ImageFilter::ewa
+                                          : ImageFilter::trilinear;
 }
+
+float not_negative(float v) { return std::max(v, 0.f); }
+Rgb not_negative(const Rgb& c) { return {not_negative(c.r), not_negative(c.g), not_negative(c.b)}; }
 
 template <class T>
 class ImageTexture final : public Texture<T> {
  public:
-  struct Look {
-    Wrap wrap = Wrap::repeat;
-    bool smooth = true;
-    float scale = 1;
-    bool invert = false;
-  };
-
-  ImageTexture(std::shared_ptr<const Image> image, const TextureMapping& mapping, const Look& look)
-      : image_(std::move(image)), mapping_(mapping), look_(look) {}
+  ImageTexture(const ImageLookup& lookup, const TextureMapping& mapping, float scale, bool invert)
+      : lookup_(lookup), mapping_(mapping), scale_(scale), invert_(invert) {}
 
   T evaluate(const TexturePoint& at) const override {
-    const Vec2 st = mapping_.at(at);
-    const Rgb looked_up = look_up({st.x, 1 - st.y}) * look_.scale;
-    const Rgb value = look_.invert ? Rgb(1) - looked_up : looked_up;
-    return value_of<T>({std::max(value.r, 0.f), std::max(value.g, 0.f), std::max(value.b, 0.f)});
+    TextureCoordinates c = mapping_.map(at);
+    c.st.y = 1 - c.st.y, c.dstdx.y = -c.dstdx.y, c.dstdy.y = -c.dstdy.y;
+    const T value = lookup_.at<T>(c) * scale_;
+    return not_negative(invert_ ? T(1) - value : value);
   }
 
  private:
-  Rgb look_up(Vec2 st) const {
-    const Taps x = taps(st.x, image_->width), y = taps(st.y, image_->height);
-    if (!look_.smooth) return pixel(x.pixel[0], y.pixel[0]);
-    return (pixel(x.pixel[0], y.pixel[0]) * (1 - x.share) + pixel(x.pixel[1], y.pixel[0]) * x.share) * (1 - y.share) +
-           (pixel(x.pixel[0], y.pixel[1]) * (1 - x.share) + pixel(x.pixel[1], y.pixel[1]) * x.share) * y.share;
-  }
-
-  /// Pixel i covers i .. i + 1, its centre is at i + 1/2.
-  Taps taps(float s, int count) const {
-    if (look_.wrap == Wrap::repeat) s -= std::floor(s);
-    const float n = static_cast<float>(count), centred = s * n - (look_.smooth ? 0.5f : 0.f);
-    // In this order of min and max, a coordinate that is NaN becomes -1.
-    const float x = std::max(-1.f, std::min(centred, n)), first = std::floor(x);
-    const int i = static_cast<int>(first);
-    return {{wrapped(i, count), wrapped(i + 1, count)}, x - first};
-  }
-
-  int wrapped(int i, int count) const {
-    if (0 <= i && i < count) return i;
-    switch (look_.wrap) {
-      case Wrap::repeat: return i < 0 ? count - 1 : 0;
-      case Wrap::clamp: return i < 0 ? 0 : count - 1;
-      case Wrap::black: break;
-    }
-    return -1;
-  }
-
-  Rgb pixel(int x, int y) const { return x < 0 || y < 0 ? Rgb() : image_->at(x, y); }
-
-  std::shared_ptr<const Image> image_;
+  ImageLookup lookup_;
   TextureMapping mapping_;
-  Look look_;
+  float scale_;
+  bool invert_;
 };
 
-/// Once per scene, however many textures ask for it.
-void note_filter(ParamReader& reader, const std::string& filter) {
-  const std::string message = "texture filter \"" + filter + "\" is treated as \"bilinear\"";
-  const auto& all = reader.diagnostics().all();
-  if (std::none_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.message == message; }))
-    reader.diagnostics().note(reader.where("filter"), message);
+/// pbrt's word for the filter is also spelt in capitals.
+ImageLookup::Settings read_lookup(ParamReader& reader) {
+  ImageLookup::Settings settings;
+  settings.wrap = wrap_of(
+      reader.choice("wrap", "repeat", {"repeat", "black", "clamp", "octahedralsphere"}, "the picture outside 0..1"));
+  settings.filter = filter_of(reader.choice("filter", "bilinear", {"bilinear", "point", "trilinear", "ewa", "EWA"},
+                                            "how a lookup averages over what it stands for"));
+  settings.max_anisotropy =
+      reader.number("maxanisotropy", 8, {}, "of ewa: how much longer than wide an ellipse may be");
+  return settings;
 }
 
 }  // namespace
@@ -115,27 +83,23 @@ template <class T>
 TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) {
   const std::filesystem::path path = reader.file(
       "filename", "PNG, JPEG, TGA, BMP, PNM, QOI, TIFF, WebP, OpenEXR, HDR or PFM; one per frame with %03d");
-  const std::string wrap = reader.choice("wrap", "repeat", {"repeat", "clamp", "black", "octahedralsphere"},
-                                         "the picture outside 0..1; octahedralsphere is not supported");
-  const std::string filter = reader.choice("filter", "bilinear", {"bilinear", "point", "trilinear", "ewa"},
-                                           "between pixels; trilinear and ewa are treated as bilinear");
-  reader.number("maxanisotropy", 8, {}, "of ewa; without effect");
-  typename ImageTexture<T>::Look look{wrap_of(wrap), filter != "point"};
-  look.scale = reader.number("scale", 1, {}, "multiplies the picture");
-  look.invert = reader.flag("invert", false, "1 - the scaled picture");
+  const ImageLookup::Settings settings = read_lookup(reader);
+  const float scale = reader.number("scale", 1, {}, "multiplies the picture");
+  const bool invert = reader.flag("invert", false, "1 - the scaled picture");
   const std::string words = reader.text("encoding", "", "sRGB, linear or gamma 2.2; sRGB for integers, else linear");
   const TextureMapping mapping = TextureMapping::read(reader, context.world_from_texture);
   reader.finish();
 
-  if (wrap == "octahedralsphere") reader.unsupported("wrap", "the octahedral sphere; with --lenient: clamp");
-  if (filter == "trilinear" || filter == "ewa") note_filter(reader, filter);
+  if (!(settings.max_anisotropy >= 1 && settings.max_anisotropy <= 64))
+    reader.error("maxanisotropy", "\"maxanisotropy\" must be from 1 to 64");
   const std::optional<ColorEncoding> encoding = words.empty() ? ColorEncoding{} : ColorEncoding::parse(words);
   if (!encoding)
     reader.error("encoding", "unknown encoding \"" + words + "\"",
                  "available: sRGB, linear, or gamma with an exponent");
   try {
     if (!path.empty() && encoding)
-      return std::make_shared<ImageTexture<T>>(context.images.read(path, *encoding), mapping, look);
+      return std::make_shared<ImageTexture<T>>(ImageLookup(context.images.read(path, *encoding), settings), mapping,
+                                               scale, invert);
   } catch (const std::runtime_error& unreadable) {
     reader.error("filename", unreadable.what());
   }

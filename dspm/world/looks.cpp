@@ -52,7 +52,7 @@ int lookups_for(const Recipe& recipe) {
 }  // namespace
 
 Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
-    : description_(description), diagnostics_(diagnostics) {
+    : description_(description), diagnostics_(diagnostics), images_(!description.options.disable_texture_filtering) {
   for (const TextureUse& use : description.textures) add_texture(use);
   for (const MaterialUse& use : description.materials) {
     const std::string& name = use.name.empty() ? use.type : use.name;

@@ -118,20 +118,30 @@ TEST_F(Imagemap, WhatIsWrongIsSaid) {
   EXPECT_EQ(message({}), "texture \"imagemap\" needs a file: \"string filename\"");
   EXPECT_EQ(message({text_param("filename", "nowhere.png")}), "there is no file \"nowhere.png\"");
   EXPECT_EQ(message({text_param("filename", ramp()), text_param("encoding", "rgb")}), "unknown encoding \"rgb\"");
-  EXPECT_EQ(message({text_param("filename", ramp()), text_param("filter", "ewa")}),
-            "texture filter \"ewa\" is treated as \"bilinear\"");
+  EXPECT_EQ(message({text_param("filename", ramp()), number_param("maxanisotropy", 0.5f)}),
+            "\"maxanisotropy\" must be from 1 to 64");
   std::ofstream(directory / "torn.png") << "no picture";
   EXPECT_NE(message({text_param("filename", (directory / "torn.png").string())}).find("torn.png"), std::string::npos);
-
-  Workshop two;
-  for (int i = 0; i < 2; ++i) two.make<Rgb>("imagemap", {text_param("filename", ramp()), text_param("filter", "ewa")});
-  EXPECT_EQ(two.diagnostics.all().size(), 1u);  // one note is enough
 }
 
-TEST_F(Imagemap, OctahedralsphereIsNotBuilt) {
-  Workshop w;
-  w.make<Rgb>("imagemap", {text_param("filename", ramp()), text_param("wrap", "octahedralsphere")});
-  EXPECT_EQ(w.diagnostics.error_count(), 1);
+/// Four times as wide as high, grey from left to right; seen by a footprint as wide as it.
+TEST_F(Imagemap, FootprintsChooseTheSize) {
+  const std::string wide = picture("wide.exr", 4, 1, {Rgb(0), Rgb(.2f), Rgb(.4f), Rgb(1)});
+  for (const char* filter : {"point", "bilinear", "trilinear", "ewa", "EWA"}) {
+    const auto t = workshop.make<float>("imagemap", {text_param("filename", wide), text_param("filter", filter),
+                                                     number_param("uscale", 2), flag_param("invert", true)});
+    const TexturePoint far{{}, {.1f, .5f}, {}, {1, 0, 0}, {0, 1, 0}, {.5f, 0, 0}, {0, 1, 0}};
+    EXPECT_NEAR(t->evaluate(far), 1 - .4f, kTight) << filter;
+    TexturePoint near = far;
+    near.uv = {.5f * 1.5f / 4, .5f}, near.dpdx = near.dpdx * 1e-3f, near.dpdy = near.dpdy * 1e-3f;
+    EXPECT_NEAR(t->evaluate(near), 1 - .2f, filter[0] == 'e' || filter[0] == 'E' ? .1f : kTight) << filter;
+  }
+  EXPECT_EQ(workshop.message(), "");
+}
+
+TEST_F(Imagemap, WithoutFilteringThereIsNothingButThePicture) {
+  EXPECT_EQ(ImageCache(false).read(ramp(), {})->levels(), 1);
+  EXPECT_EQ(ImageCache().read(ramp(), {})->levels(), 3);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "tests/textures/make.h"
@@ -80,11 +81,36 @@ TEST(Checkerboard, CubesLieInTheTexturesSpace) {
   EXPECT_EQ(w.message(), "the dimension of a checkerboard must be 2 or 3");
 }
 
+// By sums over 20001 points of the triangle filter, whose radius is one and a half footprints, as in pbrt.
+TEST(Checkerboard, FootprintsAverage) {
+  Workshop w;
+  const auto board = w.make<float>("checkerboard", {number_param("uscale", 2)});
+  const auto cubes = w.make<float>("checkerboard", {integer_param("dimension", 3)});
+  const auto sign = [](double x, double radius) {
+    double sum = 0, weights = 0;
+    for (int i = -10000; i <= 10000; ++i) {
+      const double weight = 1 - std::abs(i) / 10000., cell = std::floor(x + radius * i / 10000.);
+      sum += std::fmod(std::abs(cell), 2) == 0 ? weight : -weight, weights += weight;
+    }
+    return sum / weights;
+  };
+  for (const float size : {.01f, .3f, 1.f, 7.f})
+    for (const float u : {-3.3f, .1f, .999f, 300.26f}) {
+      const TexturePoint at{{u, .4f, 2.3f}, {u, .4f}, {}, {1, 0, 0}, {0, 1, 0}, {size / 2, 0, 0}, {0, -size, 0}};
+      EXPECT_NEAR(board->evaluate(at), .5 + sign(2. * u, 1.5 * size) * sign(.4f, 1.5 * size) / 2, 1e-3);
+      EXPECT_NEAR(cubes->evaluate(at), .5 + sign(u, .75 * size) * sign(.4f, 1.5 * size) / 2, 1e-3);
+    }
+}
+
 TEST(Checkerboard, AnyCoordinateHasAnAnswer) {
   Workshop w;
   const auto board = w.make<float>("checkerboard", {});
   for (const float huge : {1e30f, -1e30f, kInfinity, std::numeric_limits<float>::quiet_NaN()})
     EXPECT_TRUE(board->evaluate(at_uv(huge, 0)) == 0 || board->evaluate(at_uv(huge, 0)) == 1);
+  for (const float huge : {1e30f, kInfinity}) {
+    const float value = board->evaluate({{}, {huge, 0}, {}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, huge, 0}});
+    EXPECT_TRUE(0 <= value && value <= 1) << value;
+  }
   EXPECT_EQ(w.make<float>("checkerboard", {number_param("tex1", .5f), number_param("tex2", .5f)})->constant(), .5f);
 }
 

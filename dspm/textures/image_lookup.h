@@ -1,0 +1,55 @@
+// Looking up a picture: which of its pixels count, and how much. For numbers and for colours.
+#pragma once
+
+#include <memory>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
+#include "dspm/textures/mapping.h"
+#include "dspm/textures/mip_map.h"
+
+namespace dspm {
+
+/// The picture outside 0..1.
+enum class Wrap { repeat, black, clamp, octahedral_sphere };
+
+enum class ImageFilter { point, bilinear, trilinear, ewa };
+
+class ImageLookup {
+ public:
+  struct Settings {
+    ImageFilter filter = ImageFilter::bilinear;
+    Wrap wrap = Wrap::repeat;
+    float max_anisotropy = 8;  // of ewa: how much longer than wide an ellipse may be
+  };
+
+  ImageLookup(std::shared_ptr<const MipMap> picture, const Settings& settings)
+      : picture_(std::move(picture)), settings_(settings) {}
+
+  /// (0, 0) is the picture's upper left corner. A number is the alpha of a picture that has one, else the mean of red,
+  /// green and blue.
+  template <class T>
+  T at(const TextureCoordinates& coordinates) const;
+
+ private:
+  template <class T>
+  T pixel(int level, int x, int y) const;
+  template <class T>
+  T nearest(int level, Vec2 st) const;
+  template <class T>
+  T bilinear(int level, Vec2 st) const;
+  template <class T>
+  T at_level(float level, Vec2 st) const;
+  template <class T>
+  T elliptical(Vec2 st, Vec2 longer, Vec2 shorter) const;
+  template <class T>
+  T elliptical(int level, Vec2 st, Vec2 longer, Vec2 shorter) const;
+
+  /// Of level 0, in pixels.
+  float longest_side() const;
+
+  std::shared_ptr<const MipMap> picture_;
+  Settings settings_;
+};
+
+}  // namespace dspm
