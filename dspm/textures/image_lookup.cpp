@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "dspm/image/image.h"
+
 namespace dspm {
 namespace {
 
