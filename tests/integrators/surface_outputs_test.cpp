@@ -252,6 +252,7 @@ TEST(Albedo, MovesWithItsTexture) {
   TestScene test(R"(
 Frames 2
 Option "disablepixeljitter" true
+Option "disabletexturefiltering" true
 Integrator "path"
 Camera "orthographic"
 Film "rgb" "integer xresolution" 8 "integer yresolution" 8
