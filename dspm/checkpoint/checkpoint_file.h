@@ -28,7 +28,7 @@ struct IntervalState {
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 5\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 6\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.

@@ -21,8 +21,9 @@ struct CameraPath : PathState {
   Vec3 from = {};    // where the next segment starts: the last surface's point
   // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
   float pdf_w = 0;
-  bool only_looks = false;  // for lights: it has left a hit point
-  Vec3 from_ng = {};        // if so, the hit point's normal
+  Vec3 from_ng = {};      // the normal there, if it has left a hit point
+  bool indirect = false;  // it has left a hit point: lights that it meets count only while it looks for them
+  bool looks = false;     // along its next segment
 
   float diameter(float segment) const { return width * camera->pixel_spacing(length + segment); }
 };

@@ -103,6 +103,7 @@ void EmissionReport::persist(StateStream& state) {
   if (start > Start::guide_would_not_pay) throw std::runtime_error("its record of what was learned is damaged");
   for (std::uint64_t* count : {&rounds, &paths, &found_without, &found, &cells}) state.value(*count);
   state.value(gain);
+  state.value(goes_on);
   dspm::persist(lights, kLightsListed + 1, state, [&](OfLight& light) {
     state.text(light.name, kMostText);
     for (double* share : {&light.by_power, &light.share}) state.value(*share);
@@ -128,6 +129,7 @@ std::string summary_of(const EmissionReport& report) {
       fmt::format("{}: {} of the paths are found by hit points", report.photons, percent(report.share_found()));
   if (report.start == EmissionReport::Start::guided)
     text += fmt::format(", {} without a guide", percent(ratio(report.found_without, report.paths)));
+  if (report.goes_on != 0) text += "; they bring caustics, and camera paths what rough surfaces scatter";
   if (report.lights.size() < 2) return text;
   text += "; by light:";
   for (const EmissionReport::OfLight& light : report.lights)
@@ -139,6 +141,11 @@ std::string summary_of(const EmissionReport& report) {
 
 std::vector<std::string> in_words(const EmissionReport& report) {
   std::vector<std::string> lines{how_it_starts(report)};
+  if (report.goes_on != 0)
+    lines.push_back(
+        fmt::format("{}: bring caustics only. Camera paths go on from hit points and find what rough "
+                    "surfaces scatter to one another with less noise.",
+                    report.photons));
   for (const EmissionReport::OfLight& light : report.lights)
     lines.push_back(fmt::format("{} of {}: {} of the paths, {} by power; found: {}.", report.photons, light.name,
                                 percent(light.share), percent(light.by_power), found_of(light)));

@@ -28,6 +28,7 @@ struct EmissionReport {
   std::uint64_t rounds = 0, paths = 0;         // of pilot paths; in a round
   std::uint64_t found_without = 0, found = 0;  // of a round's paths: without a guide; as they start in this run
   std::uint64_t cells = 0;                     // of the guide
+  std::uint8_t goes_on = 0;                    // camera paths, from hit points: these photons bring caustics only
   double gain = 0;                             // the time to the same variance without the guide, over that with it
   std::vector<OfLight> lights;                 // where most paths start, then the others as one
 

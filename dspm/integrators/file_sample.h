@@ -2,6 +2,7 @@
 // the same.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -21,6 +22,7 @@ namespace dspm {
 struct LearnedEmission {
   EmissionGuides guides;
   LearnedDirect direct;
+  std::uint8_t goes_on = 0;  // camera paths, from hit points; see learn_indirect.h
   std::size_t bytes_while_learning = 0;
   std::int32_t lights = 0;
   EmissionReport report;

@@ -80,11 +80,12 @@ class HitPointTracer {
   }
 
   void escaped(const CameraPath& path, FrameSet frames) {
+    if (path.indirect && !path.looks) return;
     for_each_escape(scene_, frames, path.ray.direction,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float weight = path.only_looks ? weight_of_look(path, scene_light, light,
-                                                                            {{path.from, -path.ray.direction}, {}, -1})
-                                                           : weight_of_escape(scene_, path, scene_light, light);
+                      const float weight = path.looks ? weight_of_look(path, scene_light, light,
+                                                                       {{path.from, -path.ray.direction}, {}, -1})
+                                                      : weight_of_escape(scene_, path, scene_light, light);
                       out_.see(path, lit, radiance * weight, [&] { return light_element(scene_, scene_light); });
                     });
   }
@@ -92,17 +93,10 @@ class HitPointTracer {
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
-    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
-      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
-      const float weight = path.only_looks
-                               ? weight_of_look(path, scene_light, light,
-                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
-                               : weight_of_hit(scene_, path, vertex, light);
-      out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
-    });
-    if (path.only_looks || path.bounces >= settings_.max_depth) return;
+    if (!path.indirect || path.looks) see_emission(path, vertex);
+    if ((path.indirect && !settings_.go_on) || path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
-    arriving.length += vertex.hit.t, arriving.frames = vertex.frames;
+    arriving.length += vertex.hit.t, arriving.frames = vertex.frames, arriving.looks = false;
     if (vertex.differs()) return scatter_together(arriving, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       arriving.frames = frames;
@@ -112,9 +106,9 @@ class HitPointTracer {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
           out_.add_hit_point(tile_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
         });
-        sample_look(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
+        sample_further(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
           const FrameFactor f{frames, sample.weight / choice.chance};
-          look(arriving, vertex, sample, {&f, 1});
+          leave(arriving, vertex, sample, {&f, 1});
         });
       } else {
         scatter(arriving, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -125,10 +119,21 @@ class HitPointTracer {
     });
   }
 
+  void see_emission(const CameraPath& path, const Vertex& vertex) {
+    for_each_emission(scene_, vertex, vertex.frames, [&](FrameSet frames, const Rgb& radiance, const Light& light) {
+      const SceneLight& scene_light = scene_.lights[static_cast<std::size_t>(vertex.shape.light)];
+      const float weight = path.looks
+                               ? weight_of_look(path, scene_light, light,
+                                                {{vertex.point.p, vertex.wo}, vertex.point.ng, vertex.hit.primitive})
+                               : weight_of_hit(scene_, path, vertex, light);
+      out_.see(path, frames, radiance * weight, [&] { return vertex.emitter_element(); });
+    });
+  }
+
   /// For a material that differs between the frames.
   [[gnu::noinline]] void scatter_together(const CameraPath& path, const Vertex& vertex) {
     FrameArray<End> ends;
-    FrameArray<Scattered> scattered, looks;
+    FrameArray<Scattered> scattered, leaving;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       CameraPath branch = path;
       branch.frames = frames;
@@ -137,8 +142,8 @@ class HitPointTracer {
         end(branch, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
         });
-        sample_look(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
-          looks.add({frames, sample.weight / choice.chance, sample, true});
+        sample_further(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
+          leaving.add({frames, sample.weight / choice.chance, sample, true});
         });
       } else {
         scatter(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -154,8 +159,8 @@ class HitPointTracer {
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
       extend(path, vertex, first.sample, factors);
     });
-    for_each_joint(looks, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
-      look(path, vertex, first.sample, factors);
+    for_each_joint(leaving, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
+      leave(path, vertex, first.sample, factors);
     });
   }
 
@@ -177,7 +182,9 @@ class HitPointTracer {
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
     // light: what those send through specular lobes is left to the photons stored for this purpose.
-    if (const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha)) {
+    // If the path has left a hit point, photons of that point bring all this light.
+    const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha);
+    if (glossy != 0 && !path.indirect) {
       add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
         if (!(sample.pdf_w > 0)) return 1.f;
         return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, choice.lobes));
@@ -191,22 +198,28 @@ class HitPointTracer {
     fn(*sample);
   }
 
-  /// Calls fn(const BsdfSample&) if a ray that is scattered at the hit point may look for lights.
+  bool looks_for_lights() const { return settings_.direct != nullptr && settings_.direct->scatters(); }
+
+  /// Calls fn(const BsdfSample&) if a ray that is scattered at the hit point looks for lights, or goes on.
   template <class Fn>
-  void sample_look(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    if (settings_.direct == nullptr || !settings_.direct->scatters()) return;
+  void sample_further(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice,
+                      Fn&& fn) {
+    if (!settings_.go_on && !looks_for_lights()) return;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     if (!sample) return;
     if (!is_finite(sample->wi)) return out_.reject(path, path.frames, vertex.material_element());
     fn(*sample);
   }
 
-  void look(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,
-            std::span<const FrameFactor> factors) {
+  /// Leaves a hit point.
+  void leave(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,
+             std::span<const FrameFactor> factors) {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, sample);
-    branch.from = vertex.point.p, branch.from_ng = vertex.point.ng, branch.only_looks = true;
-    if (!out_.carry(branch, vertex, factors)) branches_.drop();
+    branch.from = vertex.point.p, branch.from_ng = vertex.point.ng;
+    branch.indirect = true, branch.looks = looks_for_lights();
+    if (!(settings_.go_on ? survives(branch, path, vertex, factors) : out_.carry(branch, vertex, factors)))
+      branches_.drop();
   }
 
   float weight_of_look(const CameraPath& path, const SceneLight& scene_light, const Light& light,
@@ -219,13 +232,19 @@ class HitPointTracer {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex.point, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
+    if (!survives(branch, path, vertex, factors)) branches_.drop();
+  }
+
+  /// Multiplies what the branch carries by the factors, and plays Russian roulette; whether it goes on in any frame.
+  bool survives(CameraPath& branch, const CameraPath& path, const Vertex& vertex,
+                std::span<const FrameFactor> factors) {
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](const Rgb& after) {
       const float p = roulette_chance(after, branch.eta_scale, path.bounces);
       return p >= 1 ? after : u < p ? after * (1 / p) : Rgb();
     };
     const ByRatio by_ratio = path.bounces < kFirstRouletteBounce ? ByRatio::yes : ByRatio::no;
-    if (!out_.carry(branch, vertex, factors, by_ratio, roulette)) branches_.drop();
+    return out_.carry(branch, vertex, factors, by_ratio, roulette);
   }
 
   template <class Weight>

@@ -22,6 +22,7 @@ struct HitPoint {
   FrameSet frames;
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row
+  bool indirect = false;   // the path has left another hit point before
   int scattering = -1;     // index in the tile; negative if f is constant
   StrandList strands = 0;  // in the tile's table: factors to the throughput by frame, if they differ
 };
@@ -45,11 +46,13 @@ struct HitPointSettings {
   const DirectBalance* direct = nullptr;  // with sample_direct: the weights of all ways to find direct light
   bool keep_bsdf = false;                 // every hit point has its `scattering`
   bool share_paths = false;               // frames that differ only in appearance or light share paths; else they part
+  /// Camera paths go on from hit points to others, and find what rough surfaces scatter; photons need not.
+  bool go_on = false;
 };
 
 /// The hit points of one tile of pixels.
 struct HitPointTile {
-  std::vector<HitPoint> hit_points;  // at most one per pixel and frame
+  std::vector<HitPoint> hit_points;  // unless paths go on from them, at most one per pixel and frame
   std::vector<HitPoint> glossy;      // where a glossy lobe extended the path: they gather only hidden photons
   std::vector<Scattering> scatterings;
   StrandTable strands;

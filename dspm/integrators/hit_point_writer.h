@@ -67,7 +67,7 @@ class HitPointWriter {
     hit.p = point.p;
     hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = ended.throughput, hit.strands = ended.strands;
-    hit.frames = ended.frames, hit.pixel = path.pixel;
+    hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect;
     hit.radius = radius(path);
     if (&hit_points == &tile_.hit_points)
       tile_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dspm/integrators/emission_tree.h"
+#include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"
@@ -131,7 +132,7 @@ class Learner {
       for (const PhotonTrace::End& end : trace.ends) {
         of_trace.resize(of_trace.size() + choices);
         double* const sums = &of_trace.back() + 1 - choices;
-        const auto add = [&](float radiance, FrameSet frames) {
+        const auto add = [&](float radiance, FrameSet frames, const HitPoint&) {
           sums[choice_of(frames)] += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
         };
         for (; photon < end.photons; ++photon) matte.for_each_gathering(trace.photons[photon], add);
@@ -236,13 +237,14 @@ void count_found(const Scene& sample, const RenderSettings& render, const Photon
 
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
-                                                        int photons, bool guided, Statistics& statistics) {
+                                                        int photons, bool guided, Statistics& statistics,
+                                                        bool may_go_on) {
   const bool both = hit_point.photons_as_well;
-  if (render.file == nullptr || !(guided || both || render.count_found))
+  if (render.file == nullptr || !(guided || both || may_go_on || render.count_found))
     return std::make_shared<const LearnedEmission>();
-  const std::string settings =
-      fmt::format("{} {} {} {} {} {} {} {} {}", guided, both, photon.kinds, photon.max_depth, photon.least_alpha,
-                  photon.hidden, hit_point.max_depth, hit_point.least_alpha, hit_point.radius);
+  const std::string settings = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", guided, both, may_go_on, hit_point.go_on,
+                                           photon.kinds, photon.max_depth, photon.least_alpha, photon.hidden,
+                                           hit_point.max_depth, hit_point.least_alpha, hit_point.radius);
   if (guided) render.file->expect_known(settings, scene.lights.size());
   const auto learned = render.file->emission(settings, [&] {
     PilotPaths pilot;
@@ -254,9 +256,15 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
       count_found(*sample, render, photon, hit_point, photons, pilot);
     std::size_t bytes = 0;
     if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guides, bytes);
+    if (may_go_on && (!both || result.direct.by_rays)) {
+      result.goes_on = paths_that_go_on_pay(*sample, render, photon, hit_point, photons, result.guides);
+      if (result.goes_on && guided)
+        result.guides = learn_emission(*sample, render, without_diffuse(photon), going_on(hit_point), photons, pilot);
+    }
     result.bytes_while_learning = std::max(bytes, pilot.bytes);
     result.lights = static_cast<std::int32_t>(sample->lights.size());
     if (pilot.rounds > 0) result.report = report_of(pilot, *sample, photon, result.guides, guided);
+    result.report.goes_on = result.goes_on;
     return result;
   });
   if (learned->report.rounds > 0) statistics.emission.put(learned->report);

@@ -23,10 +23,11 @@ EmissionGuides learn_emission(const Scene& sample, const RenderSettings& render,
 void count_found(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
                  const HitPointSettings& hit_point, int photons, PilotPaths& pilot);
 
-/// By the settings that matter to it, remembered for this run; no guide if `guided` is false. Nothing is learned if
+/// By the settings that matter to it, remembered for this run; `may_go_on`: also whether camera paths go on; no guide if `guided` is false. Nothing is learned if
 /// render.file is null. The caller compares bytes_while_learning with render.memory.
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
                                                         const PhotonSettings& photon, const HitPointSettings& hit_point,
-                                                        int photons, bool guided, Statistics& statistics);
+                                                        int photons, bool guided, Statistics& statistics,
+                                                        bool may_go_on = false);
 
 }  // namespace dspm

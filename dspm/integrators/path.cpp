@@ -62,7 +62,7 @@ class PixelTracer {
   void arrived(const CameraPath& path, const Vertex& vertex) {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       add_emission(path, vertex, frames);
-      if (path.bounces >= limits_.max_depth || path.only_looks) return;
+      if (path.bounces >= limits_.max_depth || path.indirect) return;
       add_direct_light(path, vertex, frames, bsdf);
       CameraPath branch = path;
       branch.frames = frames, branch.length += vertex.hit.t;
@@ -106,7 +106,7 @@ class PixelTracer {
       return reject(path, path.frames, vertex.material_element());
     path.from = vertex.point.p;
     path.pdf_w = sample->specular ? 0 : sample->pdf_w;
-    path.only_looks = !limits_.indirect && !sample->specular;
+    path.indirect = !limits_.indirect && !sample->specular;
     if (!is_black(path.throughput) &&
         survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
       branches_.push(path);

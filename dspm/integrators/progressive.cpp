@@ -9,6 +9,7 @@
 #include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/learn_emission.h"
+#include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/photon_batches.h"
 #include "dspm/integrators/typical_hit_point.h"
 #include "dspm/math/frames.h"
@@ -93,14 +94,21 @@ class Progressive final : public Integrator {
     estimator_->end_iteration();
     shrinkage_.end_iteration(settings_.alpha);
     statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
+    if (settings_.hit_point.go_on) statistics_.typical.photons = 0;  // few may be all that there are
     ++statistics_.iterations;
   }
 
   void learn(const Scene& scene) {
     const StepTimer timer(statistics_.steps[kEmission]);
     learned_ = emission_of_file(scene, render_, settings_.photon, settings_.hit_point, settings_.photons,
-                                settings_.guided, statistics_);
+                                settings_.guided, statistics_, settings_.may_go_on);
     settings_.photon.guides = &learned_->guides;
+    go_on_if_learned();
+  }
+
+  void go_on_if_learned() {
+    if (!learned_->goes_on) return;
+    settings_.hit_point = going_on(settings_.hit_point), settings_.photon = without_diffuse(settings_.photon);
   }
 
   void persist_learned(StateStream& state) {
@@ -109,8 +117,10 @@ class Progressive final : public Integrator {
     state.value(is_learned);
     emission.direct.persist(state);
     emission.guides.persist(state, lights_);
+    state.value(emission.goes_on);
     learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
     settings_.photon.guides = learned_ != nullptr ? &learned_->guides : nullptr;
+    if (learned_ != nullptr) go_on_if_learned();
   }
 
   void balance_direct_light(const Scene& scene) {
@@ -194,7 +204,7 @@ class Progressive final : public Integrator {
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       for (const HitPoint& hit : tile.hit_points) {
-        if (found_.are_wanted()) find_photons(hit, tile);
+        if (found_.are_wanted() && !hit.indirect) find_photons(hit, tile);
         estimator_->gather_at(hit, tile, map_, counts[t]);
       }
     });

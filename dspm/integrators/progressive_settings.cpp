@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "dspm/integrators/learn_emission.h"
+#include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/params/params.h"
 
@@ -29,6 +30,10 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
       params.choice("direct", "both", {"both", "photons", "sampled"},
                     "direct light by photons, by shadow rays from the hit points, or by both, each weighted by how "
                     "well it finds the light");
+  const std::string indirect = params.choice(
+      "indirect", "auto", {"auto", "photons", "paths"},
+      "light that rough surfaces scatter to others by photons, or by camera paths that go on from hit points and leave "
+      "only caustics to photons; auto: what has less noise, unless direct is photons");
   s.guided = read_emission(params);
   const float least_alpha = params.number("gatheralpha", 0.25f, "GGX alpha",
                                           "lobes at least this rough gather photons; smoother ones extend the path");
@@ -44,6 +49,9 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   demand(s.hit_point.radius >= 0, "radius", "the radius must not be negative");
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
   demand(least_alpha > 0, "gatheralpha", "gatheralpha must be positive: nothing gathers on a mirror");
+  if (indirect == "paths" && !s.kz11)
+    params.error("indirect",
+                 "camera paths that go on need estimator \"kz11\": with \"hj09\" a pixel has one hit point");
   check_max_depth(params, max_depth, 1);
   params.finish();
   if (s.photons == -1) s.photons = std::max(1, render.width * render.height);  // pbrt's default
@@ -55,6 +63,8 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   s.hit_point.sample_direct = direct != "photons";
   s.hit_point.photons_as_well = direct == "both";
   s.photon.hidden = true;
+  s.may_go_on = indirect == "auto" && s.kz11 && direct != "photons";
+  if (indirect == "paths") s.hit_point = going_on(s.hit_point), s.photon = without_diffuse(s.photon);
   return s;
 }
 

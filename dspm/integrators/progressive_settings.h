@@ -11,8 +11,9 @@ struct ProgressiveSettings {
   int iterations = 256;  // 0: until stopped
   int photons = 300000;  // paths per iteration, in each frame
   float alpha = 0.7f;
-  bool kz11 = true;    // the estimator; else hj09
-  bool guided = true;  // photons start where they are found; else by the lights' power
+  bool kz11 = true;       // the estimator; else hj09
+  bool guided = true;     // photons start where they are found; else by the lights' power
+  bool may_go_on = true;  // camera paths, from hit points, if that pays
   PhotonSettings photon;
   HitPointSettings hit_point;
 };

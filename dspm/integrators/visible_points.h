@@ -21,8 +21,8 @@ class VisiblePoints {
   VisiblePoints(std::span<const HitPointTile> tiles, std::vector<HitPoint> HitPointTile::*which, float scale,
                 float most, std::size_t step = 1);
 
-  /// Calls fn(radiance, frames) for every point that gathers the photon: the luminance that its pixel gains in each of
-  /// these frames. Strands do not count.
+  /// Calls fn(radiance, frames, const HitPoint&) for every point that gathers the photon: the luminance that its pixel
+  /// gains in each of these frames. Strands do not count.
   template <class Fn>
   void for_each_gathering(const Photon& photon, Fn&& fn) const {
     for (const OneSize& size : sizes_)
@@ -38,7 +38,7 @@ class VisiblePoints {
         if (scattering)
           flux *= scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
         const float radiance = luminance(flux) / kernel_size(point.radius2);
-        if (radiance > 0 && std::isfinite(radiance)) fn(radiance, frames);
+        if (radiance > 0 && std::isfinite(radiance)) fn(radiance, frames, hit);
       });
   }
 
