@@ -4,7 +4,7 @@
 set(public_headers
   accel/accel.h
   cameras/camera.h
-  colour/rgb.h colour/spectrum.h
+  colour/colour_space.h colour/rgb.h colour/spectrum.h
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
   integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h

@@ -25,6 +25,8 @@ class Camera {
   virtual ~Camera() = default;
   /// `film` in pixels of the full image from its upper left corner; `lens` in [0,1)^2. Direction of unit length.
   virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
+  /// By how much what that ray sees counts: 0 if it does not get through the lens.
+  virtual float weight(Vec2 /*film*/, Vec2 /*lens*/) const { return 1; }
   /// The distance between neighbouring pixels' rays, in world units, at a path length from the camera.
   virtual float pixel_spacing(float path_length) const = 0;
   /// The film position whose ray(film, lens) passes through p. Nullopt if no ray does, or if the camera cannot compute
@@ -34,7 +36,8 @@ class Camera {
 
 struct CameraContext {
   Transform to_world;
-  int width = 1, height = 1;  // of the full image
+  int width = 1, height = 1;     // of the full image
+  float film_diagonal = 0.035f;  // in metres
 };
 
 using MakeCamera = std::unique_ptr<Camera>(ParamReader&, const CameraContext&);

@@ -80,6 +80,11 @@ float Spectrum::at(float wavelength) const {
   return std::lerp(values[i - 1], values[i], (wavelength - nm[i - 1]) / (nm[i] - nm[i - 1]));
 }
 
+std::array<double, 3> to_xyz(const Spectrum& spectrum) {
+  const Sums sums = integrate([&](int nm) { return spectrum.at(static_cast<float>(nm)); });
+  return {sums.x, sums.y, sums.z};
+}
+
 Rgb to_rgb(const Spectrum& spectrum, SpectrumRole role) {
   if (spectrum.nm.empty()) return {};
   switch (role) {

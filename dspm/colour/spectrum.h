@@ -2,6 +2,7 @@
 // renders in RGB; a spectrum exists only while a parameter is read.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ std::vector<std::string> spectrum_names();
 /// Radiance of a black body over wavelength, its peak scaled to 1.
 Spectrum blackbody(float kelvin);
 
+/// CIE XYZ of light, by the observer of 1931.
+std::array<double, 3> to_xyz(const Spectrum& spectrum);
 /// Finite, and never negative: colours outside Rec. 709 are clamped to it.
 Rgb to_rgb(const Spectrum& spectrum, SpectrumRole role);
 

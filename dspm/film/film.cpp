@@ -40,6 +40,8 @@ void check(ParamReader& reader, FilmSettings& film) {
   if (crop_of(film).empty()) {
     reader.error(film.crop_window ? "cropwindow" : "pixelbounds", "nothing is left of the image");
   }
+  if (film.white_kelvin != 0 && !(film.white_kelvin >= 1000 && film.white_kelvin <= 25000))
+    reader.error("whitebalance", "the white balance must be a temperature from 1000 to 25000 K, or 0");
   if (!(film.iso > 0)) reader.error("iso", "the ISO speed must be above 0");
   if (!(film.max_component > 0)) reader.error("maxcomponentvalue", "the largest value must be above 0");
 }
@@ -58,11 +60,12 @@ void read_common(ParamReader& reader, FilmSettings& film) {
   film.max_component = reader.number("maxcomponentvalue", film.max_component, "",
                                      "colours with a brighter component are scaled down to it");
   film.save_half = reader.flag("savefp16", film.save_half, "half precision in the EXR file, else single");
-  reader.unsupported("whitebalance", "white balance");
-  if (reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly") != "cie1931") {
-    reader.diagnostics().unsupported(reader.where("sensor"),
-                                     "sensors other than \"cie1931\" are not supported by dspm");
-  }
+  film.white_kelvin = reader.number("whitebalance", 0, "K", "daylight that becomes white; 0: colours stay as they are");
+  const std::string sensor = reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly");
+  if (sensor != "cie1931")
+    reader.diagnostics().unsupported(reader.where("sensor"), fmt::format("dspm has no sensor \"{}\"", sensor),
+                                     "\"cie1931\" stands in for it with --lenient: its colours are exact");
+  film.space = reader.space();
   reader.finish();
   check(reader, film);
 }
@@ -95,6 +98,19 @@ PluginTable<Plugin<MakeFilm>>& film_plugins() {
 bool is_image_name(const std::string& filename) {
   const std::string extension = std::filesystem::path(filename).extension().string();
   return extension == ".exr" || extension == ".png" || extension == ".pfm" || extension == ".hdr";
+}
+
+std::optional<ColourMatrix> white_balance(const FilmSettings& film) {
+  if (film.white_kelvin == 0) return std::nullopt;
+  const Chromaticities& rec709 = chromaticities(ColourSpace::srgb);
+  return rgb_from_xyz(rec709) *
+         (adaptation(white_of(static_cast<double>(film.white_kelvin)), chromaticities(film.space).white) *
+          xyz_from_rgb(rec709));
+}
+
+std::optional<ColourMatrix> to_film_space(const FilmSettings& film) {
+  if (film.space == ColourSpace::srgb) return std::nullopt;
+  return rgb_from_xyz(chromaticities(film.space)) * xyz_from_rgb(chromaticities(ColourSpace::srgb));
 }
 
 PixelRect crop_of(const FilmSettings& film) {

@@ -1,6 +1,6 @@
 // The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp lists the parameters. pbrt's film "spectral" and its real sensors are not supported.
+// film.cpp reads the parameters. pbrt's film "spectral" and its real sensors are not supported.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/film/pixel_rect.h"
 #include "dspm/params/params.h"
@@ -24,6 +25,8 @@ struct FilmSettings {
   std::optional<std::array<int, 4>> pixel_bounds;   // x0 x1 y0 y1
   float diagonal = 0.035f;                          // of the film, in metres
   float iso = 100;
+  float white_kelvin = 0;                 // this daylight becomes white; 0: as it is
+  ColourSpace space = ColourSpace::srgb;  // of EXR files
   float max_component = kInfinity;
   bool save_half = true;         // else single precision
   bool surface_outputs = false;  // next to radiance, what the camera sees first
@@ -43,6 +46,11 @@ void make_quick(FilmSettings& film);
 inline float imaging_ratio(const FilmSettings& film, float exposure_seconds) {
   return exposure_seconds * film.iso / 100;
 }
+
+/// For colours in Rec. 709; nullopt: they stay as they are.
+std::optional<ColourMatrix> white_balance(const FilmSettings& film);
+/// From Rec. 709 to the film's colour space, likewise.
+std::optional<ColourMatrix> to_film_space(const FilmSettings& film);
 
 /// Scales a colour down until its largest component is at most `limit`; the hue stays.
 inline Rgb limited(const Rgb& color, float limit) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/image/image.h"
 
 namespace dspm {
@@ -17,6 +18,7 @@ struct ExrHeader {
   std::map<std::string, std::string> texts;
   std::map<std::string, int> integers;
   std::map<std::string, double> numbers;  // also for counts beyond 32 bits: exact up to 2^53
+  ColourSpace space = ColourSpace::srgb;  // of R, G and B, whose chromaticities are written
   double frames_per_second = 0;           // 0: no animation
   int x = 0, y = 0;                       // where the pixels (data window) begin in the full image (display window)
   int full_width = 0, full_height = 0;    // 0: the pixels are the full image

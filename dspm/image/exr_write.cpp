@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
@@ -47,6 +48,12 @@ class MemoryOutput : public Imf::OStream {
 
 Imf::PixelType type_of(const ExrLayer& layer) { return layer.pixels == ExrPixels::half ? Imf::HALF : Imf::FLOAT; }
 
+Imf::Chromaticities imf_chromaticities(ColourSpace space) {
+  const Chromaticities& c = chromaticities(space);
+  const auto at = [](const Chromaticity& xy) { return Imath::V2f(static_cast<float>(xy.x), static_cast<float>(xy.y)); };
+  return {at(c.red), at(c.green), at(c.blue), at(c.white)};
+}
+
 Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header) {
   const Image& image = *layers.front().image;
   const int width = header.full_width > 0 ? header.full_width : image.width;
@@ -56,7 +63,7 @@ Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header
   Imf::Header result(display, data);
   for (const ExrLayer& layer : layers)
     for (const std::string& name : layer.channels) result.channels().insert(name, Imf::Channel(type_of(layer)));
-  Imf::addChromaticities(result, Imf::Chromaticities());  // the default: Rec. 709
+  Imf::addChromaticities(result, imf_chromaticities(header.space));
   if (header.frames_per_second > 0) {
     Imf::addFramesPerSecond(result, Imf::guessExactFps(header.frames_per_second));
   }

@@ -23,7 +23,7 @@ inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Ver
 inline float weight_of_escape(const Scene& scene, const CameraPath& path, const SceneLight& scene_light,
                               const Light& light) {
   if (path.pdf_w == 0) return 1;
-  return balance(path.pdf_w, light_samples(scene, scene_light) * light.escaped_pdf_w(path.ray.direction));
+  return balance(path.pdf_w, light_samples(scene, scene_light) * light.escaped_pdf_w(path.ray));
 }
 
 }  // namespace dspm

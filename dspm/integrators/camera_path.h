@@ -35,16 +35,18 @@ inline float path_width(const RenderSettings& render, std::uint64_t iteration) {
 }
 
 /// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or
-/// lost(const CameraPath&) if the camera's ray is not finite.
+/// lost(const CameraPath&) if the camera's ray is not finite. No path starts where its lens lets nothing through.
 template <class Start, class Lost>
 void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
                         Start&& start, Lost&& lost) {
   CameraPath path;
   path.random = PathRandom(render.seed, Stream::camera, camera_path_index(render, x, y), iteration);
-  path.throughput = Rgb(1), path.pixel = pixel_in_crop(render.crop, x, y);
-  path.width = path_width(render, iteration);
+  path.pixel = pixel_in_crop(render.crop, x, y), path.width = path_width(render, iteration);
   const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
   scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {
+    const float weight = camera.weight(film, lens);
+    if (!(weight > 0)) return;
+    path.throughput = Rgb(weight), path.eta_scale = weight;
     path.ray = camera.ray(film, lens), path.frames = frames, path.camera = &camera;
     if (is_finite(path.ray))
       start(path);

@@ -73,7 +73,7 @@ inline LightStart start_of(const Illumination& lit, const Vec3& p) {
 
 /// The density by solid angle with which light.illuminate(p) samples what starts there; 0 for a delta light.
 inline float pdf_w_of(const Light& light, const LightStart& start, const Vec3& p) {
-  if (light.is_infinite()) return light.escaped_pdf_w(-start.ray.direction);
+  if (light.is_infinite()) return light.escaped_pdf_w({p, -start.ray.direction});
   SurfacePoint point{};
   point.p = start.ray.origin, point.ng = point.ns = start.normal;
   return light.pdf_w(p, point, start.primitive);

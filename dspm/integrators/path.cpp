@@ -71,7 +71,7 @@ class PixelTracer {
   }
 
   void escaped(const CameraPath& path, FrameSet frames) {
-    for_each_escape(scene_, frames, path.ray.direction,
+    for_each_escape(scene_, frames, path.ray,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       add(path, lit, path.throughput * radiance * weight_of_escape(scene_, path, scene_light, light),
                           [&] { return light_element(scene_, scene_light); });

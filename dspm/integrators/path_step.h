@@ -23,7 +23,7 @@ struct PathState {
   Rgb throughput;          // radiance per radiance (camera), or flux in W (photon); includes 1/pdf of all samples
   FrameSet frames;         // the frames in which exactly this path exists; never grows
   int bounces = 0;         // scatterings so far
-  float eta_scale = 1;     // of the refractions so far: the factor that throughput regains on leaving glass
+  float eta_scale = 1;     // what throughput has of the camera's weight and of refractions, which it regains on leaving
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path
 
@@ -93,11 +93,11 @@ void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames
 
 /// Light from infinity for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
 template <class Fn>
-void for_each_escape(const Scene& scene, FrameSet frames, const Vec3& direction, Fn&& fn) {
+void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, Fn&& fn) {
   for (const int index : scene.infinite_lights) {
     const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const Rgb radiance = light.escaped(direction);
+      const Rgb radiance = light.escaped(ray);
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }

@@ -67,7 +67,8 @@ class PhotonTracer {
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}});
       path.start = static_cast<int>(started_.size());
-      started_.push_back({light, *start.light, {emission->ray, emission->normal, emission->primitive}});
+      started_.push_back(
+          {light, *start.light, {emission->ray, emission->normal, emission->primitive}, emission->must_reach});
       path.random = random, path.strands = start.strands;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
@@ -101,6 +102,8 @@ class PhotonTracer {
   }
 
   void arrived(const PhotonPath& path, const Vertex& vertex) {
+    if (path.bounces == 0 && vertex.hit.t < started_[static_cast<std::size_t>(path.start)].must_reach)
+      return balance(path, vertex.frames, &EnergyBalance::absorbed);
     if (vertex.differs()) return scatter_together(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       if (gathering_lobes(bsdf, settings_.least_alpha) != 0) store(path, vertex, frames);
@@ -158,7 +161,7 @@ class PhotonTracer {
   }
 
   float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
-    const auto& [light, state, start] = started_[static_cast<std::size_t>(path.start)];
+    const auto& [light, state, start, must_reach] = started_[static_cast<std::size_t>(path.start)];
     return settings_.direct->weight_of_photon(light, state, start, {point.p, point.ng});
   }
 
@@ -236,6 +239,7 @@ class PhotonTracer {
     const SceneLight& light;
     const Light& state;
     LightStart start;
+    float must_reach;
   };
   std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;

@@ -110,12 +110,12 @@ void SceneBuilder::option(const Directive& directive) {
 
 void SceneBuilder::color_space(const Directive& directive) {
   const Argument& name = directive.words[0];
-  const std::vector<std::string> others{"rec2020", "aces2065-1", "dci-p3"};
-  if (name.text == "srgb") return;
-  if (std::find(others.begin(), others.end(), name.text) != others.end())
-    diagnostics_.unsupported(name.where, fmt::format("dspm has no ColorSpace \"{}\"", name.text), "available: srgb");
-  else
-    diagnostics_.error(name.where, fmt::format("unknown ColorSpace \"{}\"", name.text), "available: srgb");
+  const std::optional<ColourSpace> space = colour_space(name.text);
+  if (space) return void(state_.space = *space);
+  const std::string guess = did_you_mean(name.text, colour_space_words());
+  const std::string all = fmt::format("available: {}", fmt::join(colour_space_words(), ", "));
+  diagnostics_.error(name.where, fmt::format("unknown ColorSpace \"{}\"", name.text),
+                     guess.empty() ? all : fmt::format("{} {}", guess, all));
 }
 
 }  // namespace dspm

@@ -32,7 +32,7 @@ class Canonical {
     return *this;
   }
   Canonical& use(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {}) {
-    text(type);
+    text(type).space(params.space);
     std::vector<const Param*> sorted;  // their order does not matter
     for (const Param& param : params.params)
       if (std::find(without.begin(), without.end(), param.name) == without.end()) sorted.push_back(&param);
@@ -48,12 +48,16 @@ class Canonical {
 
  private:
   void param(const Param& param) {
+    space(param.space);
     text(fmt::format("{} {}@{}", word_of(param.type), param.name, param.key ? param.key->frames() + 1 : 0));
     std::visit(
         [&](const auto& values) {
           for (const auto& value : values) this->value(value);
         },
         param.values);
+  }
+  void space(ColourSpace space) {
+    if (space != ColourSpace::srgb) text(std::string(word_of(space)));
   }
   void value(const std::string& value) { text(value); }
   void value(double value) { number(value); }

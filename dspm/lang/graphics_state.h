@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/lang/description.h"
 #include "dspm/lang/motion.h"
 #include "dspm/params/params.h"
@@ -16,6 +17,7 @@ inline constexpr int kAttributeTargets = 5;
 struct GraphicsState {
   Motion ctm;  // current transform: world from local, before WorldBegin camera from world
   enum class Active { both, start, end } active = Active::both;  // the shutter times that transforms apply to
+  ColourSpace space = ColourSpace::srgb;
   bool reverse_orientation = false;
   MaterialRef material;
   int area_light = -1;

@@ -44,6 +44,8 @@ void SceneBuilder::apply(Directive directive) {
   if (group_ && !may_stand_between_keys(directive.info->kind)) close_forgotten_group(directive);
   if (!check_section(directive)) return;
   check_keys(directive);
+  directive.params.space = state_.space;
+  for (Param& param : directive.params.params) param.space = state_.space;
   apply_variation(directive) || apply_option(directive) || apply_transform(directive) || apply_block(directive) ||
       apply_look(directive) || apply_thing(directive);
 }

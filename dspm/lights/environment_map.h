@@ -2,12 +2,13 @@
 // its luminance.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/lights/sphere_mapping.h"
+#include "dspm/math/sphere_mapping.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 
@@ -37,6 +38,8 @@ class EnvironmentMap {
   std::optional<Rgb> constant() const {
     return image_.pixels.size() == 1 && !is_black() ? std::optional(image_.pixels[0]) : std::nullopt;
   }
+  /// The larger number of pixels, across or down.
+  int size() const { return std::max(image_.width, image_.height); }
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.
   Rgb fluence() const;

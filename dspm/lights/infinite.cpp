@@ -10,6 +10,8 @@
 // | filename    |         | picture of the radiance, of any format of image.h |
 // | mapping     | auto    | equalarea: pbrt-v4's squares; equirectangular: latitude, longitude; auto: by the aspect |
 // | scale       | 1       | multiplies L or the image |
+// | portal      |         | four points in the world: the light comes only through their rectangle, from x cross y, where
+// |             |         | x leads from the first point to the last and y from the first to the second |
 // | illuminance | -1      | if above 0: lux on a surface facing +z of light space; with L, as if its luminance were 1 |
 //
 // +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
@@ -24,6 +26,7 @@
 #include "dspm/lights/environment_map.h"
 #include "dspm/lights/light.h"
 #include "dspm/lights/light_space.h"
+#include "dspm/lights/portal.h"
 #include "dspm/lights/read_environment.h"
 #include "dspm/lights/scene_sphere.h"
 #include "dspm/lights/strength.h"
@@ -53,7 +56,7 @@ class Infinite final : public Light {
   }
 
   EmissionPdf pdf_emit(const Ray& start, const Vec3&, int) const override {
-    return pdf(escaped_pdf_w(-start.direction));
+    return pdf(escaped_pdf_w({start.origin, -start.direction}));
   }
 
   EmissionNumbers emission_numbers(const Ray& start, const Vec3&, int) const override {
@@ -69,10 +72,10 @@ class Infinite final : public Light {
   }
 
   bool is_infinite() const override { return true; }
-  Rgb escaped(const Vec3& direction) const override { return scale_ * map_.radiance(space_.to_light(direction)); }
+  Rgb escaped(const Ray& ray) const override { return scale_ * map_.radiance(space_.to_light(ray.direction)); }
 
-  float escaped_pdf_w(const Vec3& direction) const override {
-    const Vec3 w = space_.to_light(direction);
+  float escaped_pdf_w(const Ray& ray) const override {
+    const Vec3 w = space_.to_light(ray.direction);
     return map_.pdf_w(w) * space_.density_scale(w);
   }
 
@@ -119,21 +122,21 @@ std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& co
   const std::string mapping =
       reader.choice("mapping", "auto", kMappingWords, "how the image covers the sphere; auto: by its aspect ratio");
   const Strength strength = read_illuminance(reader);
-  reader.unsupported("portal", "portals");
+  const std::optional<Rectangle> portal = read_portal(reader);
   if (reader.has("L") && reader.has("filename"))
     reader.error("filename", reader.subject() + " takes \"L\" or \"filename\", not both");
   reader.finish();
 
-  if (!file.empty()) {
-    try {
-      EnvironmentMap map = read_map(file, mapping);
-      const float scale = strength.factor(map.illuminance());
-      return std::make_unique<Infinite>(context, std::move(map), scale);
+  EnvironmentMap map = constant(radiance);
+  float scale = strength.factor(kPi);
+  if (!file.empty()) try {
+      map = read_map(file, mapping);
+      scale = strength.factor(map.illuminance());
     } catch (const std::runtime_error& e) {
       reader.error("filename", e.what());
     }
-  }
-  return std::make_unique<Infinite>(context, constant(radiance), strength.factor(kPi));
+  if (portal) return make_portal_light(context, map, scale, *portal);
+  return std::make_unique<Infinite>(context, std::move(map), scale);
 }
 
 }  // namespace dspm

@@ -42,6 +42,9 @@ struct Emission {
   EmissionPdf pdf = {};
   Vec3 normal = {};    // the geometric normal of the light's surface at the start; zero if it has no surface
   int primitive = -1;  // of the light's shape; -1 if it has none
+  /// The photon carries nothing if it meets a surface before this length of its path: it starts before the window that
+  /// the light must pass.
+  float must_reach = 0;
 };
 
 /// Light that arrives at a point from one direction.
@@ -92,9 +95,10 @@ class Light {
   virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
   /// Whether rays that leave the scene see it; if so, it implements the next two.
   virtual bool is_infinite() const { return false; }
-  /// Radiance along a ray of that direction that leaves the scene (infinite lights), and illuminate's density for it.
-  virtual Rgb escaped(const Vec3& /*direction*/) const { return {}; }
-  virtual float escaped_pdf_w(const Vec3& /*direction*/) const { return 0; }
+  /// Radiance along a ray that leaves the scene (infinite lights), and the density with which illuminate() at its origin
+  /// draws its direction.
+  virtual Rgb escaped(const Ray& /*ray*/) const { return {}; }
+  virtual float escaped_pdf_w(const Ray& /*ray*/) const { return 0; }
 };
 
 /// The input of a light besides its parameters.

@@ -12,6 +12,8 @@ struct SceneSphere {
   Vec3 center;
   float radius = 1;
 
+  static constexpr float kClear = 1.01f;  // of the radius: exceeds any rounding error
+
   explicit SceneSphere(const LightContext& context) : center(context.scene_center), radius(context.scene_radius) {}
 
   float disk_area() const { return kPi * radius * radius; }
@@ -19,7 +21,6 @@ struct SceneSphere {
   Ray entering(const Vec3& towards_light, Vec2 u) const {
     const Vec2 offset = concentric_disk(u) * radius;
     const Basis basis = Basis::around(towards_light);
-    constexpr float kClear = 1.01f;  // exceeds any rounding error
     return {center + basis.to_world({offset.x, offset.y, kClear * radius}), -towards_light};
   }
   /// The u with which that line enters.

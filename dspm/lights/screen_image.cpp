@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dspm/lights/solid_angle.h"
+
 namespace dspm {
 namespace {
 
@@ -15,9 +17,6 @@ Vec2 half_of_screen(const Image& image, float fov) {
   const float aspect = static_cast<float>(image.width) / static_cast<float>(image.height);
   return {tangent * std::max(aspect, 1.f), tangent * std::max(1 / aspect, 1.f)};
 }
-
-/// Of the rectangle from (0, 0) to (x, y) in the plane z = 1, with the sign of x y.
-double solid_angle_to(double x, double y) { return std::atan2(x * y, std::sqrt(1 + x * x + y * y)); }
 
 }  // namespace
 
@@ -34,8 +33,7 @@ float ScreenImage::solid_angle(int x, int y) const {
   const auto edge = [](int cell, int cells, float half) { return static_cast<double>(half) * (2. * cell / cells - 1); };
   const double left = edge(x, width_, half_.x), right = edge(x + 1, width_, half_.x);
   const double top = edge(y, height_, half_.y), bottom = edge(y + 1, height_, half_.y);
-  return static_cast<float>(solid_angle_to(right, bottom) - solid_angle_to(left, bottom) - solid_angle_to(right, top) +
-                            solid_angle_to(left, top));
+  return static_cast<float>(between_corners(left, top, right, bottom, solid_angle_to));
 }
 
 std::vector<Distribution1D> ScreenImage::distributions_within_rows() const {

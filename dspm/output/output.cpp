@@ -138,7 +138,11 @@ ExrHeader Output::header(FileFrame frame) const {
 }
 
 Image Output::developed(Image image) const {
-  for (Rgb& pixel : image.pixels) pixel = limited(pixel * job_.exposure, job_.film.max_component);
+  const std::optional<ColourMatrix> balance = white_balance(job_.film);
+  for (Rgb& pixel : image.pixels) {
+    pixel *= job_.exposure;
+    pixel = limited(balance ? *balance * pixel : pixel, job_.film.max_component);
+  }
   return image;
 }
 

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "dspm/colour/colour_space.h"
+#include "dspm/colour/rgb.h"
 #include "dspm/image/png.h"
 #include "dspm/image/write_floats.h"
 #include "dspm/system/atomic_file.h"
@@ -16,6 +18,9 @@ void write_image(const std::filesystem::path& path, Image image, const FilmSetti
   if (path.extension() == ".pfm") return write_pfm(path, image);
   if (path.extension() == ".hdr") return write_hdr(path, image);
   if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
+  if (const auto matrix = to_film_space(film))
+    for (Rgb& pixel : image.pixels) pixel = *matrix * pixel;
+  header.space = film.space;
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;
   header.full_width = film.width, header.full_height = film.height;

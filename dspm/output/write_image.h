@@ -12,8 +12,8 @@ namespace dspm {
 
 inline ExrPixels pixels_of(const FilmSettings& film) { return film.save_half ? ExrPixels::half : ExrPixels::single; }
 
-/// `image` holds the pixels of crop_of(film). The extension chooses OpenEXR, with the place of the crop added to
-/// `header` and `more` layers, PNG through `tone`, or PFM or HDR, which hold nothing but the pixels. Throws WriteError.
+/// `image` holds the pixels of crop_of(film), in Rec. 709. The extension chooses OpenEXR, in the film's colour space,
+/// with the place of the crop added to `header` and `more` layers, PNG through `tone`, or PFM or HDR, which hold nothing but the pixels. Throws WriteError.
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const ToneMap& tone = {}, const std::vector<ExrLayer>& more = {});
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
 #include "dspm/system/read_file.h"
@@ -69,7 +70,8 @@ ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, Rgb fallback
   if (role == SpectrumRole::unbounded) types.insert(types.begin(), ParamType::number);
   if (textures) types.push_back(ParamType::texture);
   const Param* param = take(name, types, std::move(default_value), {}, sentence);
-  if (!param) return {fallback, {}, where(name)};
+  if (!param)
+    return {role == SpectrumRole::illuminant ? to_rec709(fallback, space(), role) : fallback, {}, where(name)};
   if (param->type != ParamType::texture) return {colour(*param, role).value_or(fallback), {}, param->values_where};
   const std::string texture = count_is(*param, 1) ? std::get<std::vector<std::string>>(param->values).front() : "";
   return {fallback, texture, param->values_where};
@@ -93,7 +95,7 @@ std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
     else if (role == SpectrumRole::albedo && max_component(rgb) > 1)
       wrong = "must lie in 0..1";
     else
-      return rgb;
+      return param.type == ParamType::rgb ? to_rec709(rgb, param.space, role) : rgb;
   }
   diagnostics_.error(param.values_where, fmt::format("{} {}", quoted(param.name), wrong));
   return std::nullopt;

@@ -145,7 +145,7 @@ bool ParamList::is_keyed() const {
 }
 
 ParamList ParamList::at(Moment moment) const {
-  ParamList result;
+  ParamList result{{}, space};
   for (const Param& param : params) {
     if (!param.key) {
       result.params.push_back(param);
@@ -162,9 +162,9 @@ ParamList ParamList::at(Moment moment) const {
 
 bool ParamList::same_values(const ParamList& other) const {
   const auto same = [](const Param& a, const Param& b) {
-    return a.type == b.type && a.name == b.name && a.key == b.key && a.values == b.values;
+    return a.type == b.type && a.name == b.name && a.key == b.key && a.values == b.values && a.space == b.space;
   };
-  return params.size() == other.params.size() &&
+  return space == other.space && params.size() == other.params.size() &&
          std::is_permutation(params.begin(), params.end(), other.params.begin(), same);
 }
 

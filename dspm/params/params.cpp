@@ -195,6 +195,12 @@ void ParamReader::unsupported(std::string_view name, std::string_view what) {
   diagnostics_.unsupported(where(name), fmt::format("{} is not supported by dspm: {}", quoted(name), what));
 }
 
+void ParamReader::without_effect(std::string_view name) {
+  if (!has(name)) return;
+  tolerated_.emplace_back(name);
+  diagnostics_.note(where(name), fmt::format("{} has no effect, as in pbrt", quoted(name)));
+}
+
 void ParamReader::alias(std::string_view alias, std::string_view name) { aliases_.emplace_back(alias, name); }
 
 void ParamReader::former_name(std::string_view former, std::string_view name) {

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/colour/spectrum.h"
 #include "dspm/math/frames.h"
@@ -47,9 +48,10 @@ struct Param {
   std::string name;
   std::optional<Moment> key;  // after `@`; none: not keyed
   Values values;
-  SourceLocation where;         // of the quoted "type name"
-  SourceLocation values_where;  // of the first value
-  bool is_default = false;      // set by an Attribute directive: no error if unread
+  SourceLocation where;                   // of the quoted "type name"
+  SourceLocation values_where;            // of the first value
+  bool is_default = false;                // set by an Attribute directive: no error if unread
+  ColourSpace space = ColourSpace::srgb;  // of an rgb value
 };
 
 /// One that no text holds: `where` stands for it in messages.
@@ -61,6 +63,7 @@ std::vector<float> numbers_of(const Param& param);
 /// The parameters of one directive.
 struct ParamList {
   std::vector<Param> params;
+  ColourSpace space = ColourSpace::srgb;  // in force where it was written: that of lights which give no colour
 
   const Param* find(std::string_view name) const;  // the first of that name, keyed or not
   /// Has keyed parameters, or a file name with a frame number in it.
@@ -69,7 +72,7 @@ struct ParamList {
   /// everything else holds until the next key; `%03d` in a "filename" becomes the file's number ("first" + frame *
   /// "step", both 1 by default), which holds until the next whole frame.
   ParamList at(Moment moment) const;
-  /// Equal types, names, keys and values, in any order.
+  /// Equal types, names, keys, values and colour spaces, in any order.
   bool same_values(const ParamList& other) const;
 };
 
@@ -114,7 +117,7 @@ class ParamReader {
                      std::string_view sentence);
   Vec3 point(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
   Vec3 vector(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
-  /// Given as rgb, spectrum or blackbody; if unbounded, also as one float.
+  /// Given as rgb, spectrum or blackbody; if unbounded, also as one float. In Rec. 709, whatever the scene speaks in.
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Like rgb, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
@@ -135,6 +138,8 @@ class ParamReader {
   std::filesystem::path optional_file(std::string_view name, std::string_view sentence);
   /// pbrt has it, dspm does not: an error (a warning with --lenient) if the scene uses it. Not described.
   void unsupported(std::string_view name, std::string_view what);
+  /// A parameter that has no effect, nor has it in pbrt: a note if the scene gives it. Not described.
+  void without_effect(std::string_view name);
   /// Another spelling: if the scene gives `alias`, it is read as `name`.
   void alias(std::string_view alias, std::string_view name);
   /// The same for a name that is no longer used: a note says so.
@@ -149,6 +154,8 @@ class ParamReader {
   void error(std::string_view name, std::string message, std::string hint = {});
   void warning(std::string_view name, std::string message, std::string hint = {});
   Diagnostics& diagnostics() { return diagnostics_; }
+  /// In force where the directive was written.
+  ColourSpace space() const { return list_ ? list_->space : ColourSpace::srgb; }
   const std::string& subject() const { return subject_; }
 
  private:

@@ -59,7 +59,7 @@ LoadedScene::LoadedScene(const std::string& name, std::string text, const Choice
 void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
-  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true};
+  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal};
   world = std::make_unique<World>(*description, world_options, diagnostics);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });

@@ -50,8 +50,8 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   const int errors = diagnostics.error_count();
   for (const State& state : states.states) {
     ParamReader reader(state.params, "camera \"" + use.type + "\"", use.where, diagnostics);
-    cameras.states.emplace_back(
-        plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width, options.height}));
+    cameras.states.emplace_back(plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width,
+                                                                   options.height, options.film_diagonal}));
     if (diagnostics.error_count() > errors) break;
   }
   return cameras;

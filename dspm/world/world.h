@@ -18,6 +18,7 @@ struct WorldOptions {
   int width = 1, height = 1;  // of the full image, for the camera
   std::string accel;          // a plugin's name; empty: what the scene says, else two-level
   bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
+  float film_diagonal = CameraContext().film_diagonal;
 };
 
 class World {

@@ -52,7 +52,7 @@ float sum_of_weights(const DirectBalance& balance, const SceneLight& light, cons
                      const DirectBalance::Place& place) {
   Illumination lit{-start.ray.direction, length(place.p - start.ray.origin), Rgb(1), 0, start.normal, start.primitive};
   if (state.is_infinite()) {
-    lit.distance = kInfinity, lit.pdf_w = state.escaped_pdf_w(lit.wi);
+    lit.distance = kInfinity, lit.pdf_w = state.escaped_pdf_w({place.p, lit.wi});
   } else if (!light.is_delta) {
     SurfacePoint point{};
     point.p = start.ray.origin, point.ng = point.ns = start.normal;

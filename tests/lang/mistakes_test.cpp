@@ -297,11 +297,11 @@ const Mistake kNames[] = {
      "scene.dsc:1:8: error: dspm has no Option \"wavefront\"\n"
      "    1 | Option \"wavefront\" true\n"
      "      |        ^~~~~~~~~~~\n"},
-    {"ColorSpace \"rec2020\"\nWorldBegin",
-     "scene.dsc:1:12: error: dspm has no ColorSpace \"rec2020\"\n"
-     "    1 | ColorSpace \"rec2020\"\n"
+    {"ColorSpace \"rec2022\"\nWorldBegin",
+     "scene.dsc:1:12: error: unknown ColorSpace \"rec2022\"\n"
+     "    1 | ColorSpace \"rec2022\"\n"
      "      |            ^~~~~~~~~\n"
-     "  available: srgb\n"},
+     "  did you mean \"rec2020\"? available: srgb, rec2020, aces2065-1, dci-p3\n"},
     {"WorldBegin\nShape \"a\" \"float f\" $radius",
      "scene.dsc:2:21: error: $radius has no value\n"
      "    2 | Shape \"a\" \"float f\" $radius\n"

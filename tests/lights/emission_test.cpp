@@ -103,7 +103,7 @@ TEST(Emission, FromInfinitelyFarAwayIsAcrossTheDisk) {
     for_each_emission(*sky.light, [&](const Emission& e) {
       EXPECT_NEAR(e.pdf.position / on_disk, 1, 1e-6f) << sky.name;
       expect_deltas(e.pdf, false, false, sky.name);
-      const Rgb seen = sky.light->escaped(-e.ray.direction);
+      const Rgb seen = sky.light->escaped({{}, -e.ray.direction});
       const Rgb product = e.flux * (e.pdf.position * e.pdf.direction);
       const float off = std::max(max_component(product - seen), max_component(seen - product));
       ++n, at_a_border += off > 1e-4f * max_component(seen) ? 1 : 0;

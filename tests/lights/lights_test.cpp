@@ -89,13 +89,13 @@ TEST(Infinite, ConstantIsTheSameEverywhere) {
     const Illumination l = light->illuminate({}, random.pair()).value();
     EXPECT_EQ(l.radiance, Rgb(2, 4, 6));
     EXPECT_NEAR(l.pdf_w, 1 / (4 * kPi), 1e-6f);
-    EXPECT_EQ(light->escaped(l.wi), l.radiance);
-    EXPECT_NEAR(light->escaped_pdf_w(l.wi), l.pdf_w, 1e-6f);
+    EXPECT_EQ(light->escaped({{}, l.wi}), l.radiance);
+    EXPECT_NEAR(light->escaped_pdf_w({{}, l.wi}), l.pdf_w, 1e-6f);
   }
   EXPECT_NEAR(light->power().g, 4 * (4 * kPi) * (4 * kPi),
               1e-2f);  // L times the disk's area times the sphere of directions
   const auto lux = make_light("infinite", {number("illuminance", 5)}, {});
-  EXPECT_NEAR(lux->escaped({0, 0, 1}).g, 5 / kPi, 1e-6f);
+  EXPECT_NEAR(lux->escaped({{}, {0, 0, 1}}).g, 5 / kPi, 1e-6f);
 }
 
 // An image is turned with its light; illuminance is what faces +z of the light gets.
@@ -111,9 +111,9 @@ TEST(Infinite, ImagesAreTurnedAndScaled) {
   LightContext context;
   context.to_world = Transform(Matrix4::rotate(-90, 1, 0, 0));  // +z becomes +y
   const auto light = make_light("infinite", {text("filename", file.path()), number("scale", 2)}, context);
-  EXPECT_EQ(light->escaped(normalize({0, 1, 0.05f})).b, 2);  // the upper hemisphere is the inner diamond
-  EXPECT_EQ(light->escaped(normalize({0, -0.05f, 1})).b, 0);
-  EXPECT_GT(light->escaped(normalize({1, 0.01f, 0})).r, 2 * 125);  // +x is the right edge's middle
+  EXPECT_EQ(light->escaped({{}, normalize({0, 1, 0.05f})}).b, 2);  // the upper hemisphere is the inner diamond
+  EXPECT_EQ(light->escaped({{}, normalize({0, -0.05f, 1})}).b, 0);
+  EXPECT_GT(light->escaped({{}, normalize({1, 0.01f, 0})}).r, 2 * 125);  // +x is the right edge's middle
 
   const auto lux = make_light("infinite", {text("filename", file.path()), number("illuminance", 5)}, context);
   double sum = 0;
@@ -135,7 +135,7 @@ TEST(Infinite, SamplesFollowEscapedPdfWUnderAnyTransform) {
     DensityComparison comparison;
     comparison.add_samples(
         200'000, [&](Sequence& random) { comparison.sample(light->illuminate({}, random.pair()).value().wi); });
-    comparison.add_claims(200'000, [&](const Vec3& w) { return light->escaped_pdf_w(w); });
+    comparison.add_claims(200'000, [&](const Vec3& w) { return light->escaped_pdf_w({{}, w}); });
     EXPECT_GT(comparison.p_value(), 0.001);
     EXPECT_LT(comparison.deviation(), 4);
   }
@@ -149,7 +149,7 @@ TEST(Infinite, BlackOrSpoiltImagesGiveNoLight) {
   EXPECT_TRUE(is_black(light->power()));
   EXPECT_FALSE(light->emit({}, {}));
   EXPECT_FALSE(light->illuminate({}, {}));
-  EXPECT_EQ(light->escaped({0, 0, 1}), Rgb());
+  EXPECT_EQ(light->escaped({{}, {0, 0, 1}}), Rgb());
 }
 
 // Frames whose lights are multiples of one another share photons, so a light of another place or shape must not count

@@ -61,9 +61,9 @@ class CameraSubpathTracer {
 
   void escaped(const CameraSubpath& path, FrameSet frames) {
     const Vec3& w = path.ray.direction;
-    for_each_escape(scene_, frames, w,
+    for_each_escape(scene_, frames, path.ray,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
-                      const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(w);
+                      const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(path.ray);
                       const LightStart start{{path.ray.origin, -w}, {}, -1};
                       // Nothing else finds a light that the camera sees.
                       const float emission = path.bounces > 0 ? emission_density(pass_, scene_light, light, start) : 0;

@@ -1,4 +1,4 @@
-#include "dspm/lights/sphere_mapping.h"
+#include "dspm/math/sphere_mapping.h"
 
 namespace dspm {
 namespace {

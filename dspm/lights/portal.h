@@ -1,0 +1,20 @@
+// "point3 portal" of an infinite light: a rectangle that its light must pass.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "dspm/lights/environment_map.h"
+#include "dspm/lights/light.h"
+#include "dspm/lights/rectangle.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+/// Four points in the world. Nullopt if they are not given, or after an error.
+std::optional<Rectangle> read_portal(ParamReader& reader);
+
+std::unique_ptr<Light> make_portal_light(const LightContext& context, const EnvironmentMap& map, float scale,
+                                         const Rectangle& portal);
+
+}  // namespace dspm
