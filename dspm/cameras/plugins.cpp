@@ -3,7 +3,7 @@
 
 namespace dspm {
 
-MakeCamera make_orthographic, make_perspective;
+MakeCamera make_orthographic, make_perspective, make_spherical;
 
 PluginTable<Plugin<MakeCamera>>& camera_plugins() {
   static PluginTable<Plugin<MakeCamera>> table(
@@ -11,8 +11,9 @@ PluginTable<Plugin<MakeCamera>>& camera_plugins() {
       {
           {"orthographic", "parallel rays, with an optional thin lens", make_orthographic},
           {"perspective", "a pinhole or a thin lens", make_perspective},
+          {"spherical", "sees all around from one point", make_spherical},
       },
-      {"realistic", "spherical"});
+      {"realistic"});
   return table;
 }
 

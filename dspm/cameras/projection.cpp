@@ -27,6 +27,8 @@ void read_window(ParamReader& reader, Screen& screen) {
   screen.left = window[0], screen.right = window[1], screen.bottom = window[2], screen.top = window[3];
 }
 
+}  // namespace
+
 // dspm renders moments: lang refuses transforms that move while the shutter is open, so the shutter only sets
 // Job::exposure.
 void read_shutter(ParamReader& reader) {
@@ -35,8 +37,6 @@ void read_shutter(ParamReader& reader) {
       "shutterclose", 1, "s",
       "when it closes; nothing moves in between, and unless it is after shutteropen, images are multiplied by 1");
 }
-
-}  // namespace
 
 Ray ThinLens::through(const Ray& central, Vec2 u) const {
   if (!(radius > 0)) return central;
@@ -73,13 +73,17 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
   return p;
 }
 
-Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
+Sighting carried_across(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
   const Vec3 way = to_world.vector(origin - p), local = normalize(origin - p);
   const Vec3 x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
   // A thin tube along w: its volume scales by the determinant, its length as w does, so its cross-section by the
   // quotient.
   const float section = std::abs(dot(cross(x, y), z)) / length(to_world.vector(local));
-  return {film, normalize(way), length(way), pixels / (std::abs(local.z) * section)};
+  return {film, normalize(way), length(way), pixels / section};
+}
+
+Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
+  return carried_across(to_world, film, p, origin, pixels / std::abs(normalize(origin - p).z));
 }
 
 float mean_spacing(const Transform& to_world, Vec2 size) {

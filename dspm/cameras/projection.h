@@ -55,7 +55,12 @@ inline Ray carried(const Transform& to_world, const Ray& ray) {
   return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
 }
 
-/// A sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to z covers `pixels` at p.
+/// Reads "shutteropen" and "shutterclose".
+void read_shutter(ParamReader& reader);
+
+/// A sighting of the camera-space point `p` from `origin`, where an area of 1 across the way covers `pixels` at p.
+Sighting carried_across(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
+/// The same for an area of 1 perpendicular to z.
 Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
 
 /// The edge of a square as large as the rectangle that the camera-space vectors (size.x, 0, 0) and (0, size.y, 0) span

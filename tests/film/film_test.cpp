@@ -81,14 +81,15 @@ TEST(Film, WrongValuesAreErrors) {
                                                  {numbers("iso", {0})},
                                                  {numbers("maxcomponentvalue", {-1})},
                                                  {text("sensor", "canon_eos_5d")},
-                                                 {numbers("whitebalance", {5000})}};
+                                                 {numbers("whitebalance", {500})}};
   for (const auto& params : wrong) EXPECT_GT(read(params).diagnostics.error_count(), 0) << params.front().name;
 }
 
 TEST(Film, WhatIsNotBuiltIsAWarningWhereLenient) {
   const Reading r = read({text("sensor", "canon_eos_5d"), numbers("whitebalance", {5000})}, true);
   EXPECT_EQ(r.diagnostics.error_count(), 0);
-  EXPECT_EQ(r.diagnostics.all().size(), 2u);
+  EXPECT_EQ(r.diagnostics.all().size(), 1u);
+  EXPECT_EQ(r.film.white_kelvin, 5000);
 }
 
 /// pbrt-v4, film.cpp: edges at ceil(resolution * fraction) in single precision, fractions sorted and clamped.
@@ -149,9 +150,40 @@ TEST(Film, LimitedKeepsTheHue) {
   EXPECT_EQ(limited(Rgb(4, 2, 1), kInfinity), Rgb(4, 2, 1));
 }
 
+// What daylight of that temperature lights becomes white.
+TEST(Film, WhiteBalanceMakesItsDaylightWhite) {
+  FilmSettings film;
+  EXPECT_FALSE(white_balance(film));
+  for (const float kelvin : {2500.f, 5000.f, 9000.f}) {
+    film.white_kelvin = kelvin;
+    const Chromaticity white = white_of(static_cast<double>(kelvin));
+    const Chromaticities& rec709 = chromaticities(ColourSpace::srgb);
+    const ColourMatrix to_rgb = rgb_from_xyz(rec709);
+    Rgb daylight;
+    const double xyz[] = {white.x / white.y, 1, (1 - white.x - white.y) / white.y};
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < 3; ++k)
+        daylight[c] += static_cast<float>(to_rgb[static_cast<std::size_t>(c)][k] * xyz[k]);
+    const Rgb balanced = *white_balance(film) * daylight;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(balanced[c], 1, 1e-4f) << kelvin;
+  }
+}
+
+TEST(Film, OtherColourSpacesKeepWhite) {
+  FilmSettings film;
+  EXPECT_FALSE(to_film_space(film));
+  for (const ColourSpace space : {ColourSpace::rec2020, ColourSpace::dci_p3}) {
+    film.space = space;
+    const Rgb white = *to_film_space(film) * Rgb(1),
+              back = to_rec709(*to_film_space(film) * Rgb(.2f, .7f, .4f), space, SpectrumRole::albedo);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c], 1, 1e-5f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], Rgb(.2f, .7f, .4f)[c], 1e-5f);
+  }
+}
+
 TEST(Film, DescribesItsParameters) {
   const auto described = describe(film_plugins().front());
-  EXPECT_EQ(described.size(), 10u);
+  EXPECT_EQ(described.size(), 11u);
 }
 
 }  // namespace

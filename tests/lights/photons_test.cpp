@@ -174,6 +174,18 @@ TEST(Photons, AgreeWithIlluminationForDistantAndInfiniteLights) {
   }
 }
 
+TEST(Photons, AgreeWithIlluminationThroughPortals) {
+  LightContext context;
+  context.scene_center = {.5f, .2f, -1.5f};
+  context.scene_radius = 4;
+  const EnvironmentFile file(6, 6);
+  const Param portal{
+      ParamType::point3, "portal", {}, std::vector<float>{-1, -1, 1, -1, 1, 1, 1, 1, 1, 1, -1, 1}, {}, {}};
+  const auto light = make_light("infinite", {text("filename", file.path()), portal}, context);
+  expect_photons_agree(*light, kBelow, "portal");
+  expect_photons_agree(*light, kSlanted, "portal, slanted");
+}
+
 // With these the sphere around the scene is lit as a whole: photons start outside, and miss no part of it.
 TEST(Photons, OfDistantAndInfiniteLightsStartOutsideTheScene) {
   LightContext context;
