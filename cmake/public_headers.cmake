@@ -12,7 +12,8 @@ set(public_headers
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/tiles.h
   lights/light.h
-  materials/bsdf.h materials/material.h materials/microfacet.h materials/parameters.h materials/shading_frame.h
+  materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
+  materials/parameters.h materials/shading_frame.h
   math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
   modules/module.h modules/stamp.h
   params/errors.h params/params.h params/registry.h
@@ -39,8 +40,9 @@ set(toolkit_headers
   integrators/pixel_statistics.h
   integrators/progressive.h
   integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h integrators/surface_kernel.h
+  integrators/walk.h
   lights/aim.h lights/strength.h
-  materials/fresnel.h materials/interface.h
+  materials/fresnel.h materials/interface.h materials/relief.h
   math/frame_lanes.h
   shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

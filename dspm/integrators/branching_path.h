@@ -4,9 +4,12 @@
 
 #include <array>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
@@ -16,6 +19,7 @@ namespace dspm {
 ///   void arrived(const Path&, const Vertex&)              may push branches
 ///   void escaped(const Path&, FrameSet)
 ///   void lost(const Path&, FrameSet, const SceneElement&)    the surface is not finite; the shape to blame
+///   void wandered(const Path& before, const Path& after)  optional: what the path carries has changed inside a body
 template <class Path>
 class BranchingPath {
  public:
@@ -41,11 +45,9 @@ class BranchingPath {
   /// Hands one part of the hit partition to the tracer.
   template <class Tracer>
   void arrive(const Path& path, const FrameHit& part, Tracer& tracer) {
+    if (path.walk.is_inside()) return wander(path, part, tracer);
     if (part.hit.missed()) return tracer.escaped(path, part.frames);
-    const Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
-    parted_ |= vertex.differs();
-    if (is_finite(vertex.point)) return tracer.arrived(path, vertex);
-    tracer.lost(path, part.frames, vertex.shape_element());
+    arrive_at_surface(path, part, tracer);
   }
 
   /// Called once all branches of a path have ended.
@@ -56,6 +58,42 @@ class BranchingPath {
   }
 
  private:
+  template <class Tracer>
+  void arrive_at_surface(const Path& path, const FrameHit& part, Tracer& tracer) {
+    const Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
+    parted_ |= vertex.differs();
+    if (!is_finite(vertex.point)) return tracer.lost(path, part.frames, vertex.shape_element());
+    for_each_relief(vertex, [&](const Vertex& shown) { tracer.arrived(path, shown); });
+  }
+
+  /// A path inside a body is scattered there if its ray ends before the surface, and may be thrown back by the surface.
+  /// No tracer knows of these vertices.
+  template <class Tracer>
+  void wander(const Path& path, const FrameHit& part, Tracer& tracer) {
+    Path after = path;
+    after.frames = part.frames;
+    bool stays = part.hit.missed();
+    if (stays)
+      after.throughput *= is_lost(after.ray) ? Rgb() : after.walk.scatter(after.ray, after.random, after.bounces);
+    else
+      after.throughput *= after.walk.reach(part.hit.t);
+    if constexpr (requires { tracer.wandered(path, after); }) tracer.wandered(path, after);
+    if (is_black(after.throughput)) return;
+    if (!stays) {
+      const SurfacePoint point = scene_.surface_point(part.hit);
+      const bool leaves = is_finite(point) && dot(point.ng, path.ray.direction) > 0;
+      stays = leaves && after.walk.is_thrown_back(after.ray, point, -point.ng, after.random, after.bounces);
+    }
+    if (stays)
+      push(after);
+    else
+      arrive_at_surface(after, part, tracer);
+  }
+  /// Far outside, through a hole in the body's surface.
+  bool is_lost(const Ray& ray) const {
+    return !(length2(ray.at(ray.t_max) - scene_.center) < 4 * scene_.radius * scene_.radius);
+  }
+
   const Scene& scene_;
   FrameSet frames_;
   PathCounts& counts_;

@@ -206,7 +206,8 @@ class HitPointTracer {
                       Fn&& fn) {
     if (!settings_.go_on && !looks_for_lights()) return;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
-    if (!sample) return;
+    const bool in_vain = !settings_.go_on && sample && bsdf.enters(sample->wi);  // no light is seen inside a body
+    if (!sample || in_vain) return;
     if (!is_finite(sample->wi)) return out_.reject(path, path.frames, vertex.material_element());
     fn(*sample);
   }

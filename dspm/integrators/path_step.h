@@ -9,6 +9,9 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dimension.h"
 #include "dspm/integrators/strand.h"
+#include "dspm/integrators/walk.h"
+#include "dspm/materials/relief.h"
+#include "dspm/math/frame_array.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/rng.h"
@@ -26,6 +29,7 @@ struct PathState {
   float eta_scale = 1;     // what throughput has of the camera's weight and of refractions, which it regains on leaving
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path
+  Walk walk = {};          // through the body that the path is in, if that scatters
 
   /// The diameter of what the path stands for at the end of its next segment, in the world: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
@@ -65,14 +69,59 @@ struct Vertex {
   SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
 
+/// Calls fn(FrameSet, const Material&) for each material that the point is made of in some of the vertex's frames. Mixes
+/// that differ may agree about a point.
+template <class Fn>
+void for_each_material(const Vertex& vertex, Fn&& fn) {
+  struct Made {
+    FrameSet frames;
+    const Material* of;
+  };
+  FrameArray<Made> all;
+  vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& state) {
+    const Material& material = state.at(vertex.point);
+    if (&material != &state)
+      for (Made& made : all)
+        if (made.of == &material) return static_cast<void>(made.frames |= frames);
+    all.add({frames, &material});
+  });
+  for (const Made& made : all) fn(made.frames, *made.of);
+}
+
 /// Calls fn(FrameSet, const Bsdf&) for each distinct scattering function among the vertex's frames: one, unless the
 /// material differs between them.
 template <class Fn>
 void for_each_surface(const Vertex& vertex, Fn&& fn) {
-  vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& material) {
+  for_each_material(vertex, [&](FrameSet frames, const Material& material) {
     BsdfSlot slot;
     fn(frames, material.bsdf(vertex.point, slot));
   });
+}
+
+/// Calls fn(const Vertex&) with the normals that the materials' reliefs give: once, unless they differ between the
+/// frames. `vertex` has those of the shape.
+template <class Fn>
+void for_each_relief(const Vertex& vertex, Fn&& fn) {
+  struct Bent {
+    FrameSet frames;
+    Vec3 ns;
+  };
+  FrameArray<Bent> all;
+  for_each_material(vertex, [&](FrameSet frames, const Material& material) {
+    const Relief* relief = material.relief();
+    const Vec3 ns = relief == nullptr
+                        ? vertex.point.ns
+                        : relief->bent(vertex.point, vertex.shape, vertex.hit.primitive, vertex.hit.uv).ns;
+    for (Bent& bent : all)
+      if (bent.ns == ns) return static_cast<void>(bent.frames |= frames);
+    all.add({frames, ns});
+  });
+  if (all.size() == 1 && all[0].ns == vertex.point.ns) return static_cast<void>(fn(vertex));
+  for (const Bent& bent : all) {
+    Vertex shown = vertex;
+    shown.frames = bent.frames, shown.point.ns = bent.ns;
+    fn(static_cast<const Vertex&>(shown));
+  }
 }
 
 inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
@@ -154,6 +203,8 @@ inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSam
   path.eta_scale *= sample.eta_scale;
   path.ray = point.spawn(sample.wi);
   ++path.bounces;
+  if (sample.ahead) path.walk = Walk(*sample.ahead);
+  path.walk.start(path.ray, path.random, path.bounces);
 }
 inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.throughput *= sample.weight;

@@ -3,6 +3,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/mixed_frames.h"
 #include "dspm/integrators/photon_starts.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -101,42 +102,59 @@ class PhotonTracer {
     balance(path, frames, &EnergyBalance::absorbed);
   }
 
+  void wandered(const PhotonPath& before, const PhotonPath& after) {
+    balance(before.strands, after.frames, [&](EnergyBalance& e, const Rgb& weight) {
+      e.absorbed += sum(before.throughput * weight) - sum(after.throughput * weight);
+    });
+  }
+
   void arrived(const PhotonPath& path, const Vertex& vertex) {
     if (path.bounces == 0 && vertex.hit.t < started_[static_cast<std::size_t>(path.start)].must_reach)
       return balance(path, vertex.frames, &EnergyBalance::absorbed);
     if (vertex.differs()) return scatter_together(path, vertex);
+    Stored stored = stored_on_mixes(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (gathering_lobes(bsdf, settings_.least_alpha) != 0) store(path, vertex, frames);
-      if (is_hidden_on(path, bsdf)) store_hidden(path, vertex, frames);
+      add(stored, path, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
         extend(path, vertex, sample, rough, {&all, 1});
       });
     });
+    store(path, vertex, stored);
   }
 
   [[gnu::noinline]] void scatter_together(const PhotonPath& path, const Vertex& vertex) {
-    FrameSet gathering, hidden;
+    Stored stored = stored_on_mixes(path, vertex);
     FrameArray<Scattered> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      if (gathering_lobes(bsdf, settings_.least_alpha) != 0) gathering |= frames;
-      if (is_hidden_on(path, bsdf)) hidden |= frames;
+      add(stored, path, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         scattered.add({frames, factor, sample, rough});
       });
     });
-    if (!gathering.empty()) store(path, vertex, gathering);
-    if (!hidden.empty()) store_hidden(path, vertex, hidden);
+    store(path, vertex, stored);
     for_each_joint(scattered, settings_.share_paths, [&](const Scattered& first, std::span<const FrameFactor> factors) {
       extend(path, vertex, first.sample, first.rough, factors);
     });
   }
 
-  void store(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
-    if ((path.kind & settings_.kinds) != 0) store(out_.photons, path, vertex, frames);
+  /// The frames in which the surface gathers, or may gather right beside the point.
+  struct Stored {
+    FrameSet gathering, hidden;
+  };
+  bool gathers(const Bsdf& bsdf) const { return gathering_lobes(bsdf, settings_.least_alpha) != 0; }
+  Stored stored_on_mixes(const PhotonPath& path, const Vertex& vertex) const {
+    return {mixed_frames(vertex, [&](const Bsdf& bsdf) { return gathers(bsdf); }),
+            mixed_frames(vertex, [&](const Bsdf& bsdf) { return is_hidden_on(path, bsdf); })};
   }
-  void store_hidden(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
-    store(out_.hidden, path, vertex, frames);
+  void add(Stored& stored, const PhotonPath& path, FrameSet frames, const Bsdf& bsdf) const {
+    if (gathers(bsdf)) stored.gathering |= frames;
+    if (is_hidden_on(path, bsdf)) stored.hidden |= frames;
+  }
+  void store(const PhotonPath& path, const Vertex& vertex, const Stored& stored) {
+    if (!stored.gathering.empty() && (path.kind & settings_.kinds) != 0)
+      store(out_.photons, path, vertex, stored.gathering);
+    if (!stored.hidden.empty()) store(out_.hidden, path, vertex, stored.hidden);
   }
   /// Excludes light straight from the light source, which shadow rays find.
   bool is_hidden_on(const PhotonPath& path, const Bsdf& bsdf) const {
@@ -268,22 +286,6 @@ void finish_balance(PhotonTrace& trace, int frames) {
 }
 
 }  // namespace
-
-void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
-  for (const PhotonTrace& trace : traces) {
-    statistics.photon += trace.paths;
-    statistics.photons_stored += trace.stored;
-    statistics.rejections += trace.rejections;
-    for (std::size_t f = 0; f < statistics.energy.size(); ++f) statistics.energy[f] += trace.energy[f];
-  }
-}
-
-std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
-  std::size_t sum = 0;
-  for (const PhotonTrace& trace : traces)
-    sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) + trace.strands.bytes();
-  return sum;
-}
 
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {

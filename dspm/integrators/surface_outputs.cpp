@@ -133,8 +133,8 @@ class SurfaceOutputs final : public Integrator {
           vote(path.pixel, part.frames, [](Kind) { return kNone; });
           continue;
         }
-        const Vertex vertex(scene, path.ray, part, path.diameter(part.hit.t));
-        if (is_finite(vertex.point)) add(scene, path, vertex);
+        const Vertex met(scene, path.ray, part, path.diameter(part.hit.t));
+        if (is_finite(met.point)) for_each_relief(met, [&](const Vertex& vertex) { add(scene, path, vertex); });
       }
     };
     start_camera_paths(scene, render_, x, y, iteration, meet, [](const CameraPath&) {});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/interior.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -27,6 +28,8 @@ struct BsdfSample {
   bool specular;  // the direction was the only possible one: pdf_w and evaluate ignore it
   // The factor of refraction on radiance, (eta_i/eta_t)^2, which is undone on the way out: Russian roulette ignores it.
   float eta_scale = 1;
+  // Of the boundary of a body that scatters inside: what lies along wi, nothing if that is outside. Else nullopt.
+  std::optional<Interior> ahead = std::nullopt;
 };
 
 /// Plain values without owned memory: a Bsdf may be copied byte by byte (see BsdfSlot).
@@ -47,6 +50,8 @@ class Bsdf {
   virtual float lobe_probability(const Vec3& wo, LobeSet lobes) const = 0;
   /// Whether some of `lobes` transmits light through the surface.
   virtual bool transmits(LobeSet) const { return false; }
+  /// Whether w leads into a body that scatters inside: nothing is seen in a straight line there.
+  virtual bool enters(const Vec3& /*w*/) const { return false; }
   /// f if it is the same for all pairs of directions on the outer (ng) or both sides, and black through the surface:
   /// gathering then sums flux first and multiplies once (it handles light on the wrong side of ns itself). Else
   /// nullopt.

@@ -197,7 +197,6 @@ void read_random_walk(ParamReader& reader) {
 std::unique_ptr<Material> make_coateddiffuse(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<CoatedDiffuseMaterial>(reader, context);
   read_random_walk(reader);
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return material;
 }

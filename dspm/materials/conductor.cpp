@@ -137,7 +137,6 @@ class ConductorMaterial final : public Material {
 
 std::unique_ptr<Material> make_conductor(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<ConductorMaterial>(reader, context);
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return material;
 }

@@ -179,7 +179,6 @@ class DielectricMaterial final : public Material {
 
 std::unique_ptr<Material> make_dielectric(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<DielectricMaterial>(reader, context);
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return material;
 }

@@ -67,7 +67,6 @@ class DiffuseMaterial final : public Material {
 std::unique_ptr<Material> make_diffuse(ParamReader& reader, const MaterialContext& context) {
   const auto reflectance =
       reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "fraction of the light that is reflected");
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<DiffuseMaterial>(texture_of(reflectance, context.textures, reader.diagnostics()));
 }

@@ -98,7 +98,6 @@ std::unique_ptr<Material> make_diffusetransmission(ParamReader& reader, const Ma
                                                    "fraction of the light that leaves on the other side");
   const float scale = reader.number("scale", 1, "", "multiplies both");
   if (!(scale >= 0)) reader.error("scale", "\"scale\" must not be negative");
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<DiffuseTransmissionMaterial>(
       texture_of(reflectance, context.textures, reader.diagnostics()),

@@ -5,12 +5,14 @@
 #include <span>
 
 #include "dspm/materials/bsdf.h"
+#include "dspm/materials/material_set.h"
 #include "dspm/params/params.h"
 #include "dspm/params/registry.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {
 
+class Relief;
 class TextureSet;
 
 class Material {
@@ -20,10 +22,29 @@ class Material {
   virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
   /// Whether light enters the body: its mesh should then be closed and its normals point outward.
   virtual bool bounds_a_body() const { return false; }
+  /// False: light passes as if the surface were not there, so its shapes are left out of the scene.
+  virtual bool is_seen() const { return true; }
+  /// Of a mix, `depth` mixes deep: which of its materials the point is made of. Null: this one.
+  virtual const Material* chosen(const SurfacePoint& /*point*/, int /*depth*/) const { return nullptr; }
+
+  /// The material that the point is made of: this one, unless it is a mix.
+  const Material& at(const SurfacePoint& point) const {
+    const Material* here = this;
+    for (int depth = 0; const Material* next = here->chosen(point, depth); ++depth) here = next;
+    return *here;
+  }
+
+  /// What bends its normals, whatever the plugin; null: nothing. Set once, when the material is made.
+  const Relief* relief() const { return relief_.get(); }
+  void set_relief(std::shared_ptr<const Relief> relief) { relief_ = std::move(relief); }
+
+ private:
+  std::shared_ptr<const Relief> relief_;
 };
 
 struct MaterialContext {
   const TextureSet& textures;
+  const MaterialSet& materials = MaterialSet::none();  // those that the parameters name
 };
 
 using MakeMaterial = std::unique_ptr<Material>(ParamReader&, const MaterialContext&);

@@ -33,23 +33,17 @@ Vec2 Roughness::alpha(const SurfacePoint& point) const {
   return remap_ ? Vec2{roughness_to_alpha(roughness.x), roughness_to_alpha(roughness.y)} : roughness;
 }
 
-float read_eta(ParamReader& reader) {
-  constexpr float kGlass = 1.5f;
-  const Rgb eta = reader.rgb("eta", Rgb(kGlass), SpectrumRole::unbounded, "index of refraction inside over outside");
+float read_eta(ParamReader& reader, float fallback) {
+  const Rgb eta = reader.rgb("eta", Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
   const float mean = (eta.r + eta.g + eta.b) / 3;
   if (!(mean > 0)) {
     reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be above 0");
-    return kGlass;
+    return fallback;
   }
   if (eta.r != eta.g || eta.g != eta.b)
     reader.diagnostics().note(reader.where("eta"),
                               fmt::format("dispersion is not supported: eta is {:.4g}, the mean of its colours", mean));
   return mean;
-}
-
-void refuse_unbuilt_parameters(ParamReader& reader) {
-  reader.unsupported("displacement", "normals come from the shape alone");
-  reader.unsupported("normalmap", "normals come from the shape alone");
 }
 
 }  // namespace dspm

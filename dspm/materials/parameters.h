@@ -34,9 +34,6 @@ class Roughness {
 };
 
 /// "eta", an index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
-float read_eta(ParamReader& reader);
-
-/// "displacement" and "normalmap", which pbrt knows for every material.
-void refuse_unbuilt_parameters(ParamReader& reader);
+float read_eta(ParamReader& reader, float fallback = 1.5f);
 
 }  // namespace dspm

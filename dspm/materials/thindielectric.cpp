@@ -67,7 +67,6 @@ class ThinDielectricMaterial final : public Material {
 
 std::unique_ptr<Material> make_thindielectric(ParamReader& reader, const MaterialContext&) {
   const float eta = read_eta(reader);
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<ThinDielectricMaterial>(eta);
 }

@@ -14,6 +14,7 @@
 #include "dspm/lights/light.h"
 #include "dspm/lights/photon_controls.h"
 #include "dspm/materials/material.h"
+#include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shape.h"
@@ -38,9 +39,11 @@ void add(std::vector<CatalogueEntry>& entries, const PluginTable<AnyPlugin>& plu
 }
 
 /// What dspm reads for plugins of that kind, besides what they read.
-void add_common(std::vector<CatalogueEntry>& entries, std::string_view kind, void (*read)(ParamReader&)) {
+void add_common(
+    std::vector<CatalogueEntry>& entries, std::string_view kind, void (*read)(ParamReader&),
+    bool (*of)(std::string_view name) = [](std::string_view) { return true; }) {
   for (CatalogueEntry& entry : entries)
-    if (entry.kind == kind)
+    if (entry.kind == kind && of(entry.name))
       entry.params = [own = std::move(entry.params), read] {
         std::vector<ParamInfo> all = own();
         Diagnostics ignored;
@@ -75,6 +78,8 @@ std::vector<CatalogueEntry> all_plugins() {
   add(entries, accel_plugins(), no_shapes, no_frames);
   add(entries, integrator_plugins(), scene, settings);
   add_common(entries, shape_plugins().kind(), [](ParamReader& params) { read_shape_caustics(params); });
+  add_common(
+      entries, material_plugins().kind(), [](ParamReader& params) { read_relief(params, texture); }, has_relief);
   for (const auto* lights : {&light_plugins(), &area_light_plugins()})
     add_common(entries, lights->kind(), [](ParamReader& params) { read_photon_controls(params); });
   return entries;

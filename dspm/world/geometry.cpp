@@ -48,6 +48,11 @@ std::string name_in_file(const ShapeUse& use) {
   return std::filesystem::path(texts->front()).stem().string();
 }
 
+/// In some frame.
+bool is_there(const WorldShape& shape) {
+  return std::find(shape.present.begin(), shape.present.end(), true) != shape.present.end();
+}
+
 std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
 
 }  // namespace
@@ -71,8 +76,10 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   for (const ObjectDefinition& object : description.objects)
     if (const auto found = uses.find(object.name); found != uses.end())
       for (const ShapeUse& shape : object.shapes) add_source(shape, found->second);
-  for (const WorldShape& shape : shapes_)
+  for (const WorldShape& shape : shapes_) {
+    if (!is_there(shape)) continue;
     for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+  }
 }
 
 void Geometry::refuse_unknown_objects() {
@@ -101,6 +108,7 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   for (const MadeShape& shape : source.made.front())
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
   for (const MadeShape& shape : source.made.front()) source.lights.push_back(area_light(use, shape));
+  leave_out_lights_of_unseen(use, source);
   for (const MadeShapes& made : source.made)
     if (made.size() != source.materials.size())
       return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
@@ -124,6 +132,20 @@ const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& m
   light.params.params = {param_of(ParamType::rgb, "L", std::vector{radiance.r, radiance.g, radiance.b}, use.where),
                          param_of(ParamType::boolean, "twosided", std::vector{true}, use.where)};
   return &light;
+}
+
+bool Geometry::is_seen(int material, FileFrame frame) const { return material < 0 || looks_.is_seen(material, frame); }
+
+/// As in pbrt: a surface that is not there emits nothing.
+void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
+  for (std::size_t i = 0; i < source.materials.size(); ++i) {
+    if (source.lights[i] == nullptr) continue;
+    bool seen = false;
+    for (FileFrame f(0); f.index() < description_.frames.count(); ++f) seen |= is_seen(source.materials[i], f);
+    if (seen) continue;
+    source.lights[i] = nullptr;
+    diagnostics_.warning(use.where, fmt::format("{} is an interface, so its area light is left out", subject_of(use)));
+  }
 }
 
 /// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of
@@ -219,9 +241,9 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
         emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
       }
     }
-    for (std::size_t f = 0; f < present.size(); ++f)
-      if (const int state = places.state_of[f]; state >= 0)
-        shapes_[first + static_cast<std::size_t>(state)].present[f] = true;
+    for (FileFrame f(0); f.index() < static_cast<int>(present.size()); ++f)
+      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
+        shapes_[first + static_cast<std::size_t>(state)].present[f.slot()] = true;
     if (emitter.use) emitters_.push_back(std::move(emitter));
   }
 }

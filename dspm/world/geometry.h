@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
 #include "dspm/shapes/placed_shape.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/looks.h"
@@ -45,6 +46,8 @@ class Geometry {
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);
+  bool is_seen(int material, FileFrame frame) const;
+  void leave_out_lights_of_unseen(const ShapeUse& use, Source& source);
   int object_of(const ShapeUse& use, const ObjectUse* instance);
   const AreaLightUse* area_light(const ShapeUse& use, const MadeShape& made);
 

@@ -8,6 +8,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/lang/description.h"
+#include "dspm/materials/material.h"
 #include "dspm/math/transform.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/texture.h"
@@ -33,11 +34,11 @@ Definition definition_of(const SceneDescription& scene, const TextureUse& own);
 template <class T>
 struct Look;
 
-/// A texture that parameters name, in one of its states.
+/// A texture or material that parameters name, in one of its states.
 template <class T>
 struct Ingredient {
   std::string name;
-  const Look<Texture<T>>* look;
+  const Look<T>* look;
   int state;
   friend bool operator==(const Ingredient& a, const Ingredient& b) { return a.look == b.look && a.state == b.state; }
 };
@@ -47,11 +48,12 @@ struct Recipe {
   const PluginUse* use = nullptr;
   ParamList params;  // of one moment
   Matrix4 placement;
-  std::vector<Ingredient<float>> numbers;
-  std::vector<Ingredient<Rgb>> colours;
+  std::vector<Ingredient<FloatTexture>> numbers;
+  std::vector<Ingredient<RgbTexture>> colours;
+  std::vector<Ingredient<Material>> materials;
   friend bool operator==(const Recipe& a, const Recipe& b) {
     return a.use->type == b.use->type && a.placement == b.placement && a.numbers == b.numbers &&
-           a.colours == b.colours && a.params.same_values(b.params);
+           a.colours == b.colours && a.materials == b.materials && a.params.same_values(b.params);
   }
 };
 

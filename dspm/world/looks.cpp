@@ -21,19 +21,30 @@ std::vector<std::string> named_textures(const ParamList& params) {
   return names;
 }
 
+bool names_materials(const Param& param) { return param.type == ParamType::text && param.name == "materials"; }
+
+constexpr int kNotYet = -2, kUnderWay = -3;  // of a material that is added with those that it names
+constexpr int kDeepestMix = 64;
+
 /// A recipe before its parameters are evaluated.
 struct Source {
   Definition::Use use;
   Moment moment;
-  std::vector<Ingredient<float>> numbers;
-  std::vector<Ingredient<Rgb>> colours;
+  std::vector<Ingredient<FloatTexture>> numbers;
+  std::vector<Ingredient<RgbTexture>> colours;
+  std::vector<Ingredient<Material>> materials;
 
   friend bool operator==(const Source& a, const Source& b) {
-    return a.use.plugin == b.use.plugin && a.moment == b.moment && a.numbers == b.numbers && a.colours == b.colours;
+    return a.use.plugin == b.use.plugin && a.moment == b.moment && a.numbers == b.numbers && a.colours == b.colours &&
+           a.materials == b.materials;
   }
   Recipe recipe() const {
-    return {use.plugin, use.plugin->params.is_keyed() ? use.plugin->params.at(moment) : use.plugin->params,
-            use.motion ? use.motion->at(moment) : Matrix4(), numbers, colours};
+    return {use.plugin,
+            use.plugin->params.is_keyed() ? use.plugin->params.at(moment) : use.plugin->params,
+            use.motion ? use.motion->at(moment) : Matrix4(),
+            numbers,
+            colours,
+            materials};
   }
 };
 
@@ -54,19 +65,58 @@ int lookups_for(const Recipe& recipe) {
 Looks::Looks(const SceneDescription& description, Diagnostics& diagnostics)
     : description_(description), diagnostics_(diagnostics), images_(!description.options.disable_texture_filtering) {
   for (const TextureUse& use : description.textures) add_texture(use);
-  for (const MaterialUse& use : description.materials) {
-    const std::string& name = use.name.empty() ? use.type : use.name;
-    of_use_.push_back(add_material(use, fmt::format("material \"{}\"", name), name));
-    if (!use.name.empty() && !by_name_.emplace(use.name, of_use_.back()).second)
+  for (std::size_t i = 0; i < description.materials.size(); ++i) {
+    const MaterialUse& use = description.materials[i];
+    if (!use.name.empty() && !uses_.emplace(use.name, i).second)
       diagnostics.error(use.where, fmt::format("a material named \"{}\" exists already", use.name));
   }
+  of_use_.assign(description.materials.size(), kNotYet);
+  for (std::size_t i = 0; i < of_use_.size(); ++i) add_with_parts(i, 0);
+}
+
+int Looks::add_with_parts(std::size_t use_index, int depth) {
+  if (of_use_[use_index] != kNotYet) return of_use_[use_index];
+  const MaterialUse& use = description_.materials[use_index];
+  of_use_[use_index] = kUnderWay;
+  const auto add_part = [&](const std::string& name, const Param& param) {
+    const auto found = uses_.find(name);
+    if (found == uses_.end()) {
+      std::vector<std::string> names;
+      for (const auto& [known, index] : uses_) names.push_back(known);
+      diagnostics_.error(param.values_where, fmt::format("there is no material named \"{}\"", name),
+                         did_you_mean(name, names));
+    } else if (of_use_[found->second] == kUnderWay) {
+      diagnostics_.error(param.values_where, fmt::format("material \"{}\" is made of itself", name));
+    } else if (depth == kDeepestMix) {
+      diagnostics_.error(param.values_where, fmt::format("mixes are nested more than {} deep", kDeepestMix));
+    } else {
+      add_with_parts(found->second, depth + 1);
+    }
+  };
+  for (const Definition::Use& each : definition_of(description_, use).uses)
+    for (const Param& param : each.plugin->params.params)
+      if (names_materials(param))
+        for (const std::string& name : std::get<std::vector<std::string>>(param.values)) add_part(name, param);
+  const std::string& name = use.name.empty() ? use.type : use.name;
+  of_use_[use_index] = add_material(use, fmt::format("material \"{}\"", name), name);
+  if (!use.name.empty()) by_name_.emplace(use.name, of_use_[use_index]);
+  return of_use_[use_index];
 }
 
 template <class T>
-void Looks::add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, FileFrame frame) const {
+void Looks::add_ingredients(std::vector<Ingredient<Texture<T>>>& list, const ParamList& params, FileFrame frame) const {
   for (const std::string& name : named_textures(params))
     if (const auto found = textures<T>().by_name.find(name); found != textures<T>().by_name.end())
       list.push_back({name, found->second, found->second->recipes.at(frame)});
+}
+
+void Looks::add_ingredients(std::vector<Ingredient<Material>>& list, const ParamList& params, FileFrame frame) const {
+  for (const Param& param : params.params) {
+    if (!names_materials(param)) continue;
+    for (const std::string& name : std::get<std::vector<std::string>>(param.values))
+      if (const auto found = by_name_.find(name); found != by_name_.end() && found->second >= 0)
+        list.push_back({name, &look(found->second), look(found->second).recipes.at(frame)});
+  }
 }
 
 Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
@@ -76,9 +126,10 @@ Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
       frames.count(),
       [&](FileFrame f) {
         const Definition::Use& use = definition.uses[definition.use_of[frames.combination_of(f)]];
-        Source source{use, use.is_keyed() ? frames.moment(f) : Moment(), {}, {}};
-        add_ingredients(source.numbers, use.plugin->params, f);
-        add_ingredients(source.colours, use.plugin->params, f);
+        Source source{use, use.is_keyed() ? frames.moment(f) : Moment(), {}, {}, {}};
+        add_ingredients<float>(source.numbers, use.plugin->params, f);
+        add_ingredients<Rgb>(source.colours, use.plugin->params, f);
+        add_ingredients(source.materials, use.plugin->params, f);
         return std::optional(std::move(source));
       },
       [](const Source& a, const Source& b) { return a == b; });
@@ -142,79 +193,12 @@ int Looks::add_material(const MaterialUse& own, std::string name, const std::str
   const bool good = look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
     const auto made = make_material(recipe, textures, diagnostics_);
     look.bounds_a_body = look.bounds_a_body || (made && made->bounds_a_body());
+    look.seen.push_back(!made || made->is_seen());
     return made;
   });
-  if (!good) return -1;
+  if (!good || look.seen.size() < look.recipes.states.size()) return -1;
   materials_.push_back(std::move(look));
   return material_names_.add(public_name);
-}
-
-TextureSet Looks::known_textures(const Recipe& recipe) const {
-  TextureSet textures = names_;
-  const auto add_alive = [&](const auto& ingredient) {
-    if (auto alive = ingredient.look->made[static_cast<std::size_t>(ingredient.state)].lock())
-      textures.add(ingredient.name, std::move(alive));
-  };
-  for (const Ingredient<float>& each : recipe.numbers) add_alive(each);
-  for (const Ingredient<Rgb>& each : recipe.colours) add_alive(each);
-  return textures;
-}
-
-TextureSet Looks::made_textures(const Recipe& recipe, Diagnostics& diagnostics) const {
-  TextureSet textures;
-  for (const Ingredient<float>& each : recipe.numbers) textures.add(each.name, made(each, diagnostics));
-  for (const Ingredient<Rgb>& each : recipe.colours) textures.add(each.name, made(each, diagnostics));
-  return textures;
-}
-
-template <class T>
-TexturePtr<T> Looks::made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const {
-  const auto state = static_cast<std::size_t>(ingredient.state);
-  std::weak_ptr<const Texture<T>>& slot = ingredient.look->made[state];
-  TexturePtr<T> texture = slot.lock();
-  if (!texture) {
-    const Recipe& recipe = ingredient.look->recipes.states[state];
-    slot = texture = make_texture_of<T>(recipe, made_textures(recipe, diagnostics), diagnostics);
-  }
-  return texture;
-}
-
-template <class T>
-TexturePtr<T> Looks::make_texture_of(const Recipe& recipe, const TextureSet& textures, Diagnostics& diagnostics) const {
-  const PluginUse& use = *recipe.use;
-  ParamReader reader(recipe.params, fmt::format("texture \"{}\"", use.type), use.where, diagnostics,
-                     description_.main_directory());
-  return make_texture<T>(use.type, reader, {textures, Transform(recipe.placement), images_});
-}
-
-std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const TextureSet& textures,
-                                                     Diagnostics& diagnostics) const {
-  const PluginUse& use = *recipe.use;
-  const auto* plugin = material_plugins().find(use.type, use.type_where, diagnostics);
-  if (!plugin && !diagnostics.lenient()) return nullptr;
-  const ParamList none;  // with --lenient, unsupported materials become grey
-  if (!plugin) plugin = material_plugins().find("diffuse");
-  ParamReader reader(plugin->name == use.type ? recipe.params : none, fmt::format("material \"{}\"", use.type),
-                     use.where, diagnostics, description_.main_directory());
-  return plugin->make(reader, MaterialContext{textures});
-}
-
-std::vector<FrameStates<Material>> Looks::materials_in(const std::vector<FileFrame>& frames) const {
-  std::vector<FrameStates<Material>> materials;
-  Diagnostics diagnostics(true);
-  for (const MaterialLook& look : materials_) {
-    FrameStates<Material>& states = materials.emplace_back();
-    for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
-      const FrameSet set = frames_in_state(look.recipes, static_cast<int>(s), frames);
-      if (set.empty()) continue;
-      std::shared_ptr<const Material> material = look.made[s].lock();
-      const Recipe& recipe = look.recipes.states[s];
-      if (!material) look.made[s] = material = make_material(recipe, made_textures(recipe, diagnostics), diagnostics);
-      states.states.push_back({set, std::move(material)});
-    }
-  }
-  diagnostics.throw_if_errors();
-  return materials;
 }
 
 int Looks::find(const MaterialRef& ref) {

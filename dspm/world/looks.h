@@ -44,6 +44,10 @@ class Looks {
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
   /// Whether light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
+  /// Whether its shapes are there in a frame of the file.
+  bool is_seen(int material, FileFrame frame) const {
+    return look(material).seen[static_cast<std::size_t>(look(material).recipes.at(frame))];
+  }
   /// Its definition in a frame of the file.
   const PluginUse& use_of(int material, FileFrame frame) const {
     const Timeline<Recipe>& recipes = look(material).recipes;
@@ -58,6 +62,7 @@ class Looks {
   struct MaterialLook : Look<Material> {
     std::string name;
     bool bounds_a_body = false;
+    std::vector<bool> seen;  // by state
   };
   template <class T>
   struct Textures {
@@ -74,12 +79,15 @@ class Looks {
   void add_texture(const TextureUse& own);
   template <class T>
   void add_texture_of(const TextureUse& own);
+  /// Adds a material of the description, after those that it names. Returns its index, -1 after an error.
+  int add_with_parts(std::size_t use, int depth);
   /// `name`: for messages; `public_name`: see material_names.
   int add_material(const MaterialUse& own, std::string name, const std::string& public_name);
 
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>
-  void add_ingredients(std::vector<Ingredient<T>>& list, const ParamList& params, FileFrame frame) const;
+  void add_ingredients(std::vector<Ingredient<Texture<T>>>& list, const ParamList& params, FileFrame frame) const;
+  void add_ingredients(std::vector<Ingredient<Material>>& list, const ParamList& params, FileFrame frame) const;
   /// Whether a state, once made, is held as long as the world exists.
   bool is_kept(const std::vector<int>& state_of, int state) const;
   /// Makes every state by `make(recipe, textures)` to find errors, and holds those with is_kept().
@@ -88,10 +96,14 @@ class Looks {
 
   TextureSet known_textures(const Recipe& recipe) const;
   TextureSet made_textures(const Recipe& recipe, Diagnostics& diagnostics) const;
+  MaterialSet made_materials(const Recipe& recipe, Diagnostics& diagnostics) const;
   template <class T>
-  TexturePtr<T> made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const;
+  std::shared_ptr<const T> made(const Ingredient<T>& ingredient, Diagnostics& diagnostics) const;
   template <class T>
   TexturePtr<T> make_texture_of(const Recipe& recipe, const TextureSet& textures, Diagnostics& diagnostics) const;
+  std::shared_ptr<const FloatTexture> make_of(const Recipe& recipe, const FloatTexture*, Diagnostics&) const;
+  std::shared_ptr<const RgbTexture> make_of(const Recipe& recipe, const RgbTexture*, Diagnostics&) const;
+  std::shared_ptr<const Material> make_of(const Recipe& recipe, const Material*, Diagnostics&) const;
   std::shared_ptr<const Material> make_material(const Recipe& recipe, const TextureSet& textures,
                                                 Diagnostics& diagnostics) const;
 
@@ -100,11 +112,12 @@ class Looks {
   mutable ImageCache images_;
   TextureSet names_;  // of all textures so far, with something grey for each
   std::tuple<Textures<float>, Textures<Rgb>> textures_;
-  std::vector<MaterialLook> materials_;
+  std::deque<MaterialLook> materials_;  // addresses are stable
   DistinctNames material_names_;
   std::deque<TextureUse> texture_uses_;  // of geometry files
   std::deque<MaterialUse> material_uses_;
-  std::vector<int> of_use_;  // by index into SceneDescription::materials
+  std::vector<int> of_use_;                  // by index into SceneDescription::materials
+  std::map<std::string, std::size_t> uses_;  // likewise, by name
   std::map<std::string, int> by_name_, by_name_in_files_;
   std::map<std::pair<std::filesystem::path, std::string>, int> from_files_;
   int default_ = -1;

@@ -99,7 +99,6 @@ std::unique_ptr<Material> make_velvet(ParamReader& reader, const MaterialContext
                                          "fraction that the fibres reflect at grazing angles");
   const float falloff = reader.number("falloff", 4, "", "how narrow the rim is; 1 to 64");
   if (!(falloff >= 1 && falloff <= 64)) reader.error("falloff", "the falloff must be between 1 and 64");
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return std::make_unique<VelvetMaterial>(texture_of(ground, context.textures, reader.diagnostics()),
                                           texture_of(rim, context.textures, reader.diagnostics()), falloff);

@@ -40,6 +40,8 @@ class DescribedScene {
     add("LookAt 0 0.3 -4  0 0 0  0 1 0");
     use("camera", "Camera \"{}\"");
     add("WorldBegin");
+    add("MakeNamedMaterial \"matte\" \"string type\" \"diffuse\"");
+    add("MakeNamedMaterial \"metal\" \"string type\" \"conductor\" \"float roughness\" 0.1");
     for (int i = 0; i < kTextures; ++i) add_texture(i);
     add_lights();
     for (int i = whole(2, 5); i > 0; --i) add_thing(i);
@@ -149,6 +151,8 @@ class DescribedScene {
       return fmt::format("[400 {:.3f} 550 {:.3f} 700 {:.3f}]", real(0, 1), real(0, 1), real(0, 1));
     if (type == "texture") return fmt::format("\"t{}\"", whole(0, kTextures - 1));
     if (!info.choices.empty()) return fmt::format("\"{}\"", one_of(info.choices));
+    if (info.name == "materials") return "[\"matte\" \"metal\"]";
+    if (info.sentence.find(".bsdf") != info.sentence.npos) return files()["ggx.bsdf"];
     if (info.unit == "file")
       return files()[one_of<std::string>(
           {"picture.png", "square.exr", "sky.exr", "blob.001.ply", "blob.%03d.ply", "page.%02d.png", "box.obj"})];

@@ -67,8 +67,15 @@ class RandomScene {
            "\"texture amount\" \"spots\"\n"
            "Texture \"grain\" \"float\" \"checkerboard\" \"float tex1\" .02 \"float tex2\" .3\n"
            "Texture \"checks\" \"spectrum\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 3 "
-           "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n" +
-           computed_textures();
+           "\"rgb tex1\" [.8 .3 .2] \"rgb tex2\" [.2 .4 .7]\n"
+           "Texture \"swell\" \"float\" \"imagemap\" \"float scale\" .1 \"string filename\" " +
+           files()["picture.png"] + "\n" +
+           "MakeNamedMaterial \"dented\" \"string type\" \"mix\" \"string materials\" [\"rusty\" \"steel\"] "
+           "\"texture amount\" \"spots\"\n"
+           "MakeNamedMaterial \"rusty\" \"string type\" \"diffuse\"" +
+           keyed("rgb reflectance", "[.5 .2 .1]", "[.6 .4 .1]") +
+           "\nMakeNamedMaterial \"steel\" \"string type\" \"conductor\" \"float roughness\" .1 \"string normalmap\" " +
+           files()["normals.png"] + "\n" + computed_textures();
   }
 
   std::string computed_textures() {
@@ -155,7 +162,20 @@ class RandomScene {
       return whole(0, 3) == 0 ? std::string(" \"texture roughness\" \"grain\"")
                               : fmt::format(" \"float roughness\" {}", real(low, high));
     };
-    switch (whole(0, 15)) {
+    switch (whole(0, 21)) {
+      case 16:
+        return "Material \"mix\" \"string materials\" [\"rusty\" \"steel\"]" + keyed("float amount", ".2", ".9") + "\n";
+      case 17: return "Material \"mix\" \"string materials\" [\"steel\" \"dented\"] \"texture amount\" \"grain\"\n";
+      case 18:
+        return "Material \"diffuse\"" + keyed("rgb reflectance", "[.8 .1 .1]", "[.1 .2 .9]") + "\"string normalmap\" " +
+               files()["normals.png"] + "\n";
+      case 19:
+        return std::string("Material ") + (whole(0, 1) ? "\"coateddiffuse\"" : "\"dielectric\"") +
+               " \"texture displacement\" \"swell\"" + rough(0, 0.3f) + "\n";
+      case 20:
+        return "Material \"subsurface\" \"rgb mfp\" [.2 .1 .1]" + keyed("rgb reflectance", "[.9 .5 .4]", "[.4 .6 .8]") +
+               "\n";
+      case 21: return whole(0, 1) ? "Material \"interface\"\n" : "Material \"subsurface\" \"float roughness\" .1\n";
       case 11:
         return "Material \"coateddiffuse\"" +
                keyed("rgb reflectance", "[.8 .1 .1]", whole(0, 1) ? "[0 0 0]" : "[.1 .2 .9]") + "\n";

@@ -9,6 +9,7 @@
 
 #include "dspm/image/exr.h"
 #include "dspm/image/png.h"
+#include "tests/materials/bsdf_file.h"
 #include "tests/support/temporary_directory.h"
 
 namespace dspm::test {
@@ -19,6 +20,8 @@ class SceneFiles {
 
   SceneFiles() {
     write_png(directory_ / "picture.png", picture(16, 8, 1));
+    write_png(directory_ / "normals.png", normals(8, 8));
+    test::put_file(directory_ / "ggx.bsdf", bsdf_file(ggx_tables(0.3f, {0.8f, 0.6f}, 16)));
     write_exr(directory_ / "square.exr", picture(8, 8, 3), {}, {});
     write_exr(directory_ / "sky.exr", picture(16, 8, 3), {}, {});
     for (int frame = 1; frame <= kFrames; ++frame) {
@@ -41,6 +44,16 @@ class SceneFiles {
         image.at(x, y) = Rgb(0.3f + 0.6f * static_cast<float>(x) / static_cast<float>(width),
                              0.2f + 0.7f * static_cast<float>(y) / static_cast<float>(height), 0.5f) *
                          scale;
+    return image;
+  }
+
+  /// Of waves; a picture is stored as sRGB, so the numbers lean upward.
+  static Image normals(int width, int height) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        image.at(x, y) = {0.25f + 0.1f * std::sin(0.8f * static_cast<float>(x)),
+                          0.2f + 0.1f * std::cos(0.8f * static_cast<float>(y)), 0.9f};
     return image;
   }
 

@@ -79,7 +79,7 @@ class CameraSubpathTracer {
     if (!(cosine > 0)) return;
     CameraSubpath here = path;
     here.frames = vertex.frames, here.length += vertex.hit.t;
-    here.weights = path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine)
+    here.weights = path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
                                     : weights_at_first_vertex(path, vertex, cosine);
     add_emission(here, vertex);
     if (path.bounces >= pass_.settings.max_depth) return;

@@ -6,12 +6,14 @@ void LightSubpath::load(const Scene& scene, std::span<const LightVertex> vertice
   ends_.clear();
   surfaces_.clear();
   for (const LightVertex& light : vertices) {
-    const std::size_t first = surfaces_.size();
-    const Vertex vertex(scene, {{}, -light.wi}, {light.frames, light.hit});
-    for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      surfaces_.push_back({frames, BsdfSlot::copy_of(bsdf)});
+    const Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
+    for_each_relief(met, [&](const Vertex& vertex) {  // the same in all of its frames, or it would have parted
+      const std::size_t first = surfaces_.size();
+      for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
+        surfaces_.push_back({frames, BsdfSlot::copy_of(bsdf)});
+      });
+      ends_.push_back({&light, strands.of(light.strands), vertex.point, first, surfaces_.size() - first});
     });
-    ends_.push_back({&light, strands.of(light.strands), vertex.point, first, surfaces_.size() - first});
   }
 }
 
@@ -25,7 +27,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, con
   for (const Surface& seen : camera.surfaces) {
     const LobeSet lobes = seen.bsdf->all_lobes();
     const Rgb f = seen.bsdf->evaluate(wo, w, Transport::radiance, lobes);
-    if ((seen.frames & frames).empty() || is_black(f)) continue;
+    if ((seen.frames & frames).empty() || is_black(f) || seen.bsdf->enters(w)) continue;
     const float pdf_w = seen.bsdf->pdf_w(wo, w, Transport::radiance, lobes);
     const float reverse_pdf_w = seen.bsdf->pdf_w(w, wo, Transport::flux, lobes);
     for (const Surface& lit : std::span(surfaces_).subspan(end.first, end.count)) {
@@ -33,7 +35,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, con
       if (common.empty()) continue;
       const LobeSet all = lit.bsdf->all_lobes();
       const Rgb sent = lit.bsdf->evaluate(-w, wi, Transport::radiance, all);
-      if (is_black(sent)) continue;
+      if (is_black(sent) || lit.bsdf->enters(-w)) continue;
       const float light_pdf_w = lit.bsdf->pdf_w(wi, -w, Transport::flux, all);
       const float light_reverse_pdf_w = lit.bsdf->pdf_w(-w, wi, Transport::radiance, all);
       const float weight = weight_of_connection(

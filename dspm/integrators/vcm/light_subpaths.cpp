@@ -5,6 +5,7 @@
 
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/mixed_frames.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/integrators/photon_starts.h"
 #include "dspm/integrators/vcm/light_densities.h"
@@ -73,10 +74,10 @@ class LightPathTracer {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
     if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
     if (path.bounces == 0 && vertex.hit.t < emission_.must_reach) return;
-    const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine)
+    const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine, path.walk.is_inside())
                                                     : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,
                                                                               vertex.point, distance2, cosine);
-    FrameSet connecting;
+    FrameSet connecting = mixed_frames(vertex, can_connect);
     FrameArray<SubpathScattering> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       if (can_connect(bsdf)) connecting |= frames;

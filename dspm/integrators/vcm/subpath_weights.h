@@ -43,8 +43,10 @@ struct SubpathWeights {
   static SubpathWeights at_first_vertex(const VcmWays& ways, float pdf_a) { return {ways.sighting / pdf_a, 0}; }
 
   /// Arrives at a surface; the segment's squared length counts as 1 if it comes from infinity. (31), (32), (34), (35)
-  SubpathWeights arrived(float distance2, float cosine) const {
-    return {vcm * distance2 / cosine, vc / cosine, vm / cosine};
+  /// A walk through a body has the same density both ways but for the cosines at its ends, as a straight segment has,
+  /// and no connection replaces it.
+  SubpathWeights arrived(float distance2, float cosine, bool walked = false) const {
+    return {walked ? 0 : vcm * distance2 / cosine, vc / cosine, vm / cosine};
   }
   /// A light subpath scatters with these densities, by solid angle, of the new segment and of the reverse of the last
   /// one. `merging`: what merges count here.

@@ -45,7 +45,7 @@ struct SubpathScattering {
   std::optional<Rgb> along(const SubpathScattering& first) const {
     const BsdfSample& s = first.sample;
     const bool same = sample.wi == s.wi && sample.specular == s.specular && sample.eta_scale == s.eta_scale &&
-                      sample.pdf_w == s.pdf_w && reverse_pdf_w == first.reverse_pdf_w;
+                      sample.ahead == s.ahead && sample.pdf_w == s.pdf_w && reverse_pdf_w == first.reverse_pdf_w;
     return same ? std::optional(factor) : std::nullopt;
   }
 };
