@@ -34,7 +34,7 @@ std::vector<Query> bounced(const QueryScene& scene, const Accel& accel, const st
     for (const FrameHit& part : accel.partition(queries[i].ray, queries[i].frames)) {
       if (part.hit.missed()) continue;
       const PlacedShape& placed = scene.placed[static_cast<std::size_t>(part.hit.shape)];
-      const SurfacePoint s = placed.surface_point(part.hit.primitive, part.hit.uv);
+      const SurfacePoint s = placed.seen(part.hit.primitive, part.hit.uv, queries[i].ray.direction);
       const Vec2 u = random.pair(0, 0);
       const float z = std::sqrt(u.x), r = std::sqrt(1 - u.x), phi = 2 * kPi * u.y;
       const Vec3 n = dot(s.ng, queries[i].ray.direction) > 0 ? -s.ng : s.ng;

@@ -68,12 +68,12 @@ class Tree::Builder {
 
   void place(int s) {
     const PlacedShape& placed = shape(s);
-    if (placed.shape->triangles()) {
+    if (has_own_tree(placed)) {
       const Tree& mesh = meshes_.of(*placed.shape);
-      return add(placed, {s, &placed, &mesh, 0}, mesh.outline());
+      return add(placed, {&placed, &mesh, s, 0}, mesh.outline());
     }
     for (int p = 0; p < placed.shape->primitive_count(); ++p)
-      add(placed, {s, &placed, nullptr, p}, {with_margin(placed.shape->bounds(p))});
+      add(placed, {&placed, nullptr, s, p}, {with_margin(placed.shape->bounds(p))});
   }
 
   /// Adds a piece that fills a leaf. `outline`: in the shape's space.

@@ -1,6 +1,6 @@
 // The tree over placed shapes. Its nodes store the frames in which their contents exist. A leaf holds up to eight
-// triangles of meshes in world space, or one object placed by a transform: a single primitive, or a whole mesh, which
-// then has one tree in its own space, however often it is placed. As the meshes of a deforming object lie close
+// triangles of meshes in world space, or one object placed by a transform: a single primitive, or a whole mesh or hair,
+// which then has one tree in its own space, however often it is placed. As the meshes of a deforming object lie close
 // together, leaves and nodes hold triangles of several frames.
 #pragma once
 
@@ -36,6 +36,11 @@ std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& w
   return numbers;
 }
 
+/// Whether it has one tree in its own space, however often it is placed: what has several primitives does.
+inline bool has_own_tree(const PlacedShape& shape) {
+  return shape.in_object_space() && (shape.shape->triangles() || shape.shape->primitive_count() > 1);
+}
+
 class Tree {
  public:
   /// Built over shapes[i] for all i in `which`. `all`: the frames that rays may query. If the shapes are there in all of
@@ -59,11 +64,11 @@ class Tree {
   std::size_t memory() const;
 
  private:
-  /// One primitive, or all of a mesh.
+  /// One primitive, or all of a shape.
   struct Placed {
-    int number;  // among all placed shapes
     const PlacedShape* shape;
     const Tree* mesh;  // null for a primitive
+    int number;        // of the shape, among all placed shapes
     int primitive;
   };
   class Builder;
@@ -78,7 +83,7 @@ class Tree {
   float margins_ = 1;             // see stretch_of()
 };
 
-/// A tree, in the mesh's own space, for each mesh placed by a transform.
+/// A tree, in its own space, for each shape of several primitives that is placed by a transform.
 class MeshTrees {
  public:
   explicit MeshTrees(BvhBuilder builder) : builder_(builder) {}

@@ -101,7 +101,7 @@ std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;
   for (const PlacedShape& shape : shapes) {
-    if (shape.in_object_space() && shape.shape->triangles() && !placed_meshes.insert(shape.shape).second) continue;
+    if (has_own_tree(shape) && !placed_meshes.insert(shape.shape).second) continue;
     const auto count = static_cast<std::size_t>(shape.shape->primitive_count());
     (in_some(shape, all) ? moving : still) += count;
     if (in_some(shape, all) && !shape.in_object_space())

@@ -80,7 +80,7 @@ class BranchingPath {
     if constexpr (requires { tracer.wandered(path, after); }) tracer.wandered(path, after);
     if (is_black(after.throughput)) return;
     if (!stays) {
-      const SurfacePoint point = scene_.surface_point(part.hit);
+      const SurfacePoint point = scene_.surface_point(part.hit, after.ray.direction);
       const bool leaves = is_finite(point) && dot(point.ng, path.ray.direction) > 0;
       stays = leaves && after.walk.is_thrown_back(after.ray, point, -point.ng, after.random, after.bounces);
     }

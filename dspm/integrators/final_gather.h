@@ -68,7 +68,7 @@ class FinalGather {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       GatherPath branch = path;
       branch.frames = frames;
-      const LobeChoice choice = choose_lobes(bsdf, branch, vertex.wo, settings_.least_alpha);
+      const LobeChoice choice = choose_lobes(bsdf, branch, vertex, settings_.least_alpha);
       branch.throughput *= 1 / choice.chance;
       if (choice.rough)
         end(branch, vertex, bsdf, choice.lobes);

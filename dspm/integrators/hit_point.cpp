@@ -100,7 +100,7 @@ class HitPointTracer {
     if (vertex.differs()) return scatter_together(arriving, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       arriving.frames = frames;
-      const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
+      const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
       if (choice.rough) {
         end(arriving, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
@@ -137,7 +137,7 @@ class HitPointTracer {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       CameraPath branch = path;
       branch.frames = frames;
-      const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
+      const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
       if (choice.rough) {
         end(branch, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
@@ -183,7 +183,7 @@ class HitPointTracer {
     // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
     // light: what those send through specular lobes is left to the photons stored for this purpose.
     // If the path has left a hit point, photons of that point bring all this light.
-    const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, settings_.least_alpha);
+    const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, vertex.point, settings_.least_alpha);
     if (glossy != 0 && !path.indirect) {
       add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
         if (!(sample.pdf_w > 0)) return 1.f;

@@ -45,7 +45,7 @@ struct Vertex {
   /// `diameter`: of what the path stands for here.
   Vertex(const Scene& scene, const Ray& ray, const FrameHit& part, float diameter = 0)
       : hit(part.hit),
-        point(scene.surface_point(part.hit)),
+        point(scene.surface_point(part.hit, ray.direction)),
         wo(-ray.direction),
         frames(part.frames),
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
@@ -99,7 +99,7 @@ void for_each_surface(const Vertex& vertex, Fn&& fn) {
 }
 
 /// Calls fn(const Vertex&) with the normals that the materials' reliefs give: once, unless they differ between the
-/// frames. `vertex` has those of the shape.
+/// frames. `vertex` has those of the shape. Curves have no relief: their normals are those of the ray.
 template <class Fn>
 void for_each_relief(const Vertex& vertex, Fn&& fn) {
   struct Bent {
@@ -109,7 +109,7 @@ void for_each_relief(const Vertex& vertex, Fn&& fn) {
   FrameArray<Bent> all;
   for_each_material(vertex, [&](FrameSet frames, const Material& material) {
     const Relief* relief = material.relief();
-    const Vec3 ns = relief == nullptr
+    const Vec3 ns = relief == nullptr || vertex.point.turns
                         ? vertex.point.ns
                         : relief->bent(vertex.point, vertex.shape, vertex.hit.primitive, vertex.hit.uv).ns;
     for (Bent& bent : all)
@@ -171,23 +171,25 @@ struct LobeChoice {
 inline constexpr float kLeastRoughness = 1e-4f;
 
 /// Lobes on which photons are gathered: those at least that rough. Frosted glass is followed however rough it is:
-/// hardly a photon finds its way to where the camera looks at it, but rays through it find lights well.
-inline LobeSet gathering_lobes(const Bsdf& bsdf, float least_alpha) {
+/// hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves, which
+/// have no area on which to count photons, are followed, too.
+inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
   constexpr float kRoughest = 1;
+  if (point.turns) return 0;
   const LobeSet rough = bsdf.lobes(least_alpha);
   return rough != 0 && bsdf.transmits(rough) ? bsdf.lobes(std::max(least_alpha, kRoughest)) : rough;
 }
 
 /// Lobes that extend the path although they are not specular.
-inline LobeSet glossy_lobes(const Bsdf& bsdf, float least_alpha) {
-  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, least_alpha));
+inline LobeSet glossy_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
+  return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, point, least_alpha));
 }
 
-inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vec3& wo, float least_alpha) {
-  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, least_alpha),
+inline LobeChoice choose_lobes(const Bsdf& bsdf, const PathState& path, const Vertex& vertex, float least_alpha) {
+  const LobeSet all = bsdf.all_lobes(), rough = gathering_lobes(bsdf, vertex.point, least_alpha),
                 smooth = static_cast<LobeSet>(all & ~rough);
   if (rough == 0 || smooth == 0) return {all, 1, smooth == 0};
-  const float rough_chance = bsdf.lobe_probability(wo, rough);
+  const float rough_chance = bsdf.lobe_probability(vertex.wo, rough);
   if (path.random.number(path.bounces, kSplit) < rough_chance) return {rough, rough_chance, true};
   return {smooth, 1 - rough_chance, false};
 }

@@ -114,7 +114,7 @@ class PhotonTracer {
     if (vertex.differs()) return scatter_together(path, vertex);
     Stored stored = stored_on_mixes(path, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      add(stored, path, frames, bsdf);
+      add(stored, path, vertex, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         const FrameFactor all{frames, factor};
         extend(path, vertex, sample, rough, {&all, 1});
@@ -127,7 +127,7 @@ class PhotonTracer {
     Stored stored = stored_on_mixes(path, vertex);
     FrameArray<Scattered> scattered;
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
-      add(stored, path, frames, bsdf);
+      add(stored, path, vertex, frames, bsdf);
       scatter(path, vertex, frames, bsdf, [&](const BsdfSample& sample, bool rough, const Rgb& factor) {
         scattered.add({frames, factor, sample, rough});
       });
@@ -142,14 +142,16 @@ class PhotonTracer {
   struct Stored {
     FrameSet gathering, hidden;
   };
-  bool gathers(const Bsdf& bsdf) const { return gathering_lobes(bsdf, settings_.least_alpha) != 0; }
-  Stored stored_on_mixes(const PhotonPath& path, const Vertex& vertex) const {
-    return {mixed_frames(vertex, [&](const Bsdf& bsdf) { return gathers(bsdf); }),
-            mixed_frames(vertex, [&](const Bsdf& bsdf) { return is_hidden_on(path, bsdf); })};
+  bool gathers(const Vertex& vertex, const Bsdf& bsdf) const {
+    return gathering_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
   }
-  void add(Stored& stored, const PhotonPath& path, FrameSet frames, const Bsdf& bsdf) const {
-    if (gathers(bsdf)) stored.gathering |= frames;
-    if (is_hidden_on(path, bsdf)) stored.hidden |= frames;
+  Stored stored_on_mixes(const PhotonPath& path, const Vertex& vertex) const {
+    return {mixed_frames(vertex, [&](const Bsdf& bsdf) { return gathers(vertex, bsdf); }),
+            mixed_frames(vertex, [&](const Bsdf& bsdf) { return is_hidden_on(path, vertex, bsdf); })};
+  }
+  void add(Stored& stored, const PhotonPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) const {
+    if (gathers(vertex, bsdf)) stored.gathering |= frames;
+    if (is_hidden_on(path, vertex, bsdf)) stored.hidden |= frames;
   }
   void store(const PhotonPath& path, const Vertex& vertex, const Stored& stored) {
     if (!stored.gathering.empty() && (path.kind & settings_.kinds) != 0)
@@ -157,8 +159,8 @@ class PhotonTracer {
     if (!stored.hidden.empty()) store(out_.hidden, path, vertex, stored.hidden);
   }
   /// Excludes light straight from the light source, which shadow rays find.
-  bool is_hidden_on(const PhotonPath& path, const Bsdf& bsdf) const {
-    return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, settings_.least_alpha) != 0;
+  bool is_hidden_on(const PhotonPath& path, const Vertex& vertex, const Bsdf& bsdf) const {
+    return path.hidden && path.bounces > 0 && glossy_lobes(bsdf, vertex.point, settings_.least_alpha) != 0;
   }
 
   void store(std::vector<Photon>& photons, const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
@@ -191,7 +193,7 @@ class PhotonTracer {
       return balance(path, frames, &EnergyBalance::terminated);
     }
     // Choose between smooth and rough lobes first, so that a photon knows which of them scattered it.
-    const LobeChoice choice = choose_lobes(bsdf, path, vertex.wo, settings_.least_alpha);
+    const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
     const bool wanted = kind_after(path, choice.rough) == kDiffusePhotons ? (settings_.kinds & kDiffusePhotons) != 0
                                                                           : path.caustics && vertex.shape.caustics;
     if (!wanted) return balance(path, frames, &EnergyBalance::terminated);

@@ -59,12 +59,15 @@ class Motion {
   int keyed_count() const;
   /// The motion that undoes this one at every moment.
   Motion inverse() const;
+  /// The same product; equal motions that were composed differently need not be.
+  friend bool operator==(const Motion&, const Motion&) = default;
 
  private:
   struct Factor {
     Matrix4 fixed;                                // applied to the left of `keyed`
     std::shared_ptr<const KeyedTransform> keyed;  // may be null; shared by everything in a block
     bool inverted = false;                        // means the inverse of `keyed`
+    friend bool operator==(const Factor&, const Factor&) = default;
   };
   std::vector<Factor> factors_;
 };

@@ -115,8 +115,9 @@ class Scene {
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
-  SurfacePoint surface_point(const RayHit& hit) const {
-    return shapes[static_cast<std::size_t>(hit.shape)].surface_point(hit.primitive, hit.uv);
+  /// Where a ray of that direction hit.
+  SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {
+    return shapes[static_cast<std::size_t>(hit.shape)].seen(hit.primitive, hit.uv, direction);
   }
 };
 

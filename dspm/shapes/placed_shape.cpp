@@ -40,7 +40,14 @@ std::optional<PrimitiveHit> PlacedShape::intersect(int primitive, const Ray& ray
 }
 
 SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
-  SurfacePoint s = shape->surface_point(primitive, uv);
+  return in_world(shape->surface_point(primitive, uv));
+}
+
+SurfacePoint PlacedShape::seen(int primitive, Vec2 uv, const Vec3& direction) const {
+  return in_world(shape->seen(primitive, uv, in_object_space() ? to_world.inverse_vector(direction) : direction));
+}
+
+SurfacePoint PlacedShape::in_world(SurfacePoint s) const {
   if (in_object_space()) {
     const Vec3 p = to_world.point(s.p);
     s.p_error =

@@ -29,6 +29,8 @@ struct PlacedShape {
   Bounds3 bounds(int primitive) const;
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
+  /// The same as a ray of that direction sees it.
+  SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const;
   AreaSample sample_area(int primitive, Vec2 u) const;
   /// The density of sample_area() at a point of the primitive whose normal, in the world, is ng.
   float pdf_a(int primitive, const Vec3& ng) const;
@@ -39,6 +41,9 @@ struct PlacedShape {
 
   bool in_object_space() const { return !to_world_is_identity; }
   bool to_world_is_identity = true;  // cached, because every ray asks for it
+
+ private:
+  SurfacePoint in_world(SurfacePoint own) const;
 };
 
 }  // namespace dspm

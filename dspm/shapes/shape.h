@@ -35,6 +35,9 @@ struct SurfacePoint {
   Vec3 dpdv{};   // derivative of p by uv.y; zero if a shape does not know it: lookups by uv are then not filtered
   // The footprint, which texture lookups average over: the axes of an ellipse in the surface; zero for a point.
   Vec3 dpdx{}, dpdy{};
+  // The surface turns to each ray, as a curve does, so ng belongs to the ray that met it here, and there is no area on
+  // which photons could be counted.
+  bool turns = false;
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
   /// of ng.
@@ -43,7 +46,7 @@ struct SurfacePoint {
   void cover(const Vec3& w, float diameter);
 };
 
-/// Geometry in its own (object) space. A Shape is finished and const once constructed.
+/// Geometry in its own (object) space. A Shape is finished and const once constructed, and has absorbed others.
 class Shape {
  public:
   virtual ~Shape() = default;
@@ -55,6 +58,12 @@ class Shape {
   /// every frame calls it (or its SIMD twin, which gives equal bits). Watertight.
   virtual std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const = 0;
   virtual SurfacePoint surface_point(int primitive, Vec2 uv) const = 0;
+  /// The same as a ray of that direction (of any length) sees it; differs if the surface turns to rays.
+  virtual SurfacePoint seen(int primitive, Vec2 uv, const Vec3& /*direction*/) const {
+    return surface_point(primitive, uv);
+  }
+  /// Whether the surface turns to rays (SurfacePoint::turns). It cannot emit light then.
+  virtual bool turns() const { return false; }
   /// In object space.
   virtual float area(int primitive) const = 0;
   /// The parameters of a point distributed uniformly over the primitive's area in object space.
@@ -62,6 +71,10 @@ class Shape {
   /// The numbers for which sample_area() gives the point p of the primitive, in object space, but for rounding; nullopt
   /// if they are not known.
   virtual std::optional<Vec2> area_numbers(int /*primitive*/, const Vec3& /*p*/) const { return std::nullopt; }
+
+  /// Takes over the primitives of `next` and returns true, if it can: shapes of directives that follow one another and
+  /// are alike in all but their geometry, such as the strands of hair, become one.
+  virtual bool absorb(Shape& /*next*/) { return false; }
 
   /// Trees treat triangles specially; null for everything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }

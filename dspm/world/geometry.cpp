@@ -53,6 +53,13 @@ bool is_there(const WorldShape& shape) {
   return std::find(shape.present.begin(), shape.present.end(), true) != shape.present.end();
 }
 
+/// But for their parameters.
+bool are_alike(const ShapeUse& a, const ShapeUse& b) {
+  return a.type == b.type && a.name == b.name && a.reverse_orientation == b.reverse_orientation &&
+         a.material.index == b.material.index && a.material.name == b.material.name && a.area_light == b.area_light &&
+         a.dynamic_block == b.dynamic_block && a.world_from_object == b.world_from_object;
+}
+
 std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
 
 }  // namespace
@@ -65,17 +72,23 @@ struct Geometry::Source {
   std::vector<const AreaLightUse*> lights;                        // likewise; null: none
   bool caustics = true;                                           // see PlacedShape
   std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and index: shared by all places
+
+  /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
+  bool absorb(Source& next) {
+    const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
+    return is_one(*this) && is_one(next) && caustics == next.caustics &&
+           made.front().front().shape->absorb(*next.made.front().front().shape);
+  }
 };
 
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
     : description_(description), looks_(looks), diagnostics_(diagnostics), check_meshes_(check_meshes) {
-  for (const ShapeUse& use : description.shapes) add_source(use, {});
+  add_sources(description.shapes, {});
   std::map<std::string, std::vector<const ObjectUse*>> uses;
   for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
   refuse_unknown_objects();
   for (const ObjectDefinition& object : description.objects)
-    if (const auto found = uses.find(object.name); found != uses.end())
-      for (const ShapeUse& shape : object.shapes) add_source(shape, found->second);
+    if (const auto found = uses.find(object.name); found != uses.end()) add_sources(object.shapes, found->second);
   for (const WorldShape& shape : shapes_) {
     if (!is_there(shape)) continue;
     for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
@@ -91,9 +104,23 @@ void Geometry::refuse_unknown_objects() {
                          did_you_mean(use.name, names));
 }
 
-void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances) {
+/// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
+void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
+  const ShapeUse* first = nullptr;
+  std::optional<Source> open;  // of `first`, and of what it has absorbed since
+  for (const ShapeUse& use : uses) {
+    std::optional<Source> source = make_source(use);
+    if (!source || (open && are_alike(*first, use) && open->absorb(*source))) continue;
+    if (open) add_source(*first, instances, *open);
+    first = &use, open = std::move(source);
+  }
+  if (open) add_source(*first, instances, *open);
+}
+
+/// The shapes that the directive makes in all of its states; nullopt if there are none.
+std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use) {
   const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
-  if (!plugin) return;
+  if (!plugin) return std::nullopt;
   Source source;
   source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));
   const int errors = diagnostics_.error_count();
@@ -102,9 +129,12 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
     ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
     source.caustics = read_shape_caustics(reader);
     source.made.push_back(plugin->make(reader));
-    if (diagnostics_.error_count() > errors) return;
+    if (diagnostics_.error_count() > errors) return std::nullopt;
   }
-  if (source.made.empty()) return;
+  return source.made.empty() ? std::nullopt : std::optional(std::move(source));
+}
+
+void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
   for (const MadeShape& shape : source.made.front())
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
   for (const MadeShape& shape : source.made.front()) source.lights.push_back(area_light(use, shape));
@@ -123,7 +153,11 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
 
 /// The scene's, else that of the material in the geometry file.
 const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
-  if (use.area_light >= 0) return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
+  if (use.area_light >= 0 && made.shape->turns())
+    diagnostics_.unsupported(use.where, fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
+                             "it turns to each ray, so it has no area that could emit light");
+  else if (use.area_light >= 0)
+    return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
   if (!made.material || !made.material->radiance) return nullptr;
   const Rgb& radiance = *made.material->radiance;
   AreaLightUse& light = lights_of_files_.emplace_back();

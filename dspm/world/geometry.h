@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,9 @@ class Geometry {
  private:
   struct Source;
   void refuse_unknown_objects();
-  void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances);
+  void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
+  std::optional<Source> make_source(const ShapeUse& use);
+  void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);
   bool is_seen(int material, FileFrame frame) const;

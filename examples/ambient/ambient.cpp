@@ -72,7 +72,7 @@ class Ambient final : public Integrator {
 
   /// Those frames of the part in which a ray from its hit reaches the sky.
   FrameSet open_frames(const Scene& scene, const Ray& ray, const FrameHit& part, const PathRandom& random) const {
-    const SurfacePoint point = scene.surface_point(part.hit);
+    const SurfacePoint point = scene.surface_point(part.hit, ray.direction);
     const Vec3 normal = dot(ray.direction, point.ng) < 0 ? point.ng : -point.ng;
     const Vec3 w = Basis::around(normal).to_world(cosine_hemisphere(random.pair(0, kScatter)));
     return part.frames - scene.accel->occluded(point.spawn(w, distance_), part.frames);

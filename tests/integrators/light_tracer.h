@@ -79,7 +79,7 @@ class LightTracer {
     for (int scatterings = 1; scatterings <= depth_ && !is_black(flux); ++scatterings) {
       const RayHit hit = scene_.accel->partition(ray, scene_.frames())[0].hit;
       if (hit.missed()) return;
-      const Arrival arrival{scene_.surface_point(hit), -ray.direction, flux};
+      const Arrival arrival{scene_.surface_point(hit, ray.direction), -ray.direction, flux};
       const auto material = static_cast<std::size_t>(scene_.shapes[static_cast<std::size_t>(hit.shape)].material);
       BsdfSlot slot;
       const Bsdf& bsdf = scene_.materials[material].states.at(0).object->bsdf(arrival.point, slot);

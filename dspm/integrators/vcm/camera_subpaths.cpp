@@ -79,8 +79,9 @@ class CameraSubpathTracer {
     if (!(cosine > 0)) return;
     CameraSubpath here = path;
     here.frames = vertex.frames, here.length += vertex.hit.t;
-    here.weights = path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
-                                    : weights_at_first_vertex(path, vertex, cosine);
+    here.weights = vertex.point.turns ? SubpathWeights{}
+                   : path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
+                                      : weights_at_first_vertex(path, vertex, cosine);
     add_emission(here, vertex);
     if (path.bounces >= pass_.settings.max_depth) return;
     FrameArray<Surface> surfaces;
@@ -89,7 +90,7 @@ class CameraSubpathTracer {
       if (can_connect(bsdf)) {
         surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
         add_next_event(here, vertex, frames, bsdf);
-        if (pass_.ways.merging > 0) merge(here, vertex, frames, bsdf);
+        if (ways_at(vertex).merging > 0) merge(here, vertex, frames, bsdf);
       }
       const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
       if (scattering && is_finite(scattering->sample.wi))
@@ -103,6 +104,10 @@ class CameraSubpathTracer {
                      extend(here, vertex, first, factors);
                    });
   }
+
+  /// Light subpaths end at curves: to be hit by a light subpath is not a density over the points of a surface that turns
+  /// to each ray.
+  VcmWays ways_at(const Vertex& vertex) const { return vertex.point.turns ? pass_.ways.without_merging() : pass_.ways; }
 
   /// A camera that cannot tell where it sees a point has no light subpaths connected to it.
   SubpathWeights weights_at_first_vertex(const CameraSubpath& path, const Vertex& vertex, float cosine) const {
@@ -131,13 +136,13 @@ class CameraSubpathTracer {
 
   void add_next_event(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
     const LobeSet lobes = bsdf.all_lobes();
+    const VcmWays ways = ways_at(vertex);
     const auto weight = [&](const LightSample& sample) {
       const Vec3& wi = sample.lit.wi;
       const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
-      return weight_of_next_event(
-          pass_.ways, hit,
-          {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
-           emission_over_next_event(pass_, sample, vertex.point), merging_after(pass_.ways, 0)});
+      return weight_of_next_event(ways, hit,
+                                  {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                   emission_over_next_event(pass_, sample, vertex.point), merging_after(ways, 0)});
     };
     sample_direct_light(scene_, path, vertex, frames, bsdf, lobes, counts_, weight,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
@@ -146,7 +151,7 @@ class CameraSubpathTracer {
   }
 
   void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.weights};
+    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.weights, ways_at(vertex)};
     light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
       add(path, brought, [&] { return vertex.material_element(); });
     });
@@ -183,9 +188,9 @@ class CameraSubpathTracer {
     extend_ray(branch, vertex.point, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
     const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
-    branch.weights = sample.specular
-                         ? path.weights.mirrored(cosine)
-                         : path.weights.camera_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w, cosine);
+    branch.weights = sample.specular ? path.weights.mirrored(cosine)
+                                     : path.weights.camera_scattered(ways_at(vertex), sample.pdf_w,
+                                                                     scattering.reverse_pdf_w, cosine);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
       if (!is_finite(after)) {

@@ -40,7 +40,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, con
       const float light_reverse_pdf_w = lit.bsdf->pdf_w(-w, wi, Transport::radiance, all);
       const float weight = weight_of_connection(
           pass.ways, {end.vertex->weights, light_reverse_pdf_w, pdf_w * area_of_light, end.vertex->merging},
-          {camera.weights, reverse_pdf_w, light_pdf_w * area, merging_after(pass.ways, light_pdf_w)});
+          {camera.weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
       const Rgb radiance = end.vertex->flux * sent * f * (area_of_light * std::abs(dot(w, point.ns)) * weight);
       parts.add({common, radiance, end.strands});
       joined |= common;

@@ -31,6 +31,7 @@ struct CameraVertex {
   FrameSet frames;
   int bounces;
   SubpathWeights weights;
+  VcmWays ways;  // there
 };
 
 /// What light brings along one way, in some frames. `strands`: the light subpath's, to be multiplied.

@@ -72,7 +72,7 @@ class LightPathTracer {
 
   void arrived(const LightPath& path, const Vertex& vertex) {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
-    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
+    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth || vertex.point.turns) return;
     if (path.bounces == 0 && vertex.hit.t < emission_.must_reach) return;
     const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine, path.walk.is_inside())
                                                     : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,

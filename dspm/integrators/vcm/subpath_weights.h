@@ -21,6 +21,8 @@ struct VcmWays {
   float merging = 0;        // eta = N pi r^2, for N light subpaths; 0: vertices are not merged
   float sighting = 0;       // N if vertices of light subpaths are connected to the camera, else 0
   bool connecting = false;  // vertices of camera subpaths are connected to those of light subpaths
+
+  VcmWays without_merging() const { return {0, sighting, connecting}; }
 };
 
 /// What merges count where light arrives that was scattered with this density, by solid angle; 0 if it was emitted.

@@ -1,0 +1,74 @@
+#include "dspm/shapes/curve_segment.h"
+
+#include <array>
+#include <cmath>
+
+#include "dspm/math/vec.h"
+#include "dspm/shapes/rounding.h"
+
+namespace dspm {
+namespace {
+
+using Controls = std::array<DoubleVec3, 4>;
+
+DoubleVec3 between(const DoubleVec3& a, const DoubleVec3& b, double t) { return a * (1 - t) + b * t; }
+
+/// The blossom of the segment: its control points for (a, a, a), (a, a, b), (a, b, b) and (b, b, b) are those of the
+/// part from a to b. [Ramshaw 1987, Blossoming]
+DoubleVec3 blossom(const Controls& c, double u, double v, double w) {
+  const DoubleVec3 a = between(c[0], c[1], u), b = between(c[1], c[2], u), d = between(c[2], c[3], u);
+  return between(between(a, b, v), between(b, d, v), w);
+}
+
+Controls controls_of(const CurveSegment& s, double a, double b) {
+  const Controls c{s.control(0), s.control(1), s.control(2), s.control(3)};
+  return {blossom(c, a, a, a), blossom(c, a, a, b), blossom(c, a, b, b), blossom(c, b, b, b)};
+}
+
+double angle_between(const DoubleVec3& a, const DoubleVec3& b) {
+  const double lengths = length(a) * length(b);
+  return lengths > 0 ? std::atan2(length(cross(a, b)), dot(a, b)) : 0;
+}
+
+}  // namespace
+
+CurveSegment CurveSegment::of(const Vec3 (&p)[4], float width0, float width1) {
+  CurveSegment s{};
+  for (int k = 0; k < 4; ++k) s.x[k] = p[k].x, s.y[k] = p[k].y, s.z[k] = p[k].z;
+  s.width[0] = width0, s.width[1] = width1;
+  return s;
+}
+
+CurvePlace place_on(const CurveSegment& s, double u, const Vec3& origin) {
+  const DoubleVec3 o = widen(origin);
+  const DoubleVec3 a = s.control(0) - o, b = s.control(1) - o, c = s.control(2) - o, d = s.control(3) - o;
+  const DoubleVec3 ab = between(a, b, u), bc = between(b, c, u), cd = between(c, d, u);
+  const DoubleVec3 abc = between(ab, bc, u), bcd = between(bc, cd, u);
+  const DoubleVec3 bend0 = a - b * 2 + c, bend1 = b - c * 2 + d;
+  return {between(abc, bcd, u), (bcd - abc) * 3, between(bend0, bend1, u) * 6};
+}
+
+DoubleVec3 direction_at(const CurveSegment& s, double u) {
+  constexpr double kInside = 0.01;
+  const DoubleVec3 chord = s.control(3) - s.control(0);
+  for (const DoubleVec3& d : {place_on(s, u, {}).d1, place_on(s, u < 0.5 ? u + kInside : u - kInside, {}).d1, chord})
+    if (const double l = length(d); l > 1e-6 * length(chord) && l > 0) return d * (1 / l);
+  return {0, 0, 1};
+}
+
+Bounds3 bounds_of(const CurveSegment& segment, const CurvePiece& piece) {
+  Bounds3 bounds;
+  for (const DoubleVec3& p : controls_of(segment, piece.from(), piece.to())) bounds.add(narrow(p));
+  const auto width =
+      static_cast<float>(std::max(segment.width_at(piece.from()), segment.width_at(piece.to())) / 2 * (1 + 1e-6));
+  const Vec3 margin = gamma_bound(2) * max(abs(bounds.low), abs(bounds.high)) + Vec3{width, width, width};
+  return {bounds.low - margin, bounds.high + margin};
+}
+
+double turn_of(const CurveSegment& segment, double from, double to) {
+  const Controls c = controls_of(segment, from, to);
+  const DoubleVec3 a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2];
+  return angle_between(a, b) + angle_between(b, d);
+}
+
+}  // namespace dspm

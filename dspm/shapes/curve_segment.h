@@ -1,0 +1,64 @@
+// One segment of a curve, a cubic Bezier curve whose width varies linearly, and where rays pass it. A piece of it is
+// what trees bound and rays are tested against.
+#pragma once
+
+#include <cstdint>
+
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/double_vec.h"
+
+namespace dspm {
+
+struct CurveSegment {
+  float x[4], y[4], z[4];  // of the control points
+  float width[2];          // at its ends
+
+  static CurveSegment of(const Vec3 (&points)[4], float width0, float width1);
+  DoubleVec3 control(int k) const { return {x[k], y[k], z[k]}; }
+  double width_at(double u) const { return width[0] + u * (double{width[1]} - width[0]); }
+};
+
+/// The centre line, seen from some origin: its place, and derivatives by u.
+struct CurvePlace {
+  DoubleVec3 p, d1, d2;
+};
+CurvePlace place_on(const CurveSegment& segment, double u, const Vec3& origin);
+/// Of unit length; of its chord where the curve stands still.
+DoubleVec3 direction_at(const CurveSegment& segment, double u);
+
+/// From u = index / count to (index + 1) / count.
+struct CurvePiece {
+  std::uint32_t segment;
+  std::uint16_t index, count;
+  std::uint16_t steps;  // in which rays look for it, so small that it hardly bends in one
+
+  float from() const { return static_cast<float>(index) / static_cast<float>(count); }
+  float to() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
+};
+
+/// Contains the piece with its width, rounding included.
+Bounds3 bounds_of(const CurveSegment& segment, const CurvePiece& piece);
+/// The angle by which it turns, at most (radians).
+double turn_of(const CurveSegment& segment, double from, double to);
+
+/// The steps of a piece are a multiple of this: four places are tried at a time.
+inline constexpr int kCurveSteps = 3;
+
+/// Where the line of a ray passes the centre line of a curve most closely, for one of its turns.
+struct Passage {
+  double u;
+  CurvePlace place;   // of the centre line, from the ray's origin
+  DoubleVec3 across;  // of unit length, perpendicular to ray and curve: d x tangent
+  double offset;      // the ray's from the centre line, against `across`
+};
+
+/// Calls fn(const Passage&) for each turn at which the piece passes within half of its width of the ray's line. The sign of
+/// (p . p') decides, with p in projection along the ray, at places that neighbouring steps share, so none is lost between
+/// them; neighbouring pieces overlap by a thousandth of the width.
+template <class Fn>
+void for_each_passage(const CurveSegment& segment, const CurvePiece& piece, const Ray& ray, const Fn& fn);
+
+}  // namespace dspm
+
+#include "dspm/shapes/curve_passage.h"
