@@ -22,6 +22,13 @@ struct ProjectedCurve {
   Vec2 at(float u) const { return {polynomial(x, u), polynomial(y, u)}; }
   float length_of_tangent(float u) const { return std::hypot(derivative(x, u), derivative(y, u)); }
 
+  /// Newton's step towards the nearest place between two others.
+  float nearer(float u, float low, float high) const {
+    const Vec2 p = at(u), d{derivative(x, u), derivative(y, u)};
+    const float slope = d.x * d.x + d.y * d.y + p.x * (6 * x[3] * u + 2 * x[2]) + p.y * (6 * y[3] * u + 2 * y[2]);
+    return slope > 0 ? std::clamp(u - (p.x * d.x + p.y * d.y) / slope, low, high) : u;
+  }
+
   static float polynomial(const float* c, float u) { return ((c[3] * u + c[2]) * u + c[1]) * u + c[0]; }
   static float derivative(const float* c, float u) { return (3 * c[3] * u + 2 * c[2]) * u + c[1]; }
 
@@ -39,7 +46,7 @@ struct ProjectedCurve {
 
 /// Newton's method for (p . p') = 0 in projection along d, between two places.
 inline Passage passage_near(const CurveSegment& segment, const Ray& ray, double u, double low, double high) {
-  constexpr int kNewtonSteps = 2;
+  constexpr int kNewtonSteps = 3;
   const DoubleVec3 d = widen(ray.direction);
   const double dd = dot(d, d);
   const auto projected = [&](const DoubleVec3& a, const DoubleVec3& b) {
@@ -76,9 +83,10 @@ void for_each_passage(const CurveSegment& segment, const CurvePiece& piece, cons
     for (int j = 0; j < kCurveSteps; ++j) {
       if (!(approach[j] >= 0 && approach[j + 1] <= 0)) continue;
       const float both = approach[j] - approach[j + 1], share = both > 0 ? approach[j] / both : 0.5f;
-      const float guess = u[j] + (u[j + 1] - u[j]) * share;
-      const Vec2 p = curve.at(guess), a = curve.at(u[j]), b = curve.at(u[j + 1]);
-      const float near = reach + 0.25f * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
+      const float guess = curve.nearer(u[j] + (u[j + 1] - u[j]) * share, u[j], u[j + 1]);
+      // Newton's further steps change the distance by less than this.
+      const float near = reach + 0.02f * (u[j + 1] - u[j]) * curve.length_of_tangent(guess);
+      const Vec2 p = curve.at(guess);
       if (p.x * p.x + p.y * p.y > near * near) continue;
       const Passage passage = passage_near(segment, ray, guess, u[j], u[j + 1]);
       if (std::abs(passage.offset) <= segment.width_at(passage.u) / 2) fn(passage);

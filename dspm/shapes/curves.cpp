@@ -11,7 +11,7 @@ namespace dspm {
 namespace {
 
 /// By which a curve may turn in a step of the search for rays (radians).
-constexpr double kTurnOfStep = 0.4;
+constexpr double kTurnOfStep = 0.25;
 
 /// The part of v that is perpendicular to the unit vector `along`, of unit length; any such if nothing is left.
 DoubleVec3 perpendicular(const DoubleVec3& v, const DoubleVec3& along) {
