@@ -26,8 +26,9 @@ inline float log_bessel_i0(float x) {
   constexpr float kBorder = 3.75f;
   if (x < kBorder) {
     const float t = x * x / (kBorder * kBorder);
-    return std::log(1 + t * (3.5156229f +
-                             t * (3.0899424f + t * (1.2067492f + t * (0.2659732f + t * (0.0360768f + t * 0.0045813f))))));
+    return std::log(
+        1 +
+        t * (3.5156229f + t * (3.0899424f + t * (1.2067492f + t * (0.2659732f + t * (0.0360768f + t * 0.0045813f))))));
   }
   const float t = kBorder / x;
   const float series =

@@ -44,11 +44,7 @@ struct FibreLook {
 class Hair final : public Bsdf {
  public:
   Hair(const SurfacePoint& point, const FibreLook& look)
-      : along_(Basis::around(point.ns, point.dpdu).x),
-        ns_(point.ns),
-        ng_(point.ng),
-        look_(look),
-        turns_(point.turns) {}
+      : along_(Basis::around(point.ns, point.dpdu).x), ns_(point.ns), ng_(point.ng), look_(look), turns_(point.turns) {}
 
   /// Not gathered on: fibres are too thin, and light goes through them.
   LobeSet lobes(float least_alpha) const override { return least_alpha < 1 ? 1 : 0; }
@@ -109,9 +105,7 @@ class Hair final : public Bsdf {
       tilted = {turned({-twice.x, twice.y}), turned({s, c}), turned(four), Vec2{w.sin, w.cos}};
     }
     /// By an angle that is given by sine and cosine.
-    Vec2 turned(Vec2 by) const {
-      return {w.sin * by.y + w.cos * by.x, std::abs(w.cos * by.y - w.sin * by.x)};
-    }
+    Vec2 turned(Vec2 by) const { return {w.sin * by.y + w.cos * by.x, std::abs(w.cos * by.y - w.sin * by.x)}; }
   };
 
   struct Scattered {
@@ -144,9 +138,8 @@ class Hair final : public Bsdf {
     Scattered sum{};
     for (std::size_t p = 0; p <= kFibrePaths; ++p) {
       const float m = along[std::min<std::size_t>(p, 2)].density(out.tilted[p].x, out.tilted[p].y, in.sin, in.cos);
-      const float n = p == kFibrePaths
-                          ? 1 / (2 * kPi)
-                          : around.density(in.phi - out.w.phi - out.passage.turn(static_cast<int>(p)));
+      const float n =
+          p == kFibrePaths ? 1 / (2 * kPi) : around.density(in.phi - out.w.phi - out.passage.turn(static_cast<int>(p)));
       sum.flux += out.passage.attenuation[p] * (m * n);
       sum.density += out.chance[p] * (m * n);
     }
@@ -159,8 +152,8 @@ class Hair final : public Bsdf {
     while (p < kFibrePaths && rest >= out.chance[p]) rest -= out.chance[p++];
     rest = std::clamp(rest / out.chance[p], 0.f, 1 - 0x1p-24f);
     const float sin = Longitudinal(variance(p)).sample(out.tilted[p].x, out.tilted[p].y, {u.x, u.y}), cos = cos_of(sin);
-    const float turn = p == kFibrePaths ? 2 * kPi * rest
-                                        : out.passage.turn(static_cast<int>(p)) + Azimuthal(look_.s).sample(rest);
+    const float turn =
+        p == kFibrePaths ? 2 * kPi * rest : out.passage.turn(static_cast<int>(p)) + Azimuthal(look_.s).sample(rest);
     const float phi = out.w.phi + turn;
     return along_ * sin + cross(ns_, along_) * (cos * std::cos(phi)) + ns_ * (cos * std::sin(phi));
   }
@@ -202,11 +195,10 @@ class HairMaterial final : public Material {
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
     const float beta_m = std::clamp(beta_m_->evaluate(at), kSmoothest, 1.f),
-                beta_n = std::clamp(beta_n_->evaluate(at), kSmoothest, 1.f),
-                tilt = alpha_->evaluate(at) * (kPi / 180);
-    return slot.emplace<Hair>(point, FibreLook{absorption(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f),
-                                               eta_->evaluate(at), variance_of(beta_m), scale_of(beta_n),
-                                               std::sin(tilt), std::cos(tilt)});
+                beta_n = std::clamp(beta_n_->evaluate(at), kSmoothest, 1.f), tilt = alpha_->evaluate(at) * (kPi / 180);
+    return slot.emplace<Hair>(
+        point, FibreLook{absorption(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f), eta_->evaluate(at),
+                         variance_of(beta_m), scale_of(beta_n), std::sin(tilt), std::cos(tilt)});
   }
 
  private:

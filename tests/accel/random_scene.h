@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dspm/params/errors.h"
+#include "dspm/shapes/curves.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "tests/shapes/placed.h"
@@ -104,14 +105,30 @@ class RandomScene {
     return *shapes_.back();
   }
 
-  /// A sphere or a disk.
+  /// A sphere, a disk or some curves.
   const Shape& round() {
+    if (random_.below(3) == 0) return strands();
     Diagnostics diagnostics;
     const ParamList list{
         {{ParamType::number, "radius", {}, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
     ParamReader reader(list, "shape", {}, diagnostics);
     auto parts = shape_plugins().find(random_.below(2) == 0 ? "sphere" : "disk")->make(reader);
     shapes_.push_back(std::move(parts.front().shape));
+    return *shapes_.back();
+  }
+
+  const Shape& strands() {
+    constexpr CurveType types[] = {CurveType::flat, CurveType::ribbon, CurveType::cylinder};
+    const CurveType type = types[random_.below(3)];
+    std::vector<CurveSegment> segments;
+    std::vector<RibbonNormals> normals;
+    for (int i = 1 + random_.below(4); i > 0; --i) {
+      const Vec3 points[] = {point(1), point(1), point(1), point(1)};
+      segments.push_back(
+          CurveSegment::of(points, scale_ * random_.magnitude(-3, 0), scale_ * random_.magnitude(-3, 0)));
+      if (type == CurveType::ribbon) normals.push_back({{random_.direction(), random_.direction()}});
+    }
+    shapes_.push_back(std::make_unique<Curves>(type, segments, normals, random_.below(4)));
     return *shapes_.back();
   }
 
@@ -130,7 +147,7 @@ class RandomScene {
     placed_.back().frames = frames;
   }
   void place_at_rest(const Shape& shape) {
-    place(shape, shape.triangles() && random_.below(2) == 0 ? Transform() : placement(), all_);
+    place(shape, (shape.triangles() || shape.turns()) && random_.below(2) == 0 ? Transform() : placement(), all_);
   }
   /// Another mesh in every few frames, in some frames none.
   void place_deforming() {
