@@ -21,9 +21,10 @@
 // around the fibre the other way, which nobody sees in a fibre thinner than a pixel.
 //
 // [Chiang, Bitterli, Tappan, Burley 2016, A Practical and Controllable Hair and Fur Model for Production Path Tracing]
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fibre.h"
@@ -235,14 +236,10 @@ HairMaterial::HairMaterial(ParamReader& reader, const MaterialContext& context) 
   beta_m_ = numbers("beta_m", 0.3f, "", "roughness along the fibre, from 0.01 to 1");
   beta_n_ = numbers("beta_n", 0.3f, "", "roughness around the fibre, from 0.01 to 1");
   alpha_ = numbers("alpha", 2, "degrees", "tilt of the scales on the fibre");
-  std::string_view chosen;
-  for (const char* name : {"sigma_a", "reflectance", "eumelanin", "pheomelanin"}) {
-    if (!reader.has(name)) continue;
-    if (chosen.empty() || (chosen == "eumelanin" && std::string_view(name) == "pheomelanin"))
-      chosen = chosen.empty() ? name : chosen;
-    else
-      reader.warning(name, "\"" + std::string(name) + "\" has no effect beside \"" + std::string(chosen) + "\"");
-  }
+  const std::string first = reader.has("sigma_a") ? "sigma_a" : reader.has("reflectance") ? "reflectance" : "";
+  for (const char* name : {"reflectance", "eumelanin", "pheomelanin"})
+    if (!first.empty() && first != name && reader.has(name))
+      reader.warning(name, fmt::format("\"{}\" has no effect beside \"{}\"", name, first));
   if (reader.has("sigma_a"))
     sigma_a_ = texture_of(sigma_a, context.textures, reader.diagnostics());
   else if (reader.has("reflectance"))
@@ -253,7 +250,6 @@ HairMaterial::HairMaterial(ParamReader& reader, const MaterialContext& context) 
 
 std::unique_ptr<Material> make_hair(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<HairMaterial>(reader, context);
-  refuse_unbuilt_parameters(reader);
   reader.finish();
   return material;
 }
