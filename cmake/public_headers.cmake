@@ -29,7 +29,7 @@ set(toolkit_headers
   cameras/projection.h
   colour/rgb_lanes.h
   grid/point_grid.h grid/points_within.h grid/refit.h
-  integrators/balance.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
+  integrators/balance.h integrators/body.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
   integrators/direct_light.h
   integrators/estimator.h
   integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h

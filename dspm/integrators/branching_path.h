@@ -5,6 +5,8 @@
 #include <array>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/body.h"
+#include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
@@ -20,6 +22,9 @@ namespace dspm {
 ///   void escaped(const Path&, FrameSet)
 ///   void lost(const Path&, FrameSet, const SceneElement&)    the surface is not finite; the shape to blame
 ///   void wandered(const Path& before, const Path& after)  optional: what the path carries has changed inside a body
+/// It may also have
+///   StrandTable& strands()                                frames with different bodies then stay one path
+///   void dimmed(const Path& before, const Path& after)    by the body that the segment has passed through
 template <class Path>
 class BranchingPath {
  public:
@@ -46,6 +51,8 @@ class BranchingPath {
   template <class Tracer>
   void arrive(const Path& path, const FrameHit& part, Tracer& tracer) {
     if (path.walk.is_inside()) return wander(path, part, tracer);
+    const auto escape = [&](const Path& left) { tracer.escaped(left, left.frames); };
+    if (part.hit.missed() && scene_.absorbs) return dim(path, path.body, part.frames, kInfinity, tracer, escape);
     if (part.hit.missed()) return tracer.escaped(path, part.frames);
     arrive_at_surface(path, part, tracer);
   }
@@ -60,10 +67,17 @@ class BranchingPath {
  private:
   template <class Tracer>
   void arrive_at_surface(const Path& path, const FrameHit& part, Tracer& tracer) {
-    const Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
+    Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
     parted_ |= vertex.differs();
     if (!is_finite(vertex.point)) return tracer.lost(path, part.frames, vertex.shape_element());
-    for_each_relief(vertex, [&](const Vertex& shown) { tracer.arrived(path, shown); });
+    const auto arrive = [&](const Path& arrived) {
+      for_each_relief(vertex, [&](const Vertex& shown) { tracer.arrived(arrived, shown); });
+    };
+    if (!scene_.absorbs) return arrive(path);
+    dim(path, vertex.body_towards(vertex.wo, path.body), part.frames, part.hit.t, tracer, [&](const Path& left) {
+      vertex.frames = left.frames;
+      arrive(left);
+    });
   }
 
   /// A path inside a body is scattered there if its ray ends before the surface, and may be thrown back by the surface.
@@ -92,6 +106,28 @@ class BranchingPath {
   /// Far outside, through a hole in the body's surface.
   bool is_lost(const Ray& ray) const {
     return !(length2(ray.at(ray.t_max) - scene_.center) < 4 * scene_.radius * scene_.radius);
+  }
+
+  /// Calls fn(const Path&) for what arrives, in these frames, of a path that has passed through `body`: for one path if
+  /// the tracer has strands.
+  template <class Tracer, class Fn>
+  void dim(const Path& path, int body, FrameSet frames, float distance, Tracer& tracer, Fn&& fn) {
+    Path left = path;
+    left.body = body, left.frames = frames;
+    if (body == kNoBody) return fn(left);
+    const FrameArray<FrameFactor> factors = left_by_body(scene_, body, frames, distance);
+    if constexpr (requires { tracer.strands(); }) {
+      const Path before = left;
+      const bool any = multiply(left, factors, tracer.strands(), ByRatio::yes, keep_all);
+      if (!any) left.frames = {};
+      if constexpr (requires { tracer.dimmed(before, left); }) tracer.dimmed(before, left);
+      if (any) fn(left);
+    } else {
+      for (const FrameFactor& f : factors) {
+        left.frames = f.frames, left.throughput = path.throughput * f.factor;
+        if (!is_black(left.throughput)) fn(left);
+      }
+    }
   }
 
   const Scene& scene_;

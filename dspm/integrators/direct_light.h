@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/body.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frame_array.h"
@@ -26,11 +27,14 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment.
+/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which passes through
+/// `body`.
 template <class Fn>
-void for_each_open(const Scene& scene, const Ray& segment, FrameSet frames, Fn&& fn) {
+void for_each_open(const Scene& scene, const Ray& segment, int body, FrameSet frames, Fn&& fn) {
   const FrameSet open = frames - scene.accel->occluded(segment, frames);
-  if (!open.empty()) fn(open, Rgb(1));
+  if (open.empty()) return;
+  if (body == kNoBody || !scene.absorbs) return fn(open, Rgb(1));
+  for (const FrameFactor& left : left_by_body(scene, body, open, segment.t_max)) fn(left.frames, left.factor);
 }
 
 // Of a few lights, all are sampled; of more, half of the samples go by power, which a sky or a sun beyond everything
@@ -167,7 +171,8 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
     for (const ChosenSample& chosen : choosing)
       if (is_same(chosen)) together |= chosen.frames;
     ++counts.shadow_rays;
-    for_each_open(scene, shadow_ray(point, first.lit), together, [&](FrameSet open, const Rgb& transmittance) {
+    const int body = body_beyond(vertex, path.body, first.lit.wi);
+    for_each_open(scene, shadow_ray(point, first.lit), body, together, [&](FrameSet open, const Rgb& transmittance) {
       for (const ChosenSample& chosen : choosing) {
         const FrameSet lit = chosen.frames & open;
         if (!is_same(chosen) || lit.empty()) continue;

@@ -43,7 +43,9 @@ class FinalGather {
       path.frames = hit.frames, path.from = &hit;
       const auto sample = sample_bsdf(*scattering.bsdf, path, scattering.wo, Transport::radiance, scattering.lobes);
       if (!sample) continue;
-      extend(path, point, *sample);
+      path.throughput *= sample->weight;
+      extend_ray(path, point, *sample);
+      path.body = scattering.body;  // lobes that gather hardly ever transmit
       if (!is_valid(path, {SceneElement::Kind::material, scattering.material})) continue;
       branches_.push(path);
       branches_.follow(*this);
@@ -82,8 +84,8 @@ class FinalGather {
     HitPoint hit = *path.from;
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = path.throughput, hit.frames = path.frames;
-    const Scattering scattering{BsdfSlot::copy_of(bsdf),        vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
-                                vertex.material_element().index};
+    const Scattering scattering{BsdfSlot::copy_of(bsdf),         vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
+                                vertex.material_element().index, path.body};
     estimate_radiance(hit, &scattering, map_, how_, counts_,
                       [&](FrameSet frames, const Rgb& radiance) { add_(hit, frames, radiance); });
   }
@@ -91,7 +93,7 @@ class FinalGather {
   void scatter(GatherPath& path, const Vertex& vertex, const Bsdf& bsdf, LobeSet lobes) {
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, lobes);
     if (!sample) return;
-    extend(path, vertex.point, *sample);
+    extend(path, vertex, *sample);
     if (!is_black(path.throughput) && is_valid(path, vertex.material_element())) branches_.push(path);
   }
 

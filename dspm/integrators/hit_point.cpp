@@ -73,6 +73,8 @@ class HitPointTracer {
  private:
   friend BranchingPath<CameraPath>;
 
+  StrandTable& strands() { return tile_.strands; }
+
   bool postpones(const CameraPath& path, const HitPartition& parts) {
     if (parts.size() == 1 || finishing_) return false;
     parted_.add(path, parts);
@@ -216,7 +218,7 @@ class HitPointTracer {
   void leave(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,
              std::span<const FrameFactor> factors) {
     CameraPath& branch = branches_.push(path);
-    extend_ray(branch, vertex.point, sample);
+    extend_ray(branch, vertex, sample);
     branch.from = vertex.point.p, branch.from_ng = vertex.point.ng;
     branch.indirect = true, branch.looks = looks_for_lights();
     if (!(settings_.go_on ? survives(branch, path, vertex, factors) : out_.carry(branch, vertex, factors)))
@@ -231,7 +233,7 @@ class HitPointTracer {
   void extend(const CameraPath& path, const Vertex& vertex, const BsdfSample& sample,
               std::span<const FrameFactor> factors) {
     CameraPath& branch = branches_.push(path);
-    extend_ray(branch, vertex.point, sample);
+    extend_ray(branch, vertex, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
     if (!survives(branch, path, vertex, factors)) branches_.drop();
   }

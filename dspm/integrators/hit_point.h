@@ -35,6 +35,7 @@ struct Scattering {
   LobeSet lobes;   // those that gather here
   bool transmits;  // photons on the other side of the surface count as well
   int material;    // index into the scene's
+  int body;        // around the hit point, see body.h
 };
 
 struct HitPointSettings {

@@ -101,7 +101,7 @@ class PixelTracer {
     const int bounce = path.bounces;
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
-    extend(path, vertex.point, *sample);
+    extend(path, vertex, *sample);
     if (!is_finite(path.ray) || !is_finite(path.throughput))
       return reject(path, path.frames, vertex.material_element());
     path.from = vertex.point.p;

@@ -20,6 +20,8 @@
 
 namespace dspm {
 
+inline constexpr int kNoBody = -1;
+
 /// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
   Ray ray;                 // the next segment
@@ -30,6 +32,7 @@ struct PathState {
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path
   Walk walk = {};          // through the body that the path is in, if that scatters
+  int body = kNoBody;      // that the next segment passes through: its material, see body.h
 
   /// The diameter of what the path stands for at the end of its next segment, in the world: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
@@ -60,6 +63,14 @@ struct Vertex {
   const PlacedShape& shape;
   const FrameStates<Material>& material;
 
+  /// The body on w's side of the surface: the surface's own, by its material, or else the one that is `around` it.
+  int body_towards(const Vec3& w, int around) const {
+    return dot(w, point.ng) < 0 && bounds_a_body() ? shape.material : around;
+  }
+  bool bounds_a_body() const {
+    return std::any_of(material.states.begin(), material.states.end(),
+                       [](const auto& state) { return state.object->bounds_a_body(); });
+  }
   /// Whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
 
@@ -68,6 +79,12 @@ struct Vertex {
   SceneElement material_element() const { return {SceneElement::Kind::material, shape.material}; }
   SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
+
+/// The body that a segment from `vertex` in direction w passes through, if the one before came through `body`.
+inline int body_beyond(const Vertex& vertex, int body, const Vec3& w) {
+  const bool came_out = vertex.body_towards(vertex.wo, kNoBody) != kNoBody;
+  return vertex.body_towards(w, came_out ? kNoBody : body);
+}
 
 /// Calls fn(FrameSet, const Material&) for each material that the point is made of in some of the vertex's frames. Mixes
 /// that differ may agree about a point.
@@ -208,9 +225,13 @@ inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSam
   if (sample.ahead) path.walk = Walk(*sample.ahead);
   path.walk.start(path.ray, path.random, path.bounces);
 }
-inline void extend(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
+inline void extend_ray(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
+  path.body = body_beyond(vertex, path.body, sample.wi);
+  extend_ray(path, vertex.point, sample);
+}
+inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
   path.throughput *= sample.weight;
-  extend_ray(path, point, sample);
+  extend_ray(path, vertex, sample);
 }
 
 inline constexpr int kFirstRouletteBounce = 4;  // of camera paths

@@ -70,7 +70,7 @@ class PhotonTracer {
       path.start = static_cast<int>(started_.size());
       started_.push_back(
           {light, *start.light, {emission->ray, emission->normal, emission->primitive}, emission->must_reach});
-      path.random = random, path.strands = start.strands;
+      path.random = random, path.strands = start.strands, path.body = start.body;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();
@@ -94,6 +94,14 @@ class PhotonTracer {
   }
 
   bool postpones(const PhotonPath&, const HitPartition&) { return false; }
+  StrandTable& strands() { return out_.strands; }
+  void dimmed(const PhotonPath& before, const PhotonPath& after) {
+    const auto add = [&](const PhotonPath& path, double sign) {
+      balance(path.strands, path.frames,
+              [&](EnergyBalance& e, const Rgb& weight) { e.absorbed += sign * sum(path.throughput * weight); });
+    };
+    add(before, 1), add(after, -1);
+  }
 
   void escaped(const PhotonPath& path, FrameSet frames) { balance(path, frames, &EnergyBalance::escaped); }
 
@@ -210,7 +218,7 @@ class PhotonTracer {
     PhotonPath& branch = branches_.push(path);
     branch.kind = kind_after(path, rough);
     branch.hidden = path.hidden && sample.specular;
-    extend_ray(branch, vertex.point, sample);
+    extend_ray(branch, vertex, sample);
     if (!roulette(branch, vertex, factors, path.random.number(path.bounces, kRoulette))) branches_.drop();
   }
 

@@ -1,14 +1,39 @@
 #include "dspm/integrators/photon_starts.h"
 
+#include <map>
+
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/body.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
+namespace {
+
+/// The starts once more for each body that a light lies in, in some frames.
+std::vector<PhotonStart> by_body(const Scene& scene, const std::vector<PhotonStart>& starts) {
+  std::vector<PhotonStart> parts;
+  for (const PhotonStart& start : starts) {
+    std::map<int, FrameSet> bodies;
+    const auto emission = start.light->is_infinite() ? std::nullopt : start.light->emit({0.5f, 0.5f}, {0.5f, 0.5f});
+    start.frames.for_each(
+        [&](Frame f) { bodies[emission ? body_at(scene, emission->ray.origin, f) : kNoBody] |= FrameSet::single(f); });
+    for (const auto& [body, frames] : bodies) {
+      PhotonStart& part = parts.emplace_back(start);
+      part.body = body, part.frames = frames;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
 
 PhotonStarts::PhotonStarts(const Scene& scene, bool share_paths) {
   for (const LightChoice& choice : scene.light_choices) {
     auto& of_light = of_choice_.emplace_back();
-    for (const SceneLight& light : scene.lights) of_light.push_back(starts_of(light, choice.frames, share_paths));
+    for (const SceneLight& light : scene.lights) {
+      of_light.push_back(starts_of(light, choice.frames, share_paths));
+      if (scene.absorbs) of_light.back() = by_body(scene, of_light.back());
+    }
   }
 }
 

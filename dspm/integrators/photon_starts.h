@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/path_step.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
@@ -18,6 +19,7 @@ struct PhotonStart {
   Rgb factor;  // of the light's flux
   StrandList strands;
   const SceneLight::Alike* varied = nullptr;  // set if its weights depend on the photon's direction
+  int body = kNoBody;                         // in which the light lies, all of it
 };
 
 class PhotonStarts {

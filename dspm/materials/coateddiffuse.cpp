@@ -9,21 +9,29 @@
 //   vroughness        float texture       roughness   across it
 //   remaproughness    bool                true        alpha is sqrt(roughness), else roughness itself
 //   g, albedo                             0           of a medium in the coat; only 0 is supported
-//   thickness, maxdepth, nsamples                     of pbrt's random walk; read, but without effect
+//   thickness, maxdepth, nsamples         0.01, 10, 1 of pbrt's random walk, see below
 //
 // Both sides are coated. The coat mirrors (smooth, or GGX). The light that it transmits is scattered by the base,
 // partly reflected back by the coat from inside, scattered again, and so on: a geometric series, with a = reflectance,
 //   f = F-mirror or GGX + (1 - F(wo)) (1 - F(wi)) / eta^2 * a / (pi (1 - a F_in)),
 // where F_in is the mean Fresnel reflectance for diffuse light from inside. A smooth coat over a white base loses
-// nothing.
-// pbrt estimates the same layers by a random walk, whose values are random; this is exact for a smooth coat without a
-// medium. For a rough one pbrt also refracts through the facets; here light enters as if the coat were smooth, and
-// for indices outside 1 to 4, the facets' Fresnel term is bounded by the smooth coat's.
-// [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces]
+// nothing. Light enters a rough coat as if it were smooth, and for indices outside 1 to 4, the facets' Fresnel term is
+// bounded by the smooth coat's.
+//
+// In a .pbrt file the coat loses what pbrt's random walk loses: exp(-thickness / cos) on each way through it, what is
+// left after maxdepth / 2 (rounded up) visits of the base, and light that meets two facets of a rough coat. As the base
+// is diffuse, the walk's mean is a series as well,
+//   f = F-mirror or GGX + t(wo) t(wi) / eta^2 * a / pi * sum over k of (a G)^k,
+// with t the albedo of refraction by the facets times exp(-thickness / cos inside), and G that of their reflection of
+// diffuse light from inside, there and back through the coat. nsamples has no effect: there is no noise.
+// [Wolff 1994, Diffuse-Reflectance Model for Smooth Dielectric Surfaces; Pharr, Jakob and Humphreys 2023, Physically
+// Based Rendering, 14.3]
 #include <algorithm>
+#include <cmath>
 #include <typeinfo>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/coat.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
 #include "dspm/materials/material.h"
@@ -42,14 +50,15 @@ constexpr LobeSet kCoat = kReflection, kBase = kTransmission;
 
 class CoatedDiffuse final : public Bsdf {
  public:
-  /// `base` is the factor of (1 - F(wo)) (1 - F(wi)).
-  CoatedDiffuse(const ShadingFrame& frame, Vec2 alpha, float eta, const Rgb& base)
+  /// `base` is the factor of what the coat lets through for wo and for wi. The coat must outlive it.
+  CoatedDiffuse(const ShadingFrame& frame, Vec2 alpha, const Coat& coat, const Rgb& base)
       : frame_(frame),
+        coat_(&coat),
         facets_(alpha),
-        smooth_(Ggx::is_smooth(alpha) || eta == 1),
-        eta_(eta),
+        smooth_(Ggx::is_smooth(alpha) || coat.eta == 1),
+        eta_(coat.eta),
         base_(base),
-        base_weight_(weight_in_choice(kPi * eta * eta * max_component(base))) {}
+        base_weight_(weight_in_choice(kPi * eta_ * eta_ * max_component(base))) {}
 
   LobeSet lobes(float least_alpha) const override {
     const float coat_alpha = smooth_ ? 0 : facets_.least_alpha();
@@ -91,7 +100,7 @@ class CoatedDiffuse final : public Bsdf {
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {
     if (typeid(other) != typeid(CoatedDiffuse)) return std::nullopt;
     const auto& o = static_cast<const CoatedDiffuse&>(other);
-    if (eta_ != o.eta_ || ((lobes & kCoat) && !(smooth_ && o.smooth_))) return std::nullopt;
+    if (eta_ != o.eta_ || ((lobes & kCoat) && !(smooth_ && o.smooth_)) || !lets_through_as(o)) return std::nullopt;
     return ratio(base_, o.base_);
   }
 
@@ -102,6 +111,12 @@ class CoatedDiffuse final : public Bsdf {
     return reflectance >= 1 / 4.f ? 1 : reflectance >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
   }
 
+  bool lets_through_as(const CoatedDiffuse& o) const {
+    if (coat_->facets != o.coat_->facets || coat_->thickness != o.coat_->thickness) return false;
+    return !coat_->facets || (smooth_ && o.smooth_) || facets_.alpha() == o.facets_.alpha();
+  }
+  float let_through(float cos) const { return coat_->let_through(cos, smooth_, facets_); }
+
   float share_of_coat(float cos_o) const {
     const float mirrored = fresnel_dielectric(cos_o, eta_);
     return mirrored / (mirrored + (1 - mirrored) * base_weight_);
@@ -111,21 +126,12 @@ class CoatedDiffuse final : public Bsdf {
   /// Both above the surface; as for the density.
   Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
     Rgb sum;
-    if (lobes & kBase) sum += base_ * ((1 - fresnel_dielectric(o.z, eta_)) * (1 - fresnel_dielectric(i.z, eta_)));
+    if (lobes & kBase) sum += base_ * (let_through(o.z) * let_through(i.z));
     if ((lobes & kCoat) && !smooth_) {
       const Vec3 m = normalize(o + i);
-      sum += Rgb(mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
+      sum += Rgb(coat_->mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
     }
     return sum;
-  }
-
-  // The base gets the light that a smooth coat transmits. For indices of 1 to 4, facets mirror hardly more than the
-  // remainder, 0.3% at most. Outside that range, total reflection or Brewster's angle near grazing make it up to 26%:
-  // there a facet mirrors no more than the smooth coat does for either direction.
-  float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
-    const float mirrored = fresnel_dielectric(cos, eta_);
-    if (eta_ >= 1 && eta_ <= 4) return mirrored;
-    return std::min({mirrored, fresnel_dielectric(cos_o, eta_), fresnel_dielectric(cos_i, eta_)});
   }
 
   float density(const Vec3& o, const Vec3& i, LobeSet lobes) const {
@@ -137,6 +143,7 @@ class CoatedDiffuse final : public Bsdf {
   }
 
   ShadingFrame frame_;
+  const Coat* coat_;
   Ggx facets_;
   bool smooth_;
   float eta_;
@@ -147,57 +154,71 @@ class CoatedDiffuse final : public Bsdf {
 class CoatedDiffuseMaterial final : public Material {
  public:
   CoatedDiffuseMaterial(ParamReader& reader, const MaterialContext& context)
-      : eta_(read_eta(reader)), let_in_(1 - mean_fresnel_outside(eta_)), roughness_(reader, context) {
+      : coat_{read_eta(reader), 0, nullptr}, let_in_(1 - mean_fresnel_outside(coat_.eta)), roughness_(reader, context) {
     const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "of the base");
     reflectance_ = texture_of(reflectance, context.textures, reader.diagnostics());
+    walk_ = read_random_walk(reader, context.as_in_pbrt);
+  }
+
+  /// Once the parameters have been checked.
+  void lose_as_in_pbrt() {
+    coat_.thickness = walk_.thickness;
+    coat_.facets = boundary_tables(coat_.eta);
+    constexpr int kSteps = 1024;
+    float without = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const float cos = (static_cast<float>(i) + 0.5f) / kSteps;
+      const float mirrored = 2 * cos * fresnel_dielectric(cos, 1 / coat_.eta) / kSteps;
+      without += mirrored, mirrored_inside_ += mirrored * coat_.left(cos) * coat_.left(cos);
+    }
+    left_inside_ = without > 0 ? mirrored_inside_ / without : 1;
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
-    Rgb base;
-    for (int c = 0; c < 3; ++c) {
-      // eta^2 (1 - a F_in), which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
-      const float remaining = eta_ * eta_ * (1 - a[c]) + a[c] * let_in_;
-      base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
-    }
-    return slot.emplace<CoatedDiffuse>(ShadingFrame(point), roughness_.alpha(point), eta_, base);
+    const Vec2 alpha = roughness_.alpha(point);
+    return slot.emplace<CoatedDiffuse>(ShadingFrame(point), alpha, coat_, coat_.facets ? walked(a, alpha) : all(a));
   }
 
  private:
-  float eta_, let_in_;  // let_in: the fraction of diffuse light that enters the coat
+  /// Over eta^2, which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
+  Rgb all(const Rgb& a) const {
+    Rgb base;
+    for (int c = 0; c < 3; ++c) {
+      const float remaining = coat_.eta * coat_.eta * (1 - a[c]) + a[c] * let_in_;
+      base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
+    }
+    return base;
+  }
+  Rgb walked(const Rgb& a, Vec2 alpha) const {
+    const bool smooth = Ggx::is_smooth(alpha) || coat_.eta == 1;
+    const float back =
+        smooth ? mirrored_inside_ : left_inside_ * coat_.facets->inside.reflected.mean(Coat::mean_alpha(Ggx(alpha)));
+    Rgb base;
+    for (int c = 0; c < 3; ++c) {
+      const float again = a[c] * back;
+      const float sum = again < 1 ? (1 - std::pow(again, static_cast<float>(walk_.visits))) / (1 - again)
+                                  : static_cast<float>(walk_.visits);
+      base[c] = a[c] * sum / (kPi * coat_.eta * coat_.eta);
+    }
+    return base;
+  }
+
+  Coat coat_;
+  float let_in_;  // the fraction of diffuse light that enters the coat
   Roughness roughness_;
   TexturePtr<Rgb> reflectance_;
+  RandomWalk walk_;
+  float mirrored_inside_ = 0;  // the fraction of diffuse light that a smooth coat sends back to the base
+  float left_inside_ = 1;      // of it, what the way through the coat leaves
 };
-
-/// The parameters of pbrt's random walk through the coat and its medium.
-void read_random_walk(ParamReader& reader) {
-  const float g = reader.number("g", 0, "", "asymmetry of a medium in the coat; only 0 is supported");
-  const auto albedo =
-      reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is supported");
-  const auto refuse = [&](std::string_view name) {
-    reader.diagnostics().unsupported(reader.where(name),
-                                     reader.subject() + ": a medium in the coat is not supported by dspm");
-  };
-  if (g != 0) refuse("g");
-  if (!albedo.texture.empty() || !is_black(albedo.value)) refuse("albedo");
-  reader.number("thickness", 0.01f, "", "of the coat; without effect");
-  reader.integer("maxdepth", 10, "", "of pbrt's random walk; without effect");
-  reader.integer("nsamples", 1, "", "of pbrt's random walk; without effect");
-  for (const char* name : {"thickness", "maxdepth", "nsamples"}) {
-    if (!reader.has(name)) continue;
-    reader.warning(
-        name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " has no effect in dspm",
-        "the coat is evaluated exactly, without pbrt's random walk and its thickness, maxdepth and nsamples");
-    break;
-  }
-}
 
 }  // namespace
 
 std::unique_ptr<Material> make_coateddiffuse(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<CoatedDiffuseMaterial>(reader, context);
-  read_random_walk(reader);
   reader.finish();
+  if (context.as_in_pbrt) material->lose_as_in_pbrt();
   return material;
 }
 

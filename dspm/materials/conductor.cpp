@@ -24,10 +24,6 @@
 namespace dspm {
 namespace {
 
-struct MetalIndex {
-  Rgb eta, k;
-};
-
 class SmoothConductor final : public Bsdf {
  public:
   SmoothConductor(const ShadingFrame& frame, const MetalIndex& index) : frame_(frame), index_(index) {}
@@ -90,47 +86,21 @@ class RoughConductor final : public Bsdf {
   MetalIndex index_;
 };
 
-/// As in pbrt: never quite 1, because k would be infinite.
-MetalIndex index_of_reflectance(const Rgb& reflectance) {
-  MetalIndex index{Rgb(1), Rgb(0)};
-  for (int c = 0; c < 3; ++c) {
-    const float r = std::clamp(reflectance[c], 0.f, 0.9999f);
-    index.k[c] = 2 * std::sqrt(r / (1 - r));
-  }
-  return index;
-}
-
 class ConductorMaterial final : public Material {
  public:
-  ConductorMaterial(ParamReader& reader, const MaterialContext& context) : roughness_(reader, context) {
-    const auto eta = reader.rgb_or_texture("eta", "metal-Cu-eta", SpectrumRole::unbounded, "index of refraction");
-    const auto k = reader.rgb_or_texture("k", "metal-Cu-k", SpectrumRole::unbounded, "absorption coefficient");
-    const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(1), SpectrumRole::albedo,
-                                                   "at normal incidence, instead of eta and k; unused if not given");
-    by_reflectance_ = reader.has("reflectance");
-    if (by_reflectance_ && (reader.has("eta") || reader.has("k")))
-      reader.error("reflectance", reader.subject() + " takes either \"reflectance\" or \"eta\" and \"k\"");
-    eta_or_reflectance_ = texture_of(by_reflectance_ ? reflectance : eta, context.textures, reader.diagnostics());
-    k_ = texture_of(k, context.textures, reader.diagnostics());
-  }
+  ConductorMaterial(ParamReader& reader, const MaterialContext& context)
+      : roughness_(reader, context), metal_(reader, context) {}
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
     const Vec2 alpha = roughness_.alpha(point);
-    if (Ggx::is_smooth(alpha)) return slot.emplace<SmoothConductor>(frame, index(point));
-    return slot.emplace<RoughConductor>(frame, Ggx(alpha), index(point));
+    if (Ggx::is_smooth(alpha)) return slot.emplace<SmoothConductor>(frame, metal_.index(point));
+    return slot.emplace<RoughConductor>(frame, Ggx(alpha), metal_.index(point));
   }
 
  private:
-  MetalIndex index(const SurfacePoint& point) const {
-    const TexturePoint place = texture_point(point);
-    const Rgb value = eta_or_reflectance_->evaluate(place);
-    return by_reflectance_ ? index_of_reflectance(value) : MetalIndex{value, k_->evaluate(place)};
-  }
-
   Roughness roughness_;
-  bool by_reflectance_;
-  TexturePtr<Rgb> eta_or_reflectance_, k_;
+  MetalLook metal_;
 };
 
 }  // namespace

@@ -2,30 +2,32 @@
 //
 //   Material "dielectric" "float eta" 1.33
 //
-//   eta              float or spectrum   1.5         index of refraction inside over outside
-//   roughness        float texture       0           of both directions
-//   uroughness       float texture       roughness   along the first tangent
-//   vroughness       float texture       roughness   across it
-//   remaproughness   bool                true        alpha is sqrt(roughness), else roughness itself
+//   eta                   float or spectrum   1.5         index of refraction inside over outside
+//   roughness             float texture       0           of both directions
+//   uroughness            float texture       roughness   along the first tangent
+//   vroughness            float texture       roughness   across it
+//   remaproughness        bool                true        alpha is sqrt(roughness), else roughness itself
+//   attenuationcolor      spectrum            1           of white light after attenuationdistance in the body
+//   attenuationdistance   float               1           in world units
 //
 // Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
-// dispersion. Rough glass is GGX; light that hits a second facet is lost.
-// [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces]
+// dispersion. Rough glass is GGX; light that hits a second facet is lost. Coloured glass absorbs within the body: after a
+// distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which should be
+// closed; what is opaque may lie in it. Of two bodies of which one lies within the other, the inner one counts.
+// [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
 namespace {
-
-/// Beyond the interface, radiance is spread over a larger or smaller cone; flux is not. [Veach 1997, 5.2]
-float transport_scale(Transport transport, float eta) { return transport == Transport::radiance ? 1 / (eta * eta) : 1; }
 
 class SmoothDielectric final : public Bsdf {
  public:
@@ -70,27 +72,24 @@ class RoughDielectric final : public Bsdf {
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi);
-    const std::optional<Facet> facet = facet_between(w, lobes);
+    const std::optional<Facet> facet = facet_of(w, lobes);
     if (!facet) return {};
-    const Vec3& m = facet->m;
-    if (w.reflection()) return Rgb(facet->fresnel * facets_.reflection(w.wo, w.wi, m));
-    // [Walter et al. 2007, (21)], divided by eta^2 above and below the line.
-    const float f = facets_.density(m) * facets_.visible(w.wo, w.wi) * (1 - facet->fresnel) * dot(w.wo, m) *
-                    facet->solid_angle_ratio / (w.wo.z * -w.wi.z);
-    return Rgb(f * transport_scale(transport, facet->eta));
+    if (w.reflection()) return Rgb(facet->fresnel * facets_.reflection(w.wo, w.wi, facet->m));
+    const float scale = transport_scale(transport, eta_from(w.side));
+    return Rgb((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * scale);
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi);
-    const std::optional<Facet> facet = facet_between(w, lobes);
+    const std::optional<Facet> facet = facet_of(w, lobes);
     if (!facet) return 0;
     const float reflected = chance_of_reflection(facet->fresnel, lobes);
     if (w.reflection()) return reflected * facets_.reflection_density(w.wo, facet->m);
-    return (1 - reflected) * facets_.visible_density(w.wo, facet->m) * facet->solid_angle_ratio;
+    return (1 - reflected) * refraction_density(facets_, w.wo, *facet);
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
-    const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+    const float side = frame_.side(wo), eta = eta_from(side);
     const Vec3 o = frame_.local(wo, side);
     if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
     const Vec3 m = facets_.sample_visible(o, u.x, u.y);
@@ -113,25 +112,11 @@ class RoughDielectric final : public Bsdf {
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
 
  private:
+  float eta_from(float side) const { return side > 0 ? eta_ : 1 / eta_; }
   /// The facet that sends light from wo to wi, by one of `lobes`.
-  struct Facet {
-    Vec3 m;
-    float eta, fresnel;
-    float solid_angle_ratio;  // of m over that of wi, for transmission
-  };
-  std::optional<Facet> facet_between(const LocalPair& w, LobeSet lobes) const {
+  std::optional<Facet> facet_of(const LocalPair& w, LobeSet lobes) const {
     if (!w.valid || !(lobes & (w.reflection() ? kReflection : kTransmission))) return std::nullopt;
-    const float eta = w.side > 0 ? eta_ : 1 / eta_;
-    Vec3 m = normalize(w.reflection() ? w.wo + w.wi : w.wo + w.wi * eta);
-    if (m.z < 0) m = -m;
-    // A facet's front sees wo; its back, where light passes, sees wi.
-    if (dot(m, w.wo) <= 0 || dot(m, w.wi) * w.wi.z <= 0) return std::nullopt;
-    const float ratio = w.reflection() ? 0.f : solid_angle_ratio(w.wo, w.wi, m, eta);
-    return Facet{m, eta, fresnel_dielectric(dot(w.wo, m), eta), ratio};
-  }
-  static float solid_angle_ratio(const Vec3& wo, const Vec3& wi, const Vec3& m, float eta) {
-    const float root = dot(wi, m) + dot(wo, m) / eta;
-    return std::abs(dot(wi, m)) / (root * root);
+    return facet_between(w.wo, w.wi, eta_from(w.side));
   }
 
   ShadingFrame frame_;
@@ -160,7 +145,7 @@ float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
 class DielectricMaterial final : public Material {
  public:
   DielectricMaterial(ParamReader& reader, const MaterialContext& context)
-      : eta_(read_eta(reader)), roughness_(reader, context) {}
+      : eta_(read_eta(reader)), roughness_(reader, context), absorption_(read_absorption(reader)) {}
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
@@ -169,10 +154,12 @@ class DielectricMaterial final : public Material {
     return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_);
   }
   bool bounds_a_body() const override { return true; }
+  Rgb absorption() const override { return absorption_; }
 
  private:
   float eta_;
   Roughness roughness_;
+  Rgb absorption_;
 };
 
 }  // namespace

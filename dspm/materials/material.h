@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/materials/bsdf.h"
 #include "dspm/materials/material_set.h"
 #include "dspm/params/params.h"
@@ -22,6 +23,8 @@ class Material {
   virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
   /// Whether light enters the body: its mesh should then be closed and its normals point outward.
   virtual bool bounds_a_body() const { return false; }
+  /// What the body absorbs: over a distance d in the world, exp(-absorption d) of the light is left.
+  virtual Rgb absorption() const { return Rgb(0); }
   /// False: light passes as if the surface were not there, so its shapes are left out of the scene.
   virtual bool is_seen() const { return true; }
   /// Of a mix, `depth` mixes deep: which of its materials the point is made of. Null: this one.
@@ -45,6 +48,7 @@ class Material {
 struct MaterialContext {
   const TextureSet& textures;
   const MaterialSet& materials = MaterialSet::none();  // those that the parameters name
+  bool as_in_pbrt = false;                             // the scene is a .pbrt file: where pbrt loses light, so do we
 };
 
 using MakeMaterial = std::unique_ptr<Material>(ParamReader&, const MaterialContext&);

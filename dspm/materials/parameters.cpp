@@ -4,27 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
 
-Roughness::Roughness(ParamReader& reader, const MaterialContext& context) {
-  const auto read = [&](std::string_view name, float fallback, std::string_view sentence) {
+Roughness::Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap)
+    : remap_(remap) {
+  const auto read = [&](const std::string& name, float fallback, std::string_view sentence) {
     const auto roughness = reader.number_or_texture(name, fallback, "", sentence);
     if (roughness.value < 0)
       reader.error(name, fmt::format("parameter \"{}\" of {} must not be negative", name, reader.subject()));
     return roughness;
   };
-  const auto both = read("roughness", 0, "of the surface in both directions; 0 is smooth");
-  const auto one = [&](std::string_view name, std::string_view sentence) {
+  const auto both = read(prefix + "roughness", 0, "of the surface in both directions; 0 is smooth");
+  const auto one = [&](const std::string& name, std::string_view sentence) {
     const auto own = read(name, std::max(both.value, 0.f), sentence);
     return texture_of(reader.has(name) ? own : both, context.textures, reader.diagnostics());
   };
-  u_ = one("uroughness", "along the first tangent; the same as roughness if not given");
-  v_ = one("vroughness", "across the first tangent; the same as roughness if not given");
-  remap_ = reader.flag("remaproughness", true, "alpha is the square root of roughness, else roughness itself");
+  u_ = one(prefix + "uroughness", "along the first tangent; the same as roughness if not given");
+  v_ = one(prefix + "vroughness", "across the first tangent; the same as roughness if not given");
+}
+
+bool Roughness::read_remap(ParamReader& reader) {
+  return reader.flag("remaproughness", true, "alpha is the square root of roughness, else roughness itself");
 }
 
 Vec2 Roughness::alpha(const SurfacePoint& point) const {
@@ -33,17 +38,60 @@ Vec2 Roughness::alpha(const SurfacePoint& point) const {
   return remap_ ? Vec2{roughness_to_alpha(roughness.x), roughness_to_alpha(roughness.y)} : roughness;
 }
 
-float read_eta(ParamReader& reader, float fallback) {
-  const Rgb eta = reader.rgb("eta", Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
+float read_eta(ParamReader& reader, float fallback, const std::string& name) {
+  const Rgb eta = reader.rgb(name, Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
   const float mean = (eta.r + eta.g + eta.b) / 3;
   if (!(mean > 0)) {
-    reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be above 0");
+    reader.error(name, fmt::format("parameter \"{}\" of {} must be above 0", name, reader.subject()));
     return fallback;
   }
   if (eta.r != eta.g || eta.g != eta.b)
-    reader.diagnostics().note(reader.where("eta"),
-                              fmt::format("dispersion is not supported: eta is {:.4g}, the mean of its colours", mean));
+    reader.diagnostics().note(
+        reader.where(name),
+        fmt::format("dispersion is not supported: {} is {:.4g}, the mean of its colours", name, mean));
   return mean;
+}
+
+MetalLook::MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix) {
+  const auto eta =
+      reader.rgb_or_texture(prefix + "eta", "metal-Cu-eta", SpectrumRole::unbounded, "index of refraction");
+  const auto k = reader.rgb_or_texture(prefix + "k", "metal-Cu-k", SpectrumRole::unbounded, "absorption coefficient");
+  const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(1), SpectrumRole::albedo,
+                                                 "at normal incidence, instead of eta and k; unused if not given");
+  by_reflectance_ = reader.has("reflectance");
+  if (by_reflectance_ && (reader.has(prefix + "eta") || reader.has(prefix + "k")))
+    reader.error("reflectance", fmt::format("{} takes either \"reflectance\" or \"{}eta\" and \"{}k\"",
+                                            reader.subject(), prefix, prefix));
+  eta_or_reflectance_ = texture_of(by_reflectance_ ? reflectance : eta, context.textures, reader.diagnostics());
+  k_ = texture_of(k, context.textures, reader.diagnostics());
+}
+
+MetalIndex MetalLook::index(const SurfacePoint& point) const {
+  const TexturePoint place = texture_point(point);
+  const Rgb value = eta_or_reflectance_->evaluate(place);
+  if (!by_reflectance_) return {value, k_->evaluate(place)};
+  MetalIndex index{Rgb(1), Rgb(0)};
+  for (int c = 0; c < 3; ++c) {
+    // As in pbrt: never quite 1, because k would be infinite.
+    const float r = std::clamp(value[c], 0.f, 0.9999f);
+    index.k[c] = 2 * std::sqrt(r / (1 - r));
+  }
+  return index;
+}
+
+Rgb read_absorption(ParamReader& reader) {
+  constexpr float kDarkest = 1e-30f;
+  const Rgb colour = clamped_albedo(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,
+                                               "of white light after attenuationdistance in the body"));
+  const float distance = reader.number("attenuationdistance", 1, "world units", "after which it has attenuationcolor");
+  if (!(distance > 0)) {
+    reader.error("attenuationdistance",
+                 "parameter \"attenuationdistance\" of " + reader.subject() + " must be above 0");
+    return {};
+  }
+  Rgb absorption;
+  for (int c = 0; c < 3; ++c) absorption[c] = -std::log(std::max(colour[c], kDarkest)) / distance;
+  return absorption;
 }
 
 }  // namespace dspm

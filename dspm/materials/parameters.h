@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/material.h"
@@ -25,7 +26,12 @@ inline Rgb clamped_albedo(const Rgb& c) {
 /// "roughness", "uroughness", "vroughness" and "remaproughness": GGX alpha along the tangent and across it.
 class Roughness {
  public:
-  Roughness(ParamReader& reader, const MaterialContext& context);
+  Roughness(ParamReader& reader, const MaterialContext& context) : Roughness(reader, context, "") {
+    remap_ = read_remap(reader);
+  }
+  /// "interface." as `prefix` reads "interface.roughness" and so on, but no "remaproughness".
+  Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap = true);
+  static bool read_remap(ParamReader& reader);
   Vec2 alpha(const SurfacePoint& point) const;
 
  private:
@@ -33,7 +39,27 @@ class Roughness {
   bool remap_;
 };
 
-/// "eta", an index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
-float read_eta(ParamReader& reader, float fallback = 1.5f);
+/// An index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
+float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& name = "eta");
+
+/// A metal's complex index of refraction, eta + ik.
+struct MetalIndex {
+  Rgb eta, k;
+};
+
+/// "eta" and "k", both after `prefix`, or "reflectance" at normal incidence.
+class MetalLook {
+ public:
+  MetalLook(ParamReader& reader, const MaterialContext& context, const std::string& prefix = "");
+  MetalIndex index(const SurfacePoint& point) const;
+
+ private:
+  bool by_reflectance_;
+  TexturePtr<Rgb> eta_or_reflectance_, k_;
+};
+
+/// "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume: white light that has gone that far
+/// through the body, in world units, has this colour. As Material::absorption().
+Rgb read_absorption(ParamReader& reader);
 
 }  // namespace dspm

@@ -1,11 +1,16 @@
 // thindielectric: a pane of glass without thickness, such as a window or a bubble.
 //
-//   Material "thindielectric" "float eta" 1.5
+//   Material "thindielectric" "float eta" 1.5 "rgb tint" [.9 .6 .2]
 //
-//   eta   float or spectrum   1.5   index of refraction inside the pane over outside
+//   eta    float or spectrum   1.5   index of refraction inside the pane over outside
+//   tint   spectrum texture    1     what is left of white light that crosses the pane once, straight on
 //
-// Light goes straight through or is mirrored; both include the light reflected back and forth inside the pane:
-// R' = R + T^2 R + T^2 R^3 + ... = R + T^2 R / (1 - R^2). A spectrum for eta is averaged over the colours.
+// Light goes straight through or is mirrored; both include the light reflected back and forth inside the pane. With
+// t = tint^(1 / cos) for the angle inside,
+//   R' = R + T^2 t^2 R + T^2 t^4 R^3 + ... = R + T^2 t^2 R / (1 - t^2 R^2),   T' = T^2 t / (1 - t^2 R^2).
+// A spectrum for eta is averaged over the colours.
+#include <cmath>
+
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
@@ -18,14 +23,9 @@
 namespace dspm {
 namespace {
 
-float pane_reflectance(float cos_o, float eta) {
-  const float r = fresnel_dielectric(cos_o, eta);
-  return r < 1 ? r + (1 - r) * (1 - r) * r / (1 - r * r) : 1;
-}
-
 class ThinDielectric final : public Bsdf {
  public:
-  ThinDielectric(const ShadingFrame& frame, float eta) : frame_(frame), eta_(eta) {}
+  ThinDielectric(const ShadingFrame& frame, float eta, const Rgb& tint) : frame_(frame), eta_(eta), tint_(tint) {}
 
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? kBothLobes : 0; }
   Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
@@ -35,40 +35,66 @@ class ThinDielectric final : public Bsdf {
     const float side = frame_.side(wo);
     const Vec3 o = frame_.local(wo, side);
     if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
-    const float reflectance = pane_reflectance(o.z, eta_), chance = chance_of_reflection(reflectance, lobes);
+    const float chance = chance_of_reflection(share_of_reflection(o.z), lobes);
     const bool reflected = u.z < chance;
-    const float weight = reflected ? reflectance / chance : (1 - reflectance) / (1 - chance);
+    const Rgb weight = reflected ? mirrored(o.z) / chance : passed(o.z) / (1 - chance);
     const std::optional<Vec3> wi = reflected ? frame_.leave({-o.x, -o.y, o.z}, side) : -wo;
-    if (!wi || weight == 0) return std::nullopt;
-    return BsdfSample{*wi, Rgb(weight), 0, true};
+    if (!wi || is_black(weight)) return std::nullopt;
+    return BsdfSample{*wi, weight, 0, true};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
-    return share_of(pane_reflectance(std::max(0.f, frame_.local(wo, frame_.side(wo)).z), eta_), lobes);
+    return share_of(share_of_reflection(std::max(0.f, frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 
  private:
+  /// Of a clear pane, so that panes of all colours choose alike.
+  float share_of_reflection(float cos_o) const {
+    const float r = fresnel_dielectric(cos_o, eta_);
+    return r < 1 ? r + (1 - r) * (1 - r) * r / (1 - r * r) : 1;
+  }
+  Rgb mirrored(float cos_o) const {
+    const float r = fresnel_dielectric(cos_o, eta_);
+    return for_each_colour(cos_o, r, [&](float t) { return r + (1 - r) * (1 - r) * t * t * r / (1 - t * t * r * r); });
+  }
+  Rgb passed(float cos_o) const {
+    const float r = fresnel_dielectric(cos_o, eta_);
+    return for_each_colour(cos_o, r, [&](float t) { return (1 - r) * (1 - r) * t / (1 - t * t * r * r); });
+  }
+  template <class Fn>
+  Rgb for_each_colour(float cos_o, float r, Fn&& fn) const {
+    if (r >= 1) return Rgb(fn(0.f));
+    const float cos_inside = std::sqrt(1 - (1 - cos_o * cos_o) / (eta_ * eta_));
+    const auto crossed = [&](float tint) { return tint == 1 ? 1 : std::pow(tint, 1 / cos_inside); };
+    return {fn(crossed(tint_.r)), fn(crossed(tint_.g)), fn(crossed(tint_.b))};
+  }
+
   ShadingFrame frame_;
   float eta_;
+  Rgb tint_;
 };
 
 class ThinDielectricMaterial final : public Material {
  public:
-  explicit ThinDielectricMaterial(float eta) : eta_(eta) {}
+  ThinDielectricMaterial(float eta, TexturePtr<Rgb> tint) : eta_(eta), tint_(std::move(tint)) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    return slot.emplace<ThinDielectric>(ShadingFrame(point), eta_);
+    return slot.emplace<ThinDielectric>(ShadingFrame(point), eta_,
+                                        clamped_albedo(tint_->evaluate(texture_point(point))));
   }
 
  private:
   float eta_;
+  TexturePtr<Rgb> tint_;
 };
 
 }  // namespace
 
-std::unique_ptr<Material> make_thindielectric(ParamReader& reader, const MaterialContext&) {
+std::unique_ptr<Material> make_thindielectric(ParamReader& reader, const MaterialContext& context) {
   const float eta = read_eta(reader);
+  const auto tint = reader.rgb_or_texture("tint", Rgb(1), SpectrumRole::albedo,
+                                          "what is left of white light that crosses the pane once, straight on");
   reader.finish();
-  return std::make_unique<ThinDielectricMaterial>(eta);
+  return std::make_unique<ThinDielectricMaterial>(eta, texture_of(tint, context.textures, reader.diagnostics()));
 }
 
 }  // namespace dspm

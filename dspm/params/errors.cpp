@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "dspm/params/other_words.h"
+
 namespace dspm {
 namespace {
 
@@ -130,7 +132,8 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::vector<std::string> names = nearest_names(word, candidates);
+  std::vector<std::string> names = meant_by(word, candidates);
+  if (names.empty()) names = nearest_names(word, candidates);
   if (names.empty()) return {};
   std::string text = "did you mean ";
   for (std::size_t i = 0; i < names.size(); ++i)

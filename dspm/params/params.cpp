@@ -48,6 +48,14 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// For names that are numbered as other programs write it: "wave.####.ply".
+std::string numbered_as(const std::string& name) {
+  const std::size_t first = name.find('#'), end = std::min(name.find_first_not_of('#', first), name.size());
+  if (first == std::string::npos) return {};
+  const std::string ours = fmt::format("{}%0{}d{}", name.substr(0, first), end - first, name.substr(end));
+  return fmt::format("a frame's number is written as in \"{}\", in a Dynamic block; ", ours);
+}
+
 }  // namespace
 
 ParamReader::ParamReader(const ParamList& list, std::string subject, SourceLocation where, Diagnostics& diagnostics,
@@ -170,7 +178,7 @@ std::filesystem::path ParamReader::take_file(std::string_view name, bool require
   std::vector<std::string> tried;
   for (const auto& place : places(*param, file_name)) tried.push_back(place.string());
   diagnostics_.error(param->values_where, fmt::format("there is no file \"{}\"", file_name),
-                     fmt::format("looked for {}", fmt::join(tried, " and ")));
+                     fmt::format("{}looked for {}", numbered_as(file_name), fmt::join(tried, " and ")));
   return {};
 }
 

@@ -105,6 +105,7 @@ class Scene {
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
+  bool absorbs = false;                         // a body of some material absorbs light
   std::vector<SceneLight> lights;
   std::vector<LightChoice> light_choices;    // of the file; their frames here are disjoint, and all frames in the end
   std::span<const std::string> light_names;  // distinct

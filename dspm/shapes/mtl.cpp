@@ -4,6 +4,7 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "dspm/colour/rgb.h"
@@ -23,8 +24,20 @@ Param number(std::string name, float value) {
 
 bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0], value[1], value[2]}) > 0; }
 
-/// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass.
+/// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass; 1 is without highlights.
 bool is_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
+bool has_highlights(const tinyobj::material_t& m) { return m.illum != 1 && is_positive(m.specular); }
+
+/// Statements of the extension for physically based rendering.
+bool is_physically_based(const tinyobj::material_t& m) {
+  const bool has_pictures = !m.roughness_texname.empty() || !m.metallic_texname.empty() || !m.sheen_texname.empty();
+  return has_pictures || m.roughness > 0 || m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
+         m.anisotropy != 0;
+}
+
+/// Of Phong's exponent, whose highlight is as wide as that of GGX with alpha^2 = 2 / (Ns + 2). [Walter et al. 2007]
+/// Roughness is the root of alpha.
+float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
 class Reader {
  public:
@@ -49,35 +62,80 @@ class Reader {
 
  private:
   void glass(const tinyobj::material_t& m) {
-    made_.type = "dielectric";
+    const bool is_coloured =
+        is_positive(m.transmittance) && *std::min_element(m.transmittance, m.transmittance + 3) < 1;
+    made_.type = is_coloured ? "principled" : "dielectric";
     add(number("eta", m.ior > 1 ? m.ior : kUsualEta));
-    if (m.roughness > 0) {
+    if (is_coloured) {
+      add(number("transmission", 1));
+      add(colour("basecolor", m.transmittance));
+      add(number("roughness", in_unit(m.roughness)));
+    } else if (m.roughness > 0) {
       add(number("roughness", m.roughness * m.roughness));  // of Burley's parametrization, [Burley 2012]
       add(param_of(ParamType::boolean, "remaproughness", std::vector<bool>{false}, {}));
     }
-    leave_out("Tf", is_positive(m.transmittance) && *std::min_element(m.transmittance, m.transmittance + 3) < 1);
   }
 
   void opaque(const tinyobj::material_t& m) {
-    made_.type = "diffuse";
-    if (const auto picture = texture(m.diffuse_texname, "map_Kd"))
-      add(param_of(ParamType::texture, "reflectance", std::vector<std::string>{*picture}, {}));
-    else
-      add(colour("reflectance", m.diffuse));
+    if (is_physically_based(m) || has_highlights(m)) {
+      principled(m);
+    } else {
+      made_.type = "diffuse";
+      colour_or_picture("reflectance", m.diffuse, m.diffuse_texname, "map_Kd");
+    }
     leave_out("d", m.dissolve < 1);
-    leave_out("Ks", is_positive(m.specular));
     leave_out("map_Ks", !m.specular_texname.empty());
-    leave_out("Pr", m.roughness > 0 || !m.roughness_texname.empty());
-    leave_out("Pm", m.metallic > 0 || !m.metallic_texname.empty());
-    leave_out("Pc", m.clearcoat_thickness > 0);
-    leave_out("Ps", m.sheen > 0 || !m.sheen_texname.empty());
-    leave_out("aniso", m.anisotropy != 0);
+    leave_out("map_Ns", !m.specular_highlight_texname.empty());
+    leave_out("anisor", m.anisotropy_rotation != 0);
+  }
+
+  void principled(const tinyobj::material_t& m) {
+    made_.type = "principled";
+    const bool is_modern = is_physically_based(m);
+    // Metal of the days before Pm.
+    const bool is_metal = !is_modern && !is_positive(m.diffuse) && m.diffuse_texname.empty();
+    if (is_metal)
+      add(colour("basecolor", m.specular));
+    else
+      colour_or_picture("basecolor", m.diffuse, m.diffuse_texname, "map_Kd");
+    const bool by_exponent = m.roughness == 0 && m.shininess > 1;
+    number_or_picture("roughness", is_modern && !by_exponent ? m.roughness : roughness_of_exponent(m.shininess),
+                      m.roughness_texname, "map_Pr");
+    number_or_picture("metallic", is_metal ? 1 : m.metallic, m.metallic_texname, "map_Pm");
+    // As Blender writes it: a half for what the index of refraction mirrors.
+    if (!is_modern && !is_metal)
+      add(number("specular", in_unit(2 * (m.specular[0] + m.specular[1] + m.specular[2]) / 3)));
+    if (m.ior > 1) add(number("eta", m.ior));
+    if (m.anisotropy != 0) add(number("anisotropy", in_unit(m.anisotropy)));
+    if (m.clearcoat_thickness > 0) {
+      add(number("coat", in_unit(m.clearcoat_thickness)));
+      add(number("coatroughness", in_unit(m.clearcoat_roughness)));
+    }
+    const float sheen = in_unit(m.sheen);
+    if (sheen > 0 || !m.sheen_texname.empty())
+      colour_or_picture("sheen", {sheen, sheen, sheen}, m.sheen_texname, "map_Ps");
+  }
+
+  static float in_unit(float value) { return std::clamp(value, 0.f, 1.f); }
+
+  void colour_or_picture(const char* name, const tinyobj::real_t (&value)[3], const std::string& file,
+                         const char* statement) {
+    if (const auto picture = texture(file, statement, true))
+      add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
+    else
+      add(colour(name, value));
+  }
+  void number_or_picture(const char* name, float value, const std::string& file, const char* statement) {
+    if (const auto picture = texture(file, statement, false))
+      add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
+    else
+      add(number(name, in_unit(value)));
   }
 
   void add(Param param) { made_.params.params.push_back(std::move(param)); }
 
   /// The name of an imagemap of that file, if it is there.
-  std::optional<std::string> texture(std::string file, const char* statement) {
+  std::optional<std::string> texture(std::string file, const char* statement, bool is_spectrum) {
     if (file.empty()) return std::nullopt;
     std::replace(file.begin(), file.end(), '\\', '/');
     const std::filesystem::path path = path_.parent_path() / file;
@@ -86,7 +144,7 @@ class Reader {
       return std::nullopt;
     }
     std::string name = fmt::format("{} of {} in {}", statement, made_.name, path_.string());
-    made_.textures.push_back({name, std::filesystem::absolute(path), true});
+    made_.textures.push_back({name, std::filesystem::absolute(path), is_spectrum});
     return name;
   }
 

@@ -230,6 +230,8 @@ int Looks::add(const FileMaterial& file, const SourceLocation& where) {
     texture.type = "imagemap", texture.name = of_file.name, texture.is_spectrum = of_file.is_spectrum;
     texture.where = texture.type_where = where;
     texture.params.params.push_back(param_of(ParamType::text, "filename", std::vector{of_file.file.string()}, where));
+    if (!of_file.is_spectrum)  // it holds no colours, whatever its format
+      texture.params.params.push_back(param_of(ParamType::text, "encoding", std::vector<std::string>{"linear"}, where));
     add_texture(texture);
   }
   MaterialUse& use = material_uses_.emplace_back();

@@ -82,8 +82,8 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
                      diagnostics, description_.main_directory());
   std::shared_ptr<const Relief> relief;
   if (has_relief(plugin->name)) relief = read_relief(reader, {textures, Transform(), images_});
-  std::shared_ptr<Material> material =
-      plugin->make(reader, MaterialContext{textures, made_materials(recipe, diagnostics)});
+  std::shared_ptr<Material> material = plugin->make(
+      reader, MaterialContext{textures, made_materials(recipe, diagnostics), description_.dialect == Dialect::pbrt});
   if (material) material->set_relief(std::move(relief));
   return material;
 }

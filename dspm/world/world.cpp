@@ -154,6 +154,8 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->object_names = impl_->geometry.object_names();
   scene->materials = impl_->looks.materials_in(scene->file_frames);
   scene->material_names = impl_->looks.material_names();
+  for (const FrameStates<Material>& material : scene->materials)
+    for (const auto& state : material.states) scene->absorbs |= !is_black(state.object->absorption());
   for (const WorldLight& light : impl_->lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,

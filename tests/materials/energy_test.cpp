@@ -85,6 +85,23 @@ TEST(Energy, SmoothBoundariesLoseNothing) {
     }
 }
 
+// A pane of tint t at normal incidence passes (1 - R)^2 t / (1 - t^2 R^2), R = 4%; obliquely light goes further in it.
+TEST(Energy, TintOfPanes) {
+  const auto material = make("thindielectric", {rgb("tint", {1, 0.5f, 0})});
+  BsdfSlot slot;
+  const Bsdf& bsdf = material->bsdf(surface(), slot);
+  const auto through = [&](float cos) {
+    return bsdf.sample(direction(cos, 1), {0, 0, 0.9999f}, Transport::radiance, 2)->weight;
+  };
+  EXPECT_NEAR(through(1).r, 0.96 * 0.96 / (1 - 0.0016), 1e-5);
+  EXPECT_NEAR(through(1).g, 0.96 * 0.96 * 0.5 / (1 - 0.25 * 0.0016), 1e-5);
+  EXPECT_EQ(through(1).b, 0);
+  EXPECT_NEAR(through(0.5f).g / through(0.5f).r, std::pow(0.5, 1 / std::sqrt(1 - 0.75 / 2.25)), 5e-3);
+  const Rgb mirrored = bsdf.sample({0, 0, 1}, {0, 0, 0}, Transport::radiance, 1)->weight;
+  EXPECT_NEAR(mirrored.b, 0.04, 1e-6);
+  EXPECT_NEAR(mirrored.r, 0.04 + 0.96 * 0.96 * 0.04 / (1 - 0.0016), 1e-6);
+}
+
 // Normal incidence: R = 4%, so R' = R + T^2 R / (1 - R^2) = 2 R / (1 + R) = 7.692%.
 TEST(Energy, PanesCountWhatIsReflectedInside) {
   const auto material = make("thindielectric", {});

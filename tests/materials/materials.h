@@ -47,6 +47,29 @@ struct Named {
   std::string name;
   std::unique_ptr<Material> material;
 };
+/// The principled material as this and that.
+inline std::vector<Named> principled_materials() {
+  const Param base = rgb("basecolor", {0.2f, 0.5f, 0.8f});
+  const auto of = [&](const char* name, std::vector<Param> params) {
+    params.push_back(base);
+    return Named{std::string("principled ") + name, make("principled", std::move(params))};
+  };
+  std::vector<Named> all;
+  all.push_back(of("plastic", {number("roughness", 0.4f)}));
+  all.push_back(of("smooth plastic", {number("roughness", 0)}));
+  all.push_back(of("metal", {number("metallic", 1), number("roughness", 0.6f), number("anisotropy", 0.8f)}));
+  all.push_back(of("smooth metal", {number("metallic", 1), number("roughness", 0)}));
+  all.push_back(of("smooth glass", {number("transmission", 1), number("roughness", 0)}));
+  all.push_back(of("rough glass", {number("transmission", 1), number("roughness", 0.6f)}));
+  all.push_back(of("varnish", {number("coat", 1), number("coatroughness", 0.4f), number("roughness", 0.7f)}));
+  all.push_back(of("smooth varnish", {number("coat", 0.7f), number("roughness", 0.5f), number("metallic", 0.5f)}));
+  all.push_back(of("cloth", {rgb("sheen", {0.3f, 0.5f, 0.9f}), number("sheenroughness", 0.4f)}));
+  all.push_back(of("everything", {number("metallic", 0.3f), number("transmission", 0.4f), number("roughness", 0.5f),
+                                  number("coat", 0.6f), number("coatroughness", 0.3f), rgb("sheen", Rgb(0.3f)),
+                                  number("specular", 0.7f), number("eta", 1.7f)}));
+  return all;
+}
+
 /// Every material, smooth and rough.
 inline std::vector<Named> all_materials() {
   std::vector<Named> all;
@@ -68,6 +91,12 @@ inline std::vector<Named> all_materials() {
   add_rough(" anisotropic", {number("uroughness", 0.0225f), number("vroughness", 0.25f)});
   all.push_back({"dense glass", make("dielectric", {number("eta", 2.4f), alpha(0.4f)})});
   all.push_back({"bubble in water", make("dielectric", {number("eta", 0.75f), alpha(0.4f)})});
+  const Param lacquer = number("interface.roughness", 0.01f), brushed = number("conductor.roughness", 0.1f);
+  all.push_back({"coated mirror", make("coatedconductor", {})});
+  all.push_back({"smooth coat over metal", make("coatedconductor", {brushed})});
+  all.push_back({"rough coat over metal", make("coatedconductor", {lacquer, brushed})});
+  all.push_back({"rough coat over a mirror", make("coatedconductor", {lacquer, number("interface.eta", 1.3f)})});
+  for (Named& each : principled_materials()) all.push_back(std::move(each));
   return all;
 }
 

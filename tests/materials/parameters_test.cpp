@@ -42,9 +42,9 @@ TEST(Parameters, EveryPluginDescribesItself) {
     EXPECT_EQ(names(plugin).empty(), plugin.name == "interface") << plugin.name;
     EXPECT_EQ(said(plugin.name, {}).empty(), has_defaults(plugin)) << said(plugin.name, {});
   }
-  EXPECT_EQ(plugins,
-            (std::vector<std::string>{"coateddiffuse", "conductor", "dielectric", "diffuse", "diffusetransmission",
-                                      "interface", "measured", "mix", "subsurface", "thindielectric"}));
+  EXPECT_EQ(plugins, (std::vector<std::string>{"coatedconductor", "coateddiffuse", "conductor", "dielectric", "diffuse",
+                                               "diffusetransmission", "interface", "measured", "mix", "principled",
+                                               "subsurface", "thindielectric"}));
   EXPECT_EQ(
       names(*material_plugins().find("conductor")),
       (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k", "reflectance"}));
@@ -114,6 +114,39 @@ TEST(Parameters, WhatIsNotBuiltIsNamed) {
   }
   for (const std::string_view name : material_plugins().not_built())
     for (const Plugin<MakeMaterial>& plugin : material_plugins()) EXPECT_NE(name, plugin.name);
+}
+
+TEST(Parameters, CoatedConductorsHaveTwoOfThem) {
+  EXPECT_EQ(said("coatedconductor", {number("interface.eta", 1.4f), number("interface.uroughness", 0.1f),
+                                     number("conductor.vroughness", 0.2f), flag("remaproughness", false)}),
+            "");
+  EXPECT_TRUE(contains(said("coatedconductor", {rgb("reflectance", Rgb(0.5f)), rgb("conductor.k", Rgb(1))}),
+                       "takes either \"reflectance\" or \"conductor.eta\" and \"conductor.k\""));
+  EXPECT_TRUE(contains(said("coatedconductor", {number("interface.eta", 0)}), "\"interface.eta\""));
+  EXPECT_TRUE(contains(said("coatedconductor", {number("g", 0.5f)}), "error: "));
+}
+
+TEST(Parameters, SharesLieInTheUnitInterval) {
+  for (const char* name :
+       {"metallic", "transmission", "roughness", "anisotropy", "specular", "coat", "coatroughness", "sheenroughness"})
+    for (const float value : {-0.1f, 1.1f})
+      EXPECT_TRUE(contains(said("principled", {number(name, value)}), "must lie in [0, 1]")) << name;
+  EXPECT_TRUE(contains(said("principled", {number("ior", 0.9f)}), "must be at least 1"));
+  EXPECT_EQ(said("principled", {number("ior", 1)}), "");
+  EXPECT_TRUE(contains(said("principled", {rgb("emission", Rgb(1))}), "AreaLightSource"));
+  EXPECT_TRUE(make("principled", {number("transmission", 0.1f)})->bounds_a_body());
+}
+
+// exp(-absorption distance) is attenuationcolor.
+TEST(Parameters, AttenuationIsAbsorption) {
+  for (const char* type : {"dielectric", "principled"}) {
+    const auto amber = make(type, {rgb("attenuationcolor", {0.9f, 0.5f, 0.1f}), number("attenuationdistance", 2)});
+    EXPECT_NEAR(std::exp(-2 * amber->absorption().g), 0.5f, 1e-6f) << type;
+    EXPECT_NEAR(std::exp(-4 * amber->absorption().r), 0.81f, 1e-6f) << type;
+    EXPECT_EQ(make(type, {})->absorption(), Rgb(0));
+    EXPECT_TRUE(std::isfinite(make(type, {rgb("attenuationcolor", Rgb(0))})->absorption().r));
+    EXPECT_TRUE(contains(said(type, {number("attenuationdistance", 0)}), "must be above 0"));
+  }
 }
 
 TEST(Parameters, CoatsHaveNoRandomWalk) {

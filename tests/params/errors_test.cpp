@@ -53,7 +53,16 @@ TEST(Names, TheNearestComeFirst) {
   EXPECT_EQ(nearest_names("colour", names), std::vector<std::string>{});
   EXPECT_EQ(nearest_names("x", {"y"}), std::vector<std::string>{});
   EXPECT_EQ(did_you_mean("roughnes", names), "did you mean \"roughness\", \"uroughness\" or \"vroughness\"?");
-  EXPECT_EQ(did_you_mean("colour", names), "");
+  EXPECT_EQ(did_you_mean("x", names), "");
+}
+
+TEST(Names, OtherRenderersWordsAreKnown) {
+  const std::vector<std::string> materials{"coateddiffuse", "conductor", "dielectric", "diffuse", "principled"};
+  EXPECT_EQ(did_you_mean("glass", materials), "did you mean \"dielectric\"?");
+  EXPECT_EQ(did_you_mean("plastic", materials), "did you mean \"coateddiffuse\" or \"principled\"?");
+  EXPECT_EQ(did_you_mean("standard_surface", materials), "did you mean \"principled\"?");
+  EXPECT_EQ(did_you_mean("matte", {"sphere"}), "");
+  EXPECT_EQ(did_you_mean("Base_Color", {"basecolor", "coat"}), "did you mean \"basecolor\"?");
 }
 
 TEST(Diagnostics, LenientTurnsWhatIsLackingIntoWarnings) {

@@ -287,10 +287,10 @@ class ParamFiles : public testing::Test {
 };
 
 TEST_F(ParamFiles, AreFoundBesideTheNamingFileElseBesideTheMainFile) {
-  Reading r(
-      {naming(ParamType::text, "a", "here.txt"), naming(ParamType::text, "b", "main.txt"),
-       naming(ParamType::text, "c", "nowhere.txt"), naming(ParamType::text, "d", (directory / "main.txt").string())},
-      false, directory);
+  Reading r({naming(ParamType::text, "a", "here.txt"), naming(ParamType::text, "b", "main.txt"),
+             naming(ParamType::text, "c", "nowhere.txt"), naming(ParamType::text, "g", "wave.####.ply"),
+             naming(ParamType::text, "d", (directory / "main.txt").string())},
+            false, directory);
   EXPECT_EQ(r.reader.file("a", ""), directory / "parts" / "here.txt");
   EXPECT_EQ(r.reader.file("b", ""), directory / "main.txt");
   EXPECT_EQ(r.reader.file("d", ""), directory / "main.txt");
@@ -298,6 +298,8 @@ TEST_F(ParamFiles, AreFoundBesideTheNamingFileElseBesideTheMainFile) {
   EXPECT_EQ(r.message(), "");
   EXPECT_EQ(r.reader.file("c", ""), "");
   EXPECT_EQ(r.message(), "there is no file \"nowhere.txt\"");
+  EXPECT_EQ(r.reader.file("g", ""), "");
+  EXPECT_NE(r.diagnostics.all().back().hint.find("\"wave.%04d.ply\""), std::string::npos);
   EXPECT_EQ(r.reader.file("f", ""), "");
   EXPECT_EQ(r.diagnostics.all().back().message, "material \"diffuse\" needs a file: \"string f\"");
 }

@@ -148,7 +148,48 @@ TEST_F(Mtl, IlluminationModelsOfGlassAreDielectric) {
   EXPECT_EQ(number(material("illum 4\n"), "eta"), 1.5f);
   EXPECT_EQ(number(material("illum 4\nPr 0.5\n"), "roughness"), 0.25f);
   EXPECT_EQ(material("illum 2\nNi 1.33\n").type, "diffuse");
+  const FileMaterial amber = material("illum 6\nTf .9 .6 .2\nPr 0.3\n");
+  EXPECT_EQ(amber.type, "principled");
+  EXPECT_EQ(number(amber, "transmission"), 1);
+  EXPECT_EQ(number(amber, "basecolor"), 0.9f);
+  EXPECT_EQ(number(amber, "roughness"), 0.3f);
   EXPECT_EQ(test::messages(diagnostics), "");
+}
+
+TEST_F(Mtl, PhysicallyBasedStatementsArePrincipled) {
+  const FileMaterial paint = material("Kd .1 .2 .3\nPr .4\nPm .5\nPs .6\nPc .7\nPcr .8\naniso .9\nNi 1.4\nKs 1 1 1\n");
+  EXPECT_EQ(paint.type, "principled");
+  EXPECT_EQ(number(paint, "basecolor"), 0.1f);
+  const std::pair<const char*, float> expected[] = {{"roughness", 0.4f}, {"metallic", 0.5f},      {"sheen", 0.6f},
+                                                    {"coat", 0.7f},      {"coatroughness", 0.8f}, {"anisotropy", 0.9f},
+                                                    {"eta", 1.4f}};
+  for (const auto& [name, value] : expected) EXPECT_EQ(number(paint, name), value) << name;
+  EXPECT_EQ(paint.params.find("specular"), nullptr);
+  EXPECT_EQ(number(material("Pm 7\n"), "metallic"), 1);  // out of range
+  EXPECT_EQ(test::messages(diagnostics), "");
+}
+
+// alpha^2 = 2 / (Ns + 2); roughness is the root of alpha.
+TEST_F(Mtl, KsAndNsAreAHighlight) {
+  const FileMaterial plastic = material("Kd .1 .2 .3\nKs .25 .25 .25\nNs 30\nillum 2\n");
+  EXPECT_EQ(plastic.type, "principled");
+  EXPECT_NEAR(number(plastic, "roughness"), 0.5f, 1e-6f);
+  EXPECT_NEAR(number(plastic, "specular"), 0.5f, 1e-6f);
+  const FileMaterial gold = material("Kd 0 0 0\nKs .9 .7 .3\nNs 30\n");
+  EXPECT_EQ(number(gold, "metallic"), 1);
+  EXPECT_EQ(number(gold, "basecolor"), 0.9f);
+  EXPECT_EQ(material("Kd .1 .2 .3\nKs 1 1 1\nillum 1\n").type, "diffuse");
+}
+
+TEST_F(Mtl, PicturesOfNumbersHoldNoColours) {
+  test::put_file(directory / "r.png", "");
+  const FileMaterial worn = material("map_Pr r.png\nmap_Kd r.png\nmap_Pm missing.png\n");
+  EXPECT_EQ(worn.params.find("roughness")->type, ParamType::texture);
+  ASSERT_EQ(worn.textures.size(), 2u);
+  EXPECT_TRUE(worn.textures[0].is_spectrum);
+  EXPECT_FALSE(worn.textures[1].is_spectrum);
+  EXPECT_EQ(number(worn, "metallic"), 0);
+  EXPECT_NE(test::messages(diagnostics).find("missing.png"), std::string::npos);
 }
 
 TEST_F(Mtl, KeIsAnAreaLight) {

@@ -58,6 +58,7 @@ class CameraSubpathTracer {
   }
 
   bool postpones(const CameraSubpath&, const HitPartition&) { return false; }
+  StrandTable& strands() { return strands_; }
 
   void escaped(const CameraSubpath& path, FrameSet frames) {
     const Vec3& w = path.ray.direction;
@@ -151,7 +152,7 @@ class CameraSubpathTracer {
   }
 
   void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.weights, ways_at(vertex)};
+    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.body, path.weights, ways_at(vertex)};
     light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
       add(path, brought, [&] { return vertex.material_element(); });
     });
@@ -185,7 +186,7 @@ class CameraSubpathTracer {
               std::span<const FrameFactor> factors) {
     const BsdfSample& sample = scattering.sample;
     CameraSubpath& branch = branches_.push(path);
-    extend_ray(branch, vertex.point, sample);
+    extend_ray(branch, vertex, sample);
     branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
     const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
     branch.weights = sample.specular ? path.weights.mirrored(cosine)

@@ -30,6 +30,7 @@ struct CameraVertex {
   std::span<const Surface> surfaces;  // that can be connected
   FrameSet frames;
   int bounces;
+  int body;  // around the segment before
   SubpathWeights weights;
   VcmWays ways;  // there
 };
@@ -59,7 +60,8 @@ class LightSubpath {
       if (joined.empty()) continue;
       ++counts.shadow_rays;
       const Ray segment = shadow_ray(camera.vertex.point, {way / distance, distance, Rgb(), 0});
-      for_each_open(pass.scene, segment, joined, [&](FrameSet open, const Rgb& transmittance) {
+      const int body = body_beyond(camera.vertex, camera.body, segment.direction);
+      for_each_open(pass.scene, segment, body, joined, [&](FrameSet open, const Rgb& transmittance) {
         for (const Brought& part : parts)
           if (const FrameSet lit = part.frames & open; !lit.empty())
             fn(Brought{lit, part.radiance * transmittance, part.strands});

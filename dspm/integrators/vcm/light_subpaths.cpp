@@ -48,7 +48,7 @@ class LightPathTracer {
       else
         for (const auto& [frames, light] : start.varied->states)
           if (const FrameSet common = frames & start.frames; !common.empty())
-            follow(chosen, {light.get(), common, Rgb(1), 0}, random);
+            follow(chosen, {light.get(), common, Rgb(1), 0, nullptr, start.body}, random);
     }
   }
 
@@ -62,11 +62,13 @@ class LightPathTracer {
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
-    path.random = random, path.strands = start.strands, path.merging = merging_after(pass_.ways, 0);
+    path.random = random, path.strands = start.strands, path.body = start.body,
+    path.merging = merging_after(pass_.ways, 0);
     branches_.follow(*this);
   }
 
   bool postpones(const LightPath&, const HitPartition&) { return false; }
+  StrandTable& strands() { return out_.strands; }
   void escaped(const LightPath&, FrameSet) {}
   void lost(const LightPath&, FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
 
@@ -106,7 +108,7 @@ class LightPathTracer {
   void extend(const LightPath& path, const SubpathWeights& weights, const Vertex& vertex,
               const SubpathScattering& scattering, std::span<const FrameFactor> factors) {
     LightPath& branch = branches_.push(path);
-    extend_ray(branch, vertex.point, scattering.sample);
+    extend_ray(branch, vertex, scattering.sample);
     const BsdfSample& sample = scattering.sample;
     const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
     branch.weights = sample.specular ? weights.mirrored(cosine)
@@ -134,23 +136,24 @@ class LightPathTracer {
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
     const LightVertex stored{point.p,      vertex.wo, flux,         frames,    strands,
                              path.bounces, weights,   path.merging, vertex.hit};
-    if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path.random);
+    if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
     if (!pass_.settings.connect && stored.merging == 0) return;
     out_.vertices.push_back(stored);
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
   }
 
-  void connect_to_camera(const LightVertex& light, const Vertex& vertex, const PathRandom& random) {
-    const Vec2 lens = random.pair(light.bounces + 1, kLightPoint);
+  void connect_to_camera(const LightVertex& light, const Vertex& vertex, const LightPath& path) {
+    const Vec2 lens = path.random.pair(light.bounces + 1, kLightPoint);
     scene_.camera.for_each(light.frames, [&](FrameSet seeing, const Camera& camera) {
       const auto sight = camera.sight(light.p, lens);
-      if (sight && is_seen(sight->film, pass_.render)) send(light, vertex, *sight, seeing);
+      if (sight && is_seen(sight->film, pass_.render))
+        send(light, vertex, *sight, body_beyond(vertex, path.body, sight->w), seeing);
     });
   }
 
   /// To the camera, as a radiance that is flux f times the pixels that a unit of area covers.
-  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, FrameSet seeing) {
+  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, int body, FrameSet seeing) {
     const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));
     FrameArray<FrameFactor> parts;
     FrameSet sent;
@@ -170,7 +173,7 @@ class LightPathTracer {
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), sent,
+    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), body, sent,
                   [&](FrameSet open, const Rgb& transmittance) {
                     for (const FrameFactor& part : parts)
                       for_each_strand(

@@ -1,0 +1,26 @@
+// The directional albedos of a rough boundary between two media.
+#pragma once
+
+#include <memory>
+
+#include "dspm/materials/albedo_table.h"
+
+namespace dspm {
+
+/// Seen from one of its sides.
+struct BoundaryAlbedos {
+  AlbedoTable reflected, reflected_or_refracted;
+
+  float refracted(float cos, float alpha) const {
+    return std::max(0.f, reflected_or_refracted.of(cos, alpha) - reflected.of(cos, alpha));
+  }
+};
+
+struct BoundaryTables {
+  BoundaryAlbedos outside, inside;
+};
+
+/// For an index of refraction inside over outside; made once for each, as long as somebody holds it.
+std::shared_ptr<const BoundaryTables> boundary_tables(float eta);
+
+}  // namespace dspm

@@ -1,0 +1,90 @@
+#include "dspm/materials/principled_bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <typeinfo>
+
+#include "dspm/materials/fresnel.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/materials/principled_layers.h"
+#include "dspm/materials/rough_boundary.h"
+#include "dspm/math/sampling.h"
+
+namespace dspm {
+
+Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look)
+    : frame_(frame),
+      tables_(&tables),
+      base_(look.base),
+      sheen_(look.sheen),
+      metallic_(look.metallic),
+      specular_(look.specular),
+      transmission_(look.transmission),
+      alpha_x_(look.alpha.x),
+      alpha_y_(look.alpha.y),
+      coat_(look.coat),
+      coat_alpha_(look.coat_alpha),
+      sheen_alpha_(look.sheen_alpha),
+      diffuse_norm_(0) {
+  diffuse_norm_ = PrincipledLayers(*this, 1).diffuse_norm();
+}
+
+LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*this, 1).lobes(least_alpha); }
+
+Rgb Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
+  const LocalPair w(frame_, wo, wi);
+  if (!w.valid) return {};
+  return PrincipledLayers(*this, w.side).f(w.wo, w.wi, transport, lobes);
+}
+
+float Principled::pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const {
+  const LocalPair w(frame_, wo, wi);
+  if (!w.valid) return 0;
+  const PrincipledLayers layers(*this, w.side);
+  return layers.density(w.wo, w.wi, layers.chances(w.wo.z, lobes));
+}
+
+std::optional<BsdfSample> Principled::sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const {
+  const float side = frame_.side(wo);
+  const Vec3 o = frame_.local(wo, side);
+  if (o.z <= 0) return std::nullopt;
+  const PrincipledLayers layers(*this, side);
+  const PrincipledChances chances = layers.chances(o.z, lobes);
+  const auto drawn = layers.draw(o, u, chances);
+  if (!drawn) return std::nullopt;
+  const std::optional<Vec3> wi = frame_.leave(drawn->i, side);
+  if (!wi) return std::nullopt;
+  const float scale = drawn->i.z < 0 ? transport_scale(transport, layers.eta()) : 1;
+  if (drawn->specular) return BsdfSample{*wi, drawn->weight * scale, 0, true, scale};
+  const float pdf_w = layers.density(o, drawn->i, chances);
+  if (!(pdf_w > 0)) return std::nullopt;
+  const Rgb f = layers.f(o, drawn->i, transport, lobes);
+  return BsdfSample{*wi, f * (std::abs(drawn->i.z) / pdf_w), pdf_w, false, scale};
+}
+
+float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
+  const float side = frame_.side(wo);
+  const PrincipledLayers layers(*this, side);
+  return layers.chances(std::max(0.f, frame_.local(wo, side).z), layers.lobes(0)).of(lobes);
+}
+
+bool Principled::differs_in_base_from(const Principled& o) const {
+  return tables_ == o.tables_ && sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ &&
+         transmission_ == o.transmission_ && alpha_x_ == o.alpha_x_ && alpha_y_ == o.alpha_y_ && coat_ == o.coat_ &&
+         coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
+}
+
+std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {
+  if (typeid(other) != typeid(Principled)) return std::nullopt;
+  const auto& o = static_cast<const Principled&>(other);
+  if (!differs_in_base_from(o)) return std::nullopt;
+  if (base_ == o.base_) return Rgb(1);
+  const LobeSet known = lobes & this->lobes(0);
+  const bool one_colour = known == kThrough || (known == kDiffuse && PrincipledLayers(*this, 1).only_diffuse());
+  if (!one_colour) return std::nullopt;
+  const auto of_base = ratio(base_, o.base_);
+  if (!of_base || known == kDiffuse) return of_base;
+  return Rgb(std::sqrt(of_base->r), std::sqrt(of_base->g), std::sqrt(of_base->b));
+}
+
+}  // namespace dspm

@@ -1,0 +1,53 @@
+// The scattering function of the principled material: what its parameters are at one point, and the sum of its layers.
+#pragma once
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/bsdf.h"
+#include "dspm/materials/principled_tables.h"
+#include "dspm/materials/shading_frame.h"
+#include "dspm/materials/small_number.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// The parameters at a point; all lie in [0, 1].
+struct PrincipledLook {
+  Rgb base;
+  float metallic, specular, transmission;
+  Vec2 alpha;
+  float coat, coat_alpha;
+  Rgb sheen;
+  float sheen_alpha;
+};
+
+class PrincipledLayers;
+
+class Principled final : public Bsdf {
+ public:
+  static constexpr LobeSet kSpecular = 1, kThrough = 2, kDiffuse = 4, kCoat = 8;
+
+  /// `tables` must outlive it.
+  Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look);
+
+  LobeSet lobes(float least_alpha) const override;
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override;
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override;
+  float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
+  bool transmits(LobeSet lobes) const override { return (lobes & this->lobes(0) & kThrough) != 0; }
+  std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override;
+
+ private:
+  friend PrincipledLayers;
+
+  /// Whether the other differs in the base colour only.
+  bool differs_in_base_from(const Principled& other) const;
+
+  ShadingFrame frame_;
+  const PrincipledTables* tables_;
+  SmallRgb base_, sheen_;
+  SmallNumber metallic_, specular_, transmission_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
+  float diffuse_norm_;  // 2 times the integral over the cosine of what reaches the diffuse base and leaves it again
+};
+
+}  // namespace dspm

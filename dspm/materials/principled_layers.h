@@ -1,0 +1,89 @@
+// The layers of the principled material as formulas, for light from one side. Directions are in the shading frame, wo
+// above. From the top: sheen, coat, and a base of three shares: metal, glass (which transmits) and an opaque dielectric
+// over a diffuse ground. From inside, glass has no layers over it, as it has them on its other side.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/fresnel.h"
+#include "dspm/materials/microfacet.h"
+#include "dspm/materials/principled_bsdf.h"
+#include "dspm/materials/sheen.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// With which probability each lobe is sampled, in the order of their bits.
+struct PrincipledChances {
+  std::array<float, 4> chance{};
+  float operator[](int lobe) const { return chance[static_cast<std::size_t>(lobe)]; }
+  float of(LobeSet lobes) const {
+    float sum = 0;
+    for (int lobe = 0; lobe < 4; ++lobe)
+      if (lobes >> lobe & 1) sum += (*this)[lobe];
+    return sum;
+  }
+};
+
+class PrincipledLayers {
+ public:
+  PrincipledLayers(const Principled& at, float side);
+
+  LobeSet lobes(float least_alpha) const;
+  /// Whether the diffuse lobe is the base alone.
+  bool only_diffuse() const;
+  /// Beyond the surface, over this side.
+  float eta() const { return outside_ ? tables_.eta : 1 / tables_.eta; }
+
+  Rgb f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
+  /// Of sampling `lobes`; zero for those that do not exist.
+  PrincipledChances chances(float cos_o, LobeSet lobes) const;
+  /// By solid angle.
+  float density(const Vec3& o, const Vec3& i, const PrincipledChances& chances) const;
+
+  struct Drawn {
+    Vec3 i;
+    bool specular;
+    Rgb weight = {};  // if it is; without the factor of refraction on radiance
+  };
+  std::optional<Drawn> draw(const Vec3& o, const Vec3& u, const PrincipledChances& chances) const;
+
+  /// See Principled::diffuse_norm_.
+  float diffuse_norm() const;
+
+ private:
+  float albedo(const AlbedoTable& table, float cos) const;
+  float made_up(const AlbedoTable& table, float cos_o, float cos_i) const;
+  const BoundaryAlbedos& boundary() const { return outside_ ? tables_.boundary->outside : tables_.boundary->inside; }
+  float left_by_sheen(float cos) const;
+  float left_by_coat(float cos) const;
+  float left_by_both(float cos) const { return left_by_sheen(cos) * left_by_coat(cos); }
+  /// For light that is mirrored below both: the lesser share, so that f is reciprocal and gains nothing.
+  float left_by_both(float cos_o, float cos_i) const { return std::min(left_by_both(cos_o), left_by_both(cos_i)); }
+  float over_glass(float cos_o, float cos_i) const { return outside_ ? left_by_both(cos_o, cos_i) : 1; }
+  float left_to_ground(float cos) const;
+
+  float mirrored_by_coat(float cos) const;
+  float mirrored_by_dielectric(float cos) const;  // its directional albedo
+  Rgb mirrored_by_facet(float cos, float cos_o, float cos_i) const;
+  Rgb through_facet(float cos_facet, float cos_o, float cos_i) const;
+  Rgb diffuse(const Vec3& o, const Vec3& i) const;
+  std::array<float, 4> weights(float cos_o) const;
+  std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, float chance) const;
+  std::optional<Drawn> draw_through(const Vec3& o, const Vec3& u, float chance) const;
+  std::optional<Drawn> draw_coat(const Vec3& o, const Vec3& u, float chance) const;
+
+  const PrincipledTables& tables_;
+  bool outside_;
+  Rgb base_, sheen_;
+  float metal_, glass_, opaque_;     // shares of the base
+  float specular_, coat_, covered_;  // covered: the share that has layers on this side
+  Ggx facets_, coat_facets_;
+  bool smooth_, smooth_coat_, is_isotropic_;
+  float alpha_, coat_alpha_, sheen_alpha_;  // alpha_: the mean of both
+  float sheen_weight_, diffuse_norm_;
+};
+
+}  // namespace dspm

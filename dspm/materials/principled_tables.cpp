@@ -1,0 +1,44 @@
+#include "dspm/materials/principled_tables.h"
+
+#include <cmath>
+
+#include "dspm/materials/facet_albedo.h"
+#include "dspm/materials/sheen.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+namespace {
+
+/// By a midpoint rule over wi's elevation, closer at the horizon, and half of the azimuths.
+float albedo_of_sheen(float cos, float alpha) {
+  constexpr int kUp = 48, kAround = 24;
+  const Sheen sheen(alpha);
+  double sum = 0;
+  for (int i = 0; i < kUp; ++i) {
+    const float x = (static_cast<float>(i) + 0.5f) / kUp, elevation = x * x * kPi / 2;
+    const float z = std::sin(elevation), r = std::cos(elevation);
+    for (int j = 0; j < kAround; ++j) {
+      const float phi = (static_cast<float>(j) + 0.5f) / kAround * kPi;
+      sum +=
+          static_cast<double>(sheen.f(direction_of_cosine(cos), {r * std::cos(phi), r * std::sin(phi), z}) * z * r * x);
+    }
+  }
+  return static_cast<float>(2 * std::acos(-1.) * std::acos(-1.) * sum / (kUp * kAround));
+}
+
+const CommonAlbedos& common_albedos() {
+  static const CommonAlbedos albedos{
+      AlbedoTable([](float cos, float alpha) { return reflected_by_facets(cos, alpha, [](float) { return 1.f; }); }),
+      AlbedoTable([](float cos, float alpha) { return reflected_by_boundary(cos, alpha, kCoatEta); }),
+      AlbedoTable(albedo_of_sheen)};
+  return albedos;
+}
+
+}  // namespace
+
+std::shared_ptr<const PrincipledTables> principled_tables(float eta) {
+  static MadeOnce<PrincipledTables> tables;
+  return tables.of(eta, [](float index) { return PrincipledTables{index, boundary_tables(index), common_albedos()}; });
+}
+
+}  // namespace dspm

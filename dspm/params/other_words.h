@@ -1,0 +1,13 @@
+// What other renderers call things, for suggestions.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dspm {
+
+/// Those of `candidates` that mean what another renderer calls `word`, best first.
+std::vector<std::string> meant_by(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace dspm

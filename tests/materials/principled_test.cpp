@@ -1,0 +1,165 @@
+// The principled material against what its layers are known to be: white gives back all light, and its pure forms are
+// those of the materials for glass and metal.
+#include <gtest/gtest.h>
+
+#include "dspm/materials/fresnel.h"
+#include "dspm/testing/scattering.h"
+#include "tests/materials/materials.h"
+
+namespace dspm::test {
+namespace {
+
+double least_albedo(const Material& material, float side) {
+  BsdfSlot slot;
+  const Bsdf& bsdf = material.bsdf(surface(), slot);
+  double least = 2;
+  for (const float cos : {1.f, 0.7f, 0.4f, 0.15f, 0.05f}) {
+    const PathRandom random(11, Stream::setup, 0, 0);
+    const Rgb mean = test::albedo(bsdf, direction(side * cos, 1), Transport::flux, random, 10'000).mean;
+    least = std::min(least, static_cast<double>(std::min({mean.r, mean.g, mean.b})));
+  }
+  return least;
+}
+
+/// With a white base; nothing is gained, and at most `loss` lost, from both sides.
+void expect_white(std::vector<Param> params, double loss, const std::string& what) {
+  params.push_back(rgb("basecolor", Rgb(1)));
+  const auto material = make("principled", std::move(params));
+  const Verdict verdict = gains_nothing(*material);
+  EXPECT_TRUE(verdict.passed) << what << ": " << verdict.message;
+  for (const float side : {1.f, -1.f}) EXPECT_GE(least_albedo(*material, side), 1 - loss) << what << " " << side;
+}
+
+TEST(Principled, WhiteLosesNothing) {
+  for (const float roughness : {0.f, 0.2f, 0.6f, 1.f}) {
+    const Param rough = number("roughness", roughness);
+    const std::string suffix = " " + std::to_string(roughness);
+    expect_white({rough}, 0.01, "opaque" + suffix);
+    expect_white({rough, number("specular", 0.3f)}, 0.01, "faint" + suffix);
+    expect_white({rough, number("metallic", 1)}, 0.01, "metal" + suffix);
+    expect_white({rough, number("transmission", 1)}, 0.02, "glass" + suffix);
+    expect_white({rough, number("transmission", 0.5f), number("metallic", 0.5f)}, 0.01, "mixed" + suffix);
+    expect_white({rough, number("eta", 2.4f), number("transmission", 0.5f)}, 0.01, "dense" + suffix);
+    expect_white({rough, rgb("sheen", Rgb(1)), number("sheenroughness", 0.3f)}, 0.04, "cloth" + suffix);
+  }
+}
+
+// The tables are of isotropic facets: what brushed metal loses is known to a few per cent only.
+TEST(Principled, BrushedMetalLosesLittle) {
+  for (const float roughness : {0.2f, 0.6f, 1.f})
+    for (const float anisotropy : {0.5f, 0.9f}) {
+      const auto metal = make("principled", {number("metallic", 1), rgb("basecolor", Rgb(1)),
+                                             number("roughness", roughness), number("anisotropy", anisotropy)});
+      BsdfSlot slot;
+      const Bsdf& bsdf = metal->bsdf(surface(), slot);
+      for (const float cos : {1.f, 0.5f, 0.1f})
+        for (const float phi : {0.f, 0.8f, 1.57f}) {
+          const PathRandom random(11, Stream::setup, 0, 0);
+          const float albedo = test::albedo(bsdf, direction(cos, phi), Transport::flux, random, 4000).mean.r;
+          EXPECT_LE(albedo, 1.015) << roughness << " " << anisotropy << " " << cos << " " << phi;
+          EXPECT_GE(albedo, cos < 0.2f ? 0.7 : 0.85) << roughness << " " << anisotropy << " " << cos << " " << phi;
+        }
+    }
+}
+
+// Light that a mirror below a coat sends back is taken for what the coat lets through one way.
+TEST(Principled, CoatOverWhiteLosesLittle) {
+  for (const float roughness : {0.f, 0.3f, 1.f})
+    for (const float coat : {0.f, 0.3f, 1.f}) {
+      const std::vector<Param> varnish{number("roughness", roughness), number("coat", 1),
+                                       number("coatroughness", coat)};
+      expect_white(varnish, 0.02, "varnish");
+      std::vector<Param> metal = varnish;
+      metal.push_back(number("metallic", 1));
+      expect_white(metal, 0.06, "metal");
+    }
+}
+
+TEST(Principled, PureGlassIsDielectric) {
+  const Param eta = number("eta", 1.4f);
+  const auto principled = make(
+      "principled", {number("transmission", 1), eta, number("roughness", 0.6f), rgb("basecolor", {0.25f, 0.5f, 1})});
+  const auto dielectric = make("dielectric", {eta, alpha(0.36f)});
+  BsdfSlot slots[2];
+  const Bsdf &ours = principled->bsdf(surface(), slots[0]), &known = dielectric->bsdf(surface(), slots[1]);
+  const PathRandom random(5, Stream::setup, 12, 0);
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
+    const Rgb f = ours.evaluate(wo, wi, Transport::radiance, 3),
+              expected = known.evaluate(wo, wi, Transport::radiance, 3);
+    const Rgb tint = wo.z * wi.z > 0 ? Rgb(1) : Rgb(0.5f, std::sqrt(0.5f), 1);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[c], expected[c] * tint[c], 2e-3f * expected[c] + 1e-5f);
+  }
+}
+
+TEST(Principled, SmoothGlassIsDielectric) {
+  const auto principled =
+      make("principled", {number("transmission", 1), number("roughness", 0), rgb("basecolor", Rgb(1))});
+  const auto dielectric = make("dielectric", {});
+  BsdfSlot slots[2];
+  const Bsdf &ours = principled->bsdf(surface(), slots[0]), &known = dielectric->bsdf(surface(), slots[1]);
+  for (const Vec3& wo : directions())
+    for (const float u : {0.001f, 0.999f}) {
+      const auto drawn = ours.sample(wo, {0.5f, 0.5f, u}, Transport::radiance, 3),
+                 expected = known.sample(wo, {0.5f, 0.5f, u}, Transport::radiance, 3);
+      ASSERT_EQ(drawn.has_value(), expected.has_value()) << wo.z;
+      if (!drawn) continue;
+      EXPECT_NEAR(dot(drawn->wi, expected->wi), 1, 1e-5f);
+      EXPECT_NEAR(drawn->weight.g, expected->weight.g, 1e-3f);
+      EXPECT_EQ(drawn->eta_scale, expected->eta_scale);
+    }
+}
+
+// Facets of metal reflect the base colour straight on and white light at grazing angles.
+TEST(Principled, MetalHasSchlicksFresnelTerm) {
+  const auto metal =
+      make("principled", {number("metallic", 1), number("roughness", 0), rgb("basecolor", {0.9f, 0.5f, 0.1f})});
+  BsdfSlot slot;
+  const Bsdf& bsdf = metal->bsdf(surface(), slot);
+  EXPECT_EQ(static_cast<int>(bsdf.all_lobes()), 1);
+  for (const float cos : {1.f, 0.5f, 0.05f}) {
+    const float edge = std::pow(1 - cos, 5.f);
+    const auto drawn = bsdf.sample(direction(cos, 1), {}, Transport::flux, 1);
+    ASSERT_TRUE(drawn && drawn->specular);
+    EXPECT_NEAR(drawn->weight.r, 0.9f + 0.1f * edge, 1e-3f);
+    EXPECT_NEAR(drawn->weight.b, 0.1f + 0.9f * edge, 1e-3f);
+  }
+}
+
+TEST(Principled, LobesByRoughness) {
+  const auto lobes = [](std::vector<Param> params, float least_alpha) {
+    BsdfSlot slot;
+    return static_cast<int>(make("principled", std::move(params))->bsdf(surface(), slot).lobes(least_alpha));
+  };
+  EXPECT_EQ(lobes({}, 0), 5);
+  EXPECT_EQ(lobes({number("roughness", 0.6f)}, 0.35f), 5);
+  EXPECT_EQ(lobes({number("roughness", 0.6f)}, 0.37f), 4);
+  EXPECT_EQ(lobes({number("transmission", 1), number("roughness", 0)}, 0), 3);
+  EXPECT_EQ(lobes({number("transmission", 1), number("roughness", 0)}, 1e-3f), 0);
+  EXPECT_EQ(lobes({number("coat", 1), number("coatroughness", 0.5f)}, 0.2f), 13);
+}
+
+// Frames with other colours stay one path: they draw the same directions with the same densities.
+TEST(Principled, ColoursDrawAlike) {
+  const auto plastic = [](Rgb base) { return make("principled", {rgb("basecolor", base), number("coat", 0.5f)}); };
+  const auto red = plastic({0.8f, 0.1f, 0.1f}), blue = plastic({0.1f, 0.2f, 0.7f});
+  BsdfSlot slots[2];
+  const Bsdf &a = red->bsdf(surface(), slots[0]), &b = blue->bsdf(surface(), slots[1]);
+  const PathRandom random(5, Stream::setup, 13, 0);
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 wo = direction(0.1f + 0.0009f * static_cast<float>(n), 2), u = three_numbers(random, n);
+    const auto first = a.sample(wo, u, Transport::radiance, a.all_lobes()),
+               second = b.sample(wo, u, Transport::radiance, b.all_lobes());
+    ASSERT_EQ(first.has_value(), second.has_value());
+    if (!first) continue;
+    EXPECT_EQ(first->wi, second->wi);
+    EXPECT_EQ(first->pdf_w, second->pdf_w);
+  }
+  const auto ratio = a.ratio_to(b, 4);
+  ASSERT_TRUE(ratio);
+  EXPECT_NEAR(ratio->g, 0.5f, 1e-3f);
+  EXPECT_FALSE(a.ratio_to(b, 5));
+}
+
+}  // namespace
+}  // namespace dspm::test
