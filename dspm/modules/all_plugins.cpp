@@ -16,6 +16,7 @@
 #include "dspm/materials/material.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
+#include "dspm/shapes/cutout.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/textures/plugins.h"
@@ -74,7 +75,10 @@ std::vector<CatalogueEntry> all_plugins() {
   add(entries, pixel_filter_plugins());
   add(entries, accel_plugins(), no_shapes, no_frames);
   add(entries, integrator_plugins(), scene, settings);
-  add_common(entries, shape_plugins().kind(), [](ParamReader& params) { read_shape_caustics(params); });
+  add_common(entries, shape_plugins().kind(), [](ParamReader& params) {
+    read_alpha(params);
+    read_shape_caustics(params);
+  });
   for (const auto* lights : {&light_plugins(), &area_light_plugins()})
     add_common(entries, lights->kind(), [](ParamReader& params) { read_photon_controls(params); });
   return entries;

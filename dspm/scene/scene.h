@@ -101,6 +101,7 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
+  std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   /// Of what the scene file calls one thing, perhaps several shapes; distinct.
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;

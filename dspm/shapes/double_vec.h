@@ -12,7 +12,11 @@ struct DoubleVec3 {
 };
 inline DoubleVec3 operator*(const DoubleVec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 inline DoubleVec3 operator+(const DoubleVec3& a, const DoubleVec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline DoubleVec3 operator-(const DoubleVec3& a, const DoubleVec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline double dot(const DoubleVec3& a, const DoubleVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline DoubleVec3 cross(const DoubleVec3& a, const DoubleVec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double length(const DoubleVec3& a) { return std::sqrt(dot(a, a)); }
 
 inline DoubleVec3 widen(const Vec3& v) { return {v.x, v.y, v.z}; }

@@ -27,10 +27,6 @@ namespace {
 
 constexpr double kMostTriangles = 5e7;
 
-DoubleVec3 cross(const DoubleVec3& a, const DoubleVec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// A vertex and its neighbours, in order; on a rim, from one open edge to the other.
 struct Neighbourhood {
   DoubleVec3 p;
@@ -113,7 +109,6 @@ std::vector<MadeShape> make_loopsubdiv(ParamReader& reader) {
   MeshData coarse = read_triangles(reader);
   reader.choice("scheme", "loop", {"loop"}, "the kind of subdivision");
   const bool repair = read_repair(reader);
-  refuse_mesh_params(reader);
   reader.finish();
 
   const double triangles = std::pow(4, levels) * static_cast<double>(coarse.faces.size());

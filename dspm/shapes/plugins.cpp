@@ -3,12 +3,15 @@
 
 namespace dspm {
 
-MakeShape make_cylinder, make_disk, make_loopsubdiv, make_objmesh, make_plymesh, make_sphere, make_trianglemesh;
+MakeShape make_bilinearmesh, make_cylinder, make_disk, make_loopsubdiv, make_objmesh, make_plymesh, make_sphere,
+    make_trianglemesh;
 
 PluginTable<Plugin<MakeShape>>& shape_plugins() {
   static PluginTable<Plugin<MakeShape>> table(
       "shape",
       {
+          {"bilinearmesh", "bilinear patches: quadrilaterals, bent if their corners are not in a plane",
+           make_bilinearmesh},
           {"cylinder", "a cylinder without caps", make_cylinder},
           {"disk", "a disk, ring or sector", make_disk},
           {"loopsubdiv", "the smooth surface of a coarse mesh of triangles", make_loopsubdiv},
@@ -17,7 +20,7 @@ PluginTable<Plugin<MakeShape>>& shape_plugins() {
           {"sphere", "a sphere or a part of it", make_sphere},
           {"trianglemesh", "triangles in the scene file", make_trianglemesh},
       },
-      {"bilinearmesh", "curve"});
+      {"curve"});
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
@@ -13,21 +14,14 @@
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/world/displacements.h"
+#include "dspm/world/param_states.h"
 #include "dspm/world/same_in_all_frames.h"
+#include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
 namespace {
-
-using MadeShapes = std::vector<MadeShape>;
-
-/// The directive's parameters, state by state.
-Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames, const std::vector<bool>& present) {
-  const bool keyed = params.is_keyed();
-  return Timeline<ParamList>::of_moments(
-      frames, present, [&](Moment moment) { return keyed ? params.at(moment) : params; },
-      [&](const ParamList& a, const ParamList& b) { return !keyed || a.same_values(b); });
-}
 
 Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
                              const std::vector<bool>& present) {
@@ -48,22 +42,32 @@ std::string name_in_file(const ShapeUse& use) {
   return std::filesystem::path(texts->front()).stem().string();
 }
 
-std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
-
 }  // namespace
 
 /// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
 struct Geometry::Source {
   Timeline<ParamList> params;
-  std::vector<MadeShapes> made;                                   // by state of `params`
-  std::vector<int> materials;                                     // by index of what was made
-  std::vector<const AreaLightUse*> lights;                        // likewise; null: none
-  bool caustics = true;                                           // see PlacedShape
-  std::vector<std::vector<std::shared_ptr<const Shape>>> shapes;  // by state and index: shared by all places
+  std::vector<MadeShapes> made;             // by state of `params`
+  std::vector<int> materials;               // by index of what was made
+  std::vector<const AreaLightUse*> lights;  // likewise; null: none
+  std::vector<int> alphas;                  // likewise, see WorldShape
+  bool caustics = true;                     // see PlacedShape
+  GeometryStates geometry;
+};
+
+/// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
+/// holes, at one place.
+struct Geometry::Place {
+  int geometry, matrix, alpha;  // states
+  friend bool operator==(const Place&, const Place&) = default;
 };
 
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
-    : description_(description), looks_(looks), diagnostics_(diagnostics), check_meshes_(check_meshes) {
+    : description_(description),
+      looks_(looks),
+      alphas_(description, looks, diagnostics),
+      diagnostics_(diagnostics),
+      check_meshes_(check_meshes) {
   for (const ShapeUse& use : description.shapes) add_source(use, {});
   std::map<std::string, std::vector<const ObjectUse*>> uses;
   for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
@@ -88,7 +92,8 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
   if (!plugin) return;
   Source source;
-  source.params = param_states(use.params, description_.frames, presence(description_, use.dynamic_block));
+  source.params =
+      param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
   const int errors = diagnostics_.error_count();
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics_);
   for (const ParamList& params : source.params.states) {
@@ -98,17 +103,19 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
     if (diagnostics_.error_count() > errors) return;
   }
   if (source.made.empty()) return;
-  for (const MadeShape& shape : source.made.front())
+  const int alpha = alphas_.of(use);
+  for (const MadeShape& shape : source.made.front()) {
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
-  for (const MadeShape& shape : source.made.front()) source.lights.push_back(area_light(use, shape));
+    source.lights.push_back(area_light(use, shape));
+    source.alphas.push_back(alpha < 0 && shape.material ? alphas_.of(*shape.material, use.where) : alpha);
+  }
+  if (diagnostics_.error_count() > errors) return;
   for (const MadeShapes& made : source.made)
     if (made.size() != source.materials.size())
       return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
   check(use, source);
-  for (MadeShapes& made : source.made) {
-    auto& shapes = source.shapes.emplace_back();
-    for (MadeShape& each : made) shapes.emplace_back(std::move(each.shape));
-  }
+  source.geometry = displaced(use, source.params.state_of, std::move(source.made), description_, looks_, diagnostics_);
+  if (diagnostics_.error_count() > errors) return;
   if (instances.empty()) return place(use, nullptr, source, true);
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
 }
@@ -169,6 +176,28 @@ int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
   return once(object_of_use_, static_cast<const void*>(&use), use.name.empty() ? name_in_file(use) : use.name);
 }
 
+Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeline<Matrix4>& matrices,
+                                              const std::vector<bool>& present, std::size_t made) const {
+  const int alpha = source.alphas[made];
+  return Timeline<Place>::of(
+      static_cast<int>(present.size()),
+      [&](FileFrame f) -> std::optional<Place> {
+        if (!present[f.slot()]) return std::nullopt;
+        return Place{source.geometry.states.at(f), matrices.at(f),
+                     alpha < 0 ? 0 : looks_.states_of_number(alpha)[f.slot()]};
+      },
+      [](const Place& a, const Place& b) { return a == b; });
+}
+
+/// How many matrices place each geometry.
+std::vector<int> Geometry::matrices_by_state(const Timeline<Place>& places, std::size_t geometries) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Place& place : places.states) pairs.emplace(place.geometry, place.matrix);
+  std::vector<int> count(geometries, 0);
+  for (const auto& [geometry, matrix] : pairs) ++count[static_cast<std::size_t>(geometry)];
+  return count;
+}
+
 void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
   std::vector<bool> present(source.params.state_of.size());
   for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
@@ -177,30 +206,25 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
     for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
   const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
-  // A geometry state and a placement: one shape at two places counts as two, and so do two geometries at one place.
-  using Place = std::pair<int, int>;
-  const auto places = Timeline<Place>::of(
-      static_cast<int>(present.size()),
-      [&](FileFrame f) -> std::optional<Place> {
-        if (!present[f.slot()]) return std::nullopt;
-        return Place{source.params.at(f), matrices.at(f)};
-      },
-      [](const Place& a, const Place& b) { return a == b; });
-
   const int object = object_of(use, instance);
-  std::vector<int> uses_of_state(source.shapes.size(), 0);
-  for (const Place& place : places.states) ++uses_of_state[static_cast<std::size_t>(place.first)];
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
+    const Timeline<Place> places = places_of(source, matrices, present, i);
+    const std::vector<int> matrices_of_state = matrices_by_state(places, source.geometry.shapes.size());
+    std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
     Emitter emitter{source.lights[i], {}};
     const std::size_t first = shapes_.size();
-    for (const auto& [state, matrix] : places.states) {
-      std::shared_ptr<const Shape> shape = source.shapes[static_cast<std::size_t>(state)][i];
-      Transform to_world(matrices.states[static_cast<std::size_t>(matrix)]);
+    ++placed_;
+    for (const Place& place : places.states) {
+      const auto state = static_cast<std::size_t>(place.geometry);
+      std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
+      Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
       // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
-      if (alone && uses_of_state[static_cast<std::size_t>(state)] == 1 && shape->triangles()) {
-        if (!to_world.is_identity()) shape = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
-        to_world = Transform();
+      if (alone && matrices_of_state[state] == 1 && shape->triangles()) {
+        std::shared_ptr<const Shape>& moved = in_world[place.geometry];
+        if (!moved && to_world.is_identity()) moved = shape;
+        if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
+        shape = moved, to_world = Transform();
       }
       WorldShape& world = shapes_.emplace_back();
       owned_.push_back(shape);
@@ -212,8 +236,10 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.caustics = source.caustics;
       world.placed.material = source.materials[i];
       world.placed.object = object;
+      world.placed.cutout_key = placed_;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
       world.present.resize(present.size());
+      alphas_.set(world, source.alphas[i], place.alpha);
       if (emitter.use) {
         world.emitter = static_cast<int>(emitters_.size());
         emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
@@ -222,8 +248,21 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
     for (std::size_t f = 0; f < present.size(); ++f)
       if (const int state = places.state_of[f]; state >= 0)
         shapes_[first + static_cast<std::size_t>(state)].present[f] = true;
-    if (emitter.use) emitters_.push_back(std::move(emitter));
+    if (emitter.use) add_emitter(std::move(emitter));
   }
+}
+
+/// Its light is made for all frames at once, and so are its holes.
+void Geometry::add_emitter(Emitter emitter) {
+  const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
+  emitter.is_hidden = !emitter.shapes.empty() && std::all_of(emitter.shapes.begin(), emitter.shapes.end(),
+                                                             [&](int s) { return shape(s).nowhere; });
+  for (const int s : emitter.shapes) {
+    if (emitter.is_hidden || shape(s).alpha < 0) continue;
+    shape(s).cutout = std::make_shared<TextureCutout>(looks_.number(shape(s).alpha, shape(s).alpha_state));
+    shape(s).placed.cutout = shape(s).cutout.get();
+  }
+  emitters_.push_back(std::move(emitter));
 }
 
 }  // namespace dspm

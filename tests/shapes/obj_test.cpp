@@ -196,13 +196,13 @@ TEST(TriangleMeshPlugin, ReadsItsParameters) {
 
   EXPECT_TRUE(make({0, 1, 4}, {}).empty());
   EXPECT_TRUE(make({0, 1}, {}).empty());
-  make({0, 1, 2}, {test::param(ParamType::vector3, "S", std::vector<float>(12))});
-  make({0, 1, 2}, {test::param(ParamType::texture, "alpha", Texts{"leaf"})});
+  make({0, 1, 2}, {test::param(ParamType::vector3, "S", std::vector<float>(9))});
+  make({0, 1, 2}, {test::param(ParamType::integer, "faceIndices", std::vector<int>{4, 5})});
   const std::string text = test::messages(diagnostics);
   EXPECT_NE(text.find("refers to vertex 4"), std::string::npos);
   EXPECT_NE(text.find("the number of indices, 2"), std::string::npos);
-  EXPECT_NE(text.find("tangents"), std::string::npos);
-  EXPECT_NE(text.find("\"alpha\""), std::string::npos);
+  EXPECT_NE(text.find("3 tangents for 4 vertices"), std::string::npos);
+  EXPECT_NE(text.find("2 face indices for 1 faces"), std::string::npos);
 }
 
 }  // namespace
