@@ -6,6 +6,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/beyond_hole.h"
 #include "dspm/shapes/placed_shape.h"
 
 namespace dspm {
@@ -36,26 +37,17 @@ class CutQuery {
   const PlacedShape* shapes_;
 };
 
-/// The primitive's next hit after one at `hole`: the ray starts anew there. Both rays are in the shape's space.
-inline std::optional<PrimitiveHit> meet_beyond(const Shape& shape, int primitive, const Ray& ray,
-                                               const PrimitiveHit& hole) {
-  if (shape.triangles() != nullptr) return std::nullopt;  // a line meets a triangle once
-  Ray rest = shape.surface_point(primitive, hole.uv).spawn(ray.direction);
-  const DoubleVec3 gone = difference(rest.origin, ray.origin), d = widen(ray.direction);
-  const auto start = static_cast<float>(dot(gone, d) / dot(d, d));
-  rest.t_max = ray.t_max - start;
-  const auto next = meet(shape, primitive, rest);
-  if (!next || !(start + next->t > hole.t)) return std::nullopt;
-  return not_before_entry({start + next->t, next->uv}, BoxRay(ray), shape.bounds(primitive), ray.t_max);
-}
-
 /// The first hit of the primitive that stops the ray. `ray`: the same in the shape's space. A hit beyond `limit` may be
 /// one that does not stop it.
 inline std::optional<PrimitiveHit> first_stop(const PlacedShape& placed, int primitive, const Ray& world_ray,
                                               const Ray& ray, float limit = kInfinity) {
-  std::optional<PrimitiveHit> hit = meet(*placed.shape, primitive, ray);
-  while (hit && hit->t <= limit && !placed.stops(world_ray, primitive, hit->uv))
-    hit = meet_beyond(*placed.shape, primitive, ray, *hit);
+  const Shape& shape = *placed.shape;
+  const auto met = [&](const Ray& part) { return meet(shape, primitive, part); };
+  std::optional<PrimitiveHit> hit = met(ray);
+  while (hit && hit->t <= limit && !placed.stops(world_ray, primitive, hit->uv)) {
+    hit = meet_beyond(shape, primitive, ray, *hit, met);
+    if (hit) hit = not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max);
+  }
   return hit;
 }
 

@@ -101,7 +101,6 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
-  std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   /// Of what the scene file calls one thing, perhaps several shapes; distinct.
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
@@ -112,6 +111,7 @@ class Scene {
   std::vector<int> infinite_lights;          // those that implement escaped()
   FrameStates<Camera> camera;
   std::vector<Transform> camera_to_world;  // by frame
+  std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }

@@ -196,7 +196,13 @@ std::optional<PrimitiveHit> BilinearPatch::intersect(const Ray& ray) const {
     if (best == nullptr || m.off < best->off) best = &m;
   }
   if (must && !any_inside && best != nullptr) offer(*best);
-  return nearest;
+  return nearest && has_area() ? nearest : std::nullopt;
+}
+
+// The normal is linear in u and v.
+bool BilinearPatch::has_area() const {
+  const DoubleVec3 corners[] = {normal(0, 0), normal(1, 0), normal(0, 1)};
+  return std::any_of(corners, corners + 3, [](const DoubleVec3& n) { return dot(n, n) > 0; });
 }
 
 std::optional<std::array<double, 2>> BilinearPatch::parameters(const Vec3& p) const {

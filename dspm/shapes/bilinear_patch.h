@@ -26,6 +26,7 @@ struct BilinearPatch {
   /// u and v of a point of the patch; nullopt if they cannot be found.
   std::optional<std::array<double, 2>> parameters(const Vec3& p) const;
 
+  bool has_area() const;
   double area() const;
   /// u and v of a point distributed uniformly over the area, and back.
   std::array<double, 2> uniform(Vec2 numbers) const;

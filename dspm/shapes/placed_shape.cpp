@@ -5,6 +5,7 @@
 #include "dspm/math/ray.h"
 #include "dspm/math/rng.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/beyond_hole.h"
 #include "dspm/shapes/rounding.h"
 
 namespace dspm {
@@ -54,7 +55,11 @@ Bounds3 PlacedShape::bounds(int primitive) const {
 }
 
 std::optional<PrimitiveHit> PlacedShape::intersect(int primitive, const Ray& ray) const {
-  return shape->intersect(primitive, in_object_space() ? to_world.inverse_ray(ray) : ray);
+  const Ray own = in_object_space() ? to_world.inverse_ray(ray) : ray;
+  const auto met = [&](const Ray& part) { return shape->intersect(primitive, part); };
+  std::optional<PrimitiveHit> hit = met(own);
+  while (hit && !stops(ray, primitive, hit->uv)) hit = meet_beyond(*shape, primitive, own, *hit, met);
+  return hit;
 }
 
 SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {

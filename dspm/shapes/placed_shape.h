@@ -32,6 +32,7 @@ struct PlacedShape {
   std::uint64_t cutout_key = 0;    // as that of no other shape of the file; one for all frames
 
   Bounds3 bounds(int primitive) const;
+  /// The nearest hit that stops the ray, which is in the world.
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
   AreaSample sample_area(int primitive, Vec2 u) const;

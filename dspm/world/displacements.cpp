@@ -59,6 +59,7 @@ class Displacer {
 
 GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_params, std::vector<MadeShapes> made,
                          const SceneDescription& description, Looks& looks, Diagnostics& diagnostics) {
+  const int errors = diagnostics.error_count();
   Displacer displacer(use, description, looks, diagnostics);
   std::vector<int> numbers;  // by state of the parameters; a directive displaces all of its shapes alike
   std::vector<std::optional<Displacement>> wanted;
@@ -80,7 +81,7 @@ GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_p
         return std::pair{params, number < 0 ? 0 : looks.states_of_number(number)[f.slot()]};
       },
       [](const auto& a, const auto& b) { return a == b; });
-  if (diagnostics.error_count() > 0) return result;
+  if (diagnostics.error_count() > errors) return result;
   for (const auto& [params, state] : result.states.states) {
     Shapes& shapes = result.shapes.emplace_back(still[slot(params)]);
     if (const int number = numbers[slot(params)]; number >= 0)

@@ -147,11 +147,6 @@ int Looks::add_number(std::string type, ParamList params, const SourceLocation& 
   return static_cast<int>(numbers_.size()) - 1;
 }
 
-int Looks::add_number(ParamList value, const SourceLocation& where) {
-  for (Param& param : value.params) param.name = "tex";
-  return add_number("scale", std::move(value), where);
-}
-
 TexturePtr<float> Looks::number(int number, int state) const {
   Diagnostics diagnostics(true);
   TexturePtr<float> texture = made(Ingredient<float>{{}, &numbers_[slot(number)], state}, diagnostics);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
@@ -33,7 +34,10 @@ class Looks {
   /// A texture of numbers without a name, of that type. Returns its index.
   int add_number(std::string type, ParamList params, const SourceLocation& where);
   /// The same for a parameter that is a number or names a texture, with keys or without.
-  int add_number(ParamList value, const SourceLocation& where);
+  int add_number(ParamList value, const SourceLocation& where) {
+    for (Param& param : value.params) param.name = "tex";
+    return add_number("scale", std::move(value), where);
+  }
   /// Its state, by frame of the file.
   const std::vector<int>& states_of_number(int number) const { return numbers_[slot(number)].recipes.state_of; }
   /// The texture in a state; throws SceneError if a file has changed since the first time.
