@@ -196,7 +196,7 @@ DynamicBegin "glowing"
   Translate 0.5 0 -0.2
   Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 0 .3 0 0 0 .4 .1] "float alpha@1" 0.2 "float alpha@4" 1
 DynamicEnd
-VariationBegin "green" VariationEnd
+VariationBegin "green" Texture "leaf" "float" "checkerboard" "float uscale" 3 VariationEnd
 VariationBegin "bare" Texture "leaf" "float" "constant" "float value" 0.2 VariationEnd
 )";
 

@@ -67,7 +67,7 @@ TEST(Alpha, TexturesDifferByVariationsOutsideOfDynamicBlocks) {
   const Made made(R"(
 Texture "leaf" "float" "constant" "float value" 0.25
 Shape "sphere" "texture alpha" "leaf"
-VariationBegin "spring" VariationEnd
+VariationBegin "spring" Texture "leaf" "float" "constant" "float value" 0.25 VariationEnd
 VariationBegin "autumn" Texture "leaf" "float" "constant" "float value" 0.75 VariationEnd)");
   EXPECT_EQ(made.last(1).cutout->alpha({}, {}), 0.25f);
   EXPECT_EQ(made.last().cutout->alpha({}, {}), 0.75f);
