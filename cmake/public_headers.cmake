@@ -18,7 +18,7 @@ set(public_headers
   modules/module.h modules/stamp.h
   params/errors.h params/params.h params/registry.h
   scene/scene.h
-  shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
+  shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h)
 set(testing_headers

@@ -1,6 +1,6 @@
 #include "dspm/accel/brute_force.h"
 
-#include "dspm/accel/meet.h"
+#include "dspm/accel/cut_query.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/params/params.h"
@@ -17,7 +17,7 @@ void for_each_hit(std::span<const PlacedShape> shapes, const Ray& ray, FrameSet 
     if (common.empty()) continue;
     const Ray object_ray = placed.in_object_space() ? placed.to_world.inverse_ray(ray) : ray;
     for (int p = 0; p < placed.shape->primitive_count(); ++p)
-      if (const auto hit = meet(*placed.shape, p, object_ray))
+      if (const auto hit = first_stop(placed, p, ray, object_ray))
         found(RayHit{hit->t, static_cast<int>(s), p, hit->uv}, common);
   }
 }

@@ -130,6 +130,10 @@ Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, Fram
            MeshTrees& meshes) {
   for (const PlacedShape& placed : shapes) frames_.push_back(placed.frames);
   Builder(*this, shapes, meshes).build(which, all, builder);
+  for (const int s : which) {
+    const PlacedShape& placed = shapes[static_cast<std::size_t>(s)];
+    if (is_world_mesh(placed) && placed.cutout != nullptr) cut_out_ = shapes.data();
+  }
 }
 
 template <class Query>
@@ -137,15 +141,17 @@ void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
   const FrameSet frames = placed.shape->frames & query.frames();
   Ray object_ray = placed.shape->in_object_space() ? placed.shape->to_world.inverse_ray(ray) : ray;
   if (!placed.mesh) {
-    if (const auto hit = meet(*placed.shape->shape, placed.primitive, object_ray))
-      query.offer({hit->t, placed.number, placed.primitive, hit->uv}, frames);
+    const auto hit = placed.shape->cutout == nullptr
+                         ? meet(*placed.shape->shape, placed.primitive, object_ray)
+                         : first_stop(*placed.shape, placed.primitive, ray, object_ray, query.limit(frames));
+    if (hit) query.offer({hit->t, placed.number, placed.primitive, hit->uv}, frames);
   } else if constexpr (std::is_same_v<Query, Unblocked> || std::is_same_v<Query, AnyHit>) {
     AnyHit any(FrameSet::single(0), ray.t_max);
-    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), any);
+    placed.mesh->find_placed(object_ray, any, *placed.shape, ray);
     if (any.found()) query.offer({}, frames);
   } else {
     NearestHit nearest(FrameSet::single(0), query.limit(frames));
-    placed.mesh->find(TreeRay(object_ray, placed.mesh->margins_), nearest);
+    placed.mesh->find_placed(object_ray, nearest, *placed.shape, ray);
     RayHit hit = nearest.hit();
     if (hit.missed()) return;
     hit.shape = placed.number;
@@ -154,13 +160,28 @@ void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
 }
 
 template <class Query>
+void Tree::find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const {
+  const TreeRay prepared(ray, margins_);
+  if (placed.cutout == nullptr) return find(prepared, query, query);
+  CutQuery<Query> cut(query, world_ray, &placed);
+  find(prepared, query, cut);
+}
+
+template <class Query>
 void Tree::find(const TreeRay& ray, Query& query) const {
+  if (cut_out_ == nullptr) return find(ray, query, query);
+  CutQuery<Query> cut(query, ray.ray, cut_out_);
+  find(ray, query, cut);
+}
+
+template <class Query, class Offers>
+void Tree::find(const TreeRay& ray, Query& query, Offers& offers) const {
   const auto frames_of = [&](int shape) { return frames_[static_cast<std::size_t>(shape)]; };
   traverse(bvh_, ray.test, query, [&](std::uint32_t leaf) {
     if (leaf >= kPlaced) return find_in(placed_[leaf - kPlaced], ray.ray, query);
     const TrianglePacket* packet = &packets_[leaf & ~kTwo];
     const TrianglePacket* const end = packet + ((leaf & kTwo) != 0 ? 2 : 1);
-    for (; packet != end; ++packet) packet->find(ray.four, query, frames_of);
+    for (; packet != end; ++packet) packet->find(ray.four, offers, frames_of);
   });
 }
 template void Tree::find(const TreeRay&, NearestHit&) const;

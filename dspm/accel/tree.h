@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "dspm/accel/cut_query.h"
 #include "dspm/accel/traverse.h"
 #include "dspm/accel/triangle_packet.h"
 #include "dspm/math/frames.h"
@@ -73,14 +74,21 @@ class Tree {
   };
   class Builder;
 
+  /// Hits on triangles in world space are offered to `offers`, the others to `query`.
+  template <class Query, class Offers>
+  void find(const TreeRay& ray, Query& query, Offers& offers) const;
   template <class Query>
   void find_in(const Placed& placed, const Ray& ray, Query& query) const;
+  /// Of a mesh in its own space, placed as `placed`; `world_ray`: the ray before it was transformed.
+  template <class Query>
+  void find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const;
 
   Bvh bvh_;  // leaf numbers index packets_, from kPlaced on placed_
   std::vector<TrianglePacket> packets_;
   std::vector<Placed> placed_;
-  std::vector<FrameSet> frames_;  // by shape
-  float margins_ = 1;             // see stretch_of()
+  std::vector<FrameSet> frames_;          // by shape
+  float margins_ = 1;                     // see stretch_of()
+  const PlacedShape* cut_out_ = nullptr;  // all shapes, if one with triangles in world space has holes
 };
 
 /// A tree, in its own space, for each shape of several primitives that is placed by a transform.

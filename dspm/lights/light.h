@@ -107,6 +107,7 @@ struct LightContext {
   Vec3 scene_center;  // the sphere around everything, over all frames of the file
   float scene_radius = 1;
   const PlacedShape* shape = nullptr;  // of an area light; outlives the light
+  bool hidden = false;                 // no ray can meet the shape, but its light is there
 };
 
 using MakeLight = std::unique_ptr<Light>(ParamReader&, const LightContext&);

@@ -17,6 +17,7 @@
 #include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
+#include "dspm/shapes/cutout.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/textures/plugins.h"
@@ -77,7 +78,10 @@ std::vector<CatalogueEntry> all_plugins() {
   add(entries, pixel_filter_plugins());
   add(entries, accel_plugins(), no_shapes, no_frames);
   add(entries, integrator_plugins(), scene, settings);
-  add_common(entries, shape_plugins().kind(), [](ParamReader& params) { read_shape_caustics(params); });
+  add_common(entries, shape_plugins().kind(), [](ParamReader& params) {
+    read_alpha(params);
+    read_shape_caustics(params);
+  });
   add_common(
       entries, material_plugins().kind(), [](ParamReader& params) { read_relief(params, texture); }, has_relief);
   for (const auto* lights : {&light_plugins(), &area_light_plugins()})

@@ -112,6 +112,7 @@ class Scene {
   std::vector<int> infinite_lights;          // those that implement escaped()
   FrameStates<Camera> camera;
   std::vector<Transform> camera_to_world;  // by frame
+  std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }

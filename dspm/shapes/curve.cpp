@@ -138,7 +138,6 @@ std::vector<MadeShape> make_curve(ParamReader& reader) {
   const float width1 = read_width(reader, "width1", width, "at its end; width if not given");
   const int depth =
       reader.integer("splitdepth", 3, "", "a segment has boxes for up to 2^splitdepth pieces; at most 10");
-  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   std::vector<MadeShape> made;

@@ -73,7 +73,6 @@ std::vector<MadeShape> make_cylinder(ParamReader& reader) {
   const float z0 = reader.number("zmin", -1, "scene units", "lower end");
   const float z1 = reader.number("zmax", 1, "scene units", "upper end");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   std::vector<MadeShape> made;

@@ -87,7 +87,6 @@ std::vector<MadeShape> make_disk(ParamReader& reader) {
   const float radius = read_positive(reader, "radius", 1, "outer radius");
   const float inner = reader.number("innerradius", 0, "scene units", "radius of the hole");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   std::vector<MadeShape> made;

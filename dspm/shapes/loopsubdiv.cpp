@@ -109,7 +109,6 @@ std::vector<MadeShape> make_loopsubdiv(ParamReader& reader) {
   MeshData coarse = read_triangles(reader);
   reader.choice("scheme", "loop", {"loop"}, "the kind of subdivision");
   const bool repair = read_repair(reader);
-  refuse_mesh_params(reader);
   reader.finish();
 
   const double triangles = std::pow(4, levels) * static_cast<double>(coarse.faces.size());

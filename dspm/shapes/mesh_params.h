@@ -15,13 +15,13 @@ inline bool read_repair(ParamReader& reader) {
   return reader.flag("repair", false, "repair the mesh if it is not a closed surface");
 }
 
-/// Parameters of pbrt's meshes that dspm does not support.
-inline void refuse_mesh_params(ParamReader& reader) {
-  reader.unsupported("alpha", "surfaces cut out by a texture");
-  reader.unsupported("displacement", "displaced surfaces");
-  reader.unsupported("edgelength", "displaced surfaces");
-  reader.unsupported("faceIndices", "textures per face");
-  reader.unsupported("emissionfilename", "emission from an image");
+/// Reads "faceIndices", one number per face. Of pbrt's plugins, only the texture "ptex" asks for them, and dspm does
+/// not have it.
+inline void read_face_indices(ParamReader& reader, std::size_t faces) {
+  const std::size_t count =
+      reader.integers("faceIndices", "one number per face, for a texture that asks for it").size();
+  if (count > 0 && count != faces)
+    reader.error("faceIndices", fmt::format("{} face indices for {} faces", count, faces));
 }
 
 /// Reads "indices" and "P", including pbrt's default for a single triangle.

@@ -55,7 +55,7 @@ class Reader {
     leave_out("map_Bump", !m.bump_texname.empty());
     leave_out("norm", !m.normal_texname.empty());
     leave_out("disp", !m.displacement_texname.empty());
-    leave_out("map_d", !m.alpha_texname.empty());
+    if (const auto picture = picture_of(m.alpha_texname)) made_.alpha = *picture;
     leave_out("refl", !m.reflection_texname.empty());
     return std::move(made_);
   }
@@ -134,17 +134,22 @@ class Reader {
 
   void add(Param param) { made_.params.params.push_back(std::move(param)); }
 
-  /// The name of an imagemap of that file, if it is there.
-  std::optional<std::string> texture(std::string file, const char* statement, bool is_spectrum) {
+  /// Where that picture is, if it is there.
+  std::optional<std::filesystem::path> picture_of(std::string file) {
     if (file.empty()) return std::nullopt;
     std::replace(file.begin(), file.end(), '\\', '/');
     const std::filesystem::path path = path_.parent_path() / file;
-    if (!seems_to_exist(path)) {
-      complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, made_.name));
-      return std::nullopt;
-    }
+    if (seems_to_exist(path)) return std::filesystem::absolute(path);
+    complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, made_.name));
+    return std::nullopt;
+  }
+
+  /// The name of an imagemap of that file, if it is there.
+  std::optional<std::string> texture(const std::string& file, const char* statement, bool is_spectrum) {
+    const auto picture = picture_of(file);
+    if (!picture) return std::nullopt;
     std::string name = fmt::format("{} of {} in {}", statement, made_.name, path_.string());
-    made_.textures.push_back({name, std::filesystem::absolute(path), is_spectrum});
+    made_.textures.push_back({name, *picture, is_spectrum});
     return name;
   }
 

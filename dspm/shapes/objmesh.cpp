@@ -58,7 +58,6 @@ std::vector<MadeShape> make_objmesh(ParamReader& reader) {
   const std::string group = reader.text("group", "", "only this group or object of the file");
   const bool materials = reader.flag("materials", true, "use the materials of the file's MTL files");
   const bool repair = read_repair(reader);
-  refuse_mesh_params(reader);
   reader.finish();
 
   std::vector<MadeShape> made;

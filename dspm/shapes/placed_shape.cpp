@@ -1,7 +1,11 @@
 #include "dspm/shapes/placed_shape.h"
 
+#include <bit>
+
 #include "dspm/math/ray.h"
+#include "dspm/math/rng.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/beyond_hole.h"
 #include "dspm/shapes/rounding.h"
 
 namespace dspm {
@@ -22,6 +26,21 @@ Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_wo
   return 2 * t.point_error(p_object) + gamma_bound(5) * absolute(forward, back);
 }
 
+/// A number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
+float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
+  std::uint64_t key = mix_bits(shape + 1);
+  const auto absorb = [&](std::uint32_t a, std::uint32_t b) {
+    key = mix_bits(key + 0x9e3779b97f4a7c15u * ((std::uint64_t{a} << 32 | b) + 1));
+  };
+  const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
+  absorb(static_cast<std::uint32_t>(primitive), bits(ray.direction.z));
+  absorb(bits(ray.origin.x), bits(ray.origin.y));
+  absorb(bits(ray.origin.z), bits(ray.direction.x));
+  absorb(bits(ray.direction.y), bits(uv.x));
+  absorb(bits(uv.y), 0);
+  return static_cast<float>(key >> 40) * 0x1p-24f;
+}
+
 }  // namespace
 
 Bounds3 PlacedShape::bounds(int primitive) const {
@@ -36,7 +55,11 @@ Bounds3 PlacedShape::bounds(int primitive) const {
 }
 
 std::optional<PrimitiveHit> PlacedShape::intersect(int primitive, const Ray& ray) const {
-  return shape->intersect(primitive, in_object_space() ? to_world.inverse_ray(ray) : ray);
+  const Ray own = in_object_space() ? to_world.inverse_ray(ray) : ray;
+  const auto met = [&](const Ray& part) { return shape->intersect(primitive, part); };
+  std::optional<PrimitiveHit> hit = met(own);
+  while (hit && !stops(ray, primitive, hit->uv)) hit = meet_beyond(*shape, primitive, own, *hit, met);
+  return hit;
 }
 
 SurfacePoint PlacedShape::surface_point(int primitive, Vec2 uv) const {
@@ -72,6 +95,13 @@ float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
   const Vec3 n{dot(ng, to_world.vector({1, 0, 0})), dot(ng, to_world.vector({0, 1, 0})),
                dot(ng, to_world.vector({0, 0, 1}))};
   return 1 / (shape->area(primitive) * area_scale(normalize(n)));
+}
+
+bool PlacedShape::stops(const Ray& ray, int primitive, Vec2 uv) const {
+  if (cutout == nullptr) return true;
+  const SurfacePoint point = surface_point(primitive, uv);
+  const float alpha = cutout->alpha(point.p, point.uv);
+  return alpha >= 1 || (alpha > 0 && number_of(ray, cutout_key, primitive, uv) < alpha);
 }
 
 std::optional<Vec2> PlacedShape::area_numbers(int primitive, const Vec3& p) const {

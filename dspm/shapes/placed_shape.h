@@ -2,10 +2,13 @@
 // placed shape, so its number tells what a ray hit, and where, whatever the frame.
 #pragma once
 
+#include <cstdint>
+
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/cutout.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {
@@ -20,13 +23,16 @@ struct PlacedShape {
   const Shape* shape = nullptr;
   Transform to_world;  // identity for static meshes: their vertices are in world space
   FrameSet frames;
-  bool flip_normals = false;  // ReverseOrientation
-  bool caustics = true;       // false: photons end where it would throw them into a caustic
-  int material = -1;          // index into the scene's materials
-  int light = -1;             // index into the scene's lights, if this shape emits
-  int object = -1;            // index into the scene's object names
+  bool flip_normals = false;       // ReverseOrientation
+  bool caustics = true;            // false: photons end where it would throw them into a caustic
+  int material = -1;               // index into the scene's materials
+  int light = -1;                  // index into the scene's lights, if this shape emits
+  int object = -1;                 // index into the scene's object names
+  const Cutout* cutout = nullptr;  // null: it has no holes
+  std::uint64_t cutout_key = 0;    // as that of no other shape of the file; one for all frames
 
   Bounds3 bounds(int primitive) const;
+  /// The nearest hit that stops the ray, which is in the world.
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
   /// The same as a ray of that direction sees it.
@@ -36,6 +42,9 @@ struct PlacedShape {
   float pdf_a(int primitive, const Vec3& ng) const;
   /// The numbers for which sample_area() gives that point of the world; nullopt if they are not known.
   std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const;
+  /// Whether the shape stops a ray that meets it there, rather than let it through a hole. `ray`: in the world. Where
+  /// alpha lies between 0 and 1, the ray itself decides: the same ray does in every tree, query and frame.
+  bool stops(const Ray& ray, int primitive, Vec2 uv) const;
   /// Factor from object to world area at a point whose object-space unit normal is n.
   float area_scale(const Vec3& n) const;
 

@@ -6,6 +6,8 @@
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |
 // | filename  | required | the file |
+// | displacement | 0 | moves the surface along its normals by that distance or texture, see displace.h; the file must have texture coordinates |
+// | edgelength | 1 | of a displaced mesh: triangles are split until no edge is longer, in the world |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
 // In a Dynamic block `%03d` in the name stands for the frame's number. [Turk 1994, The PLY Polygon File Format]
@@ -21,15 +23,23 @@ namespace dspm {
 
 std::vector<MadeShape> make_plymesh(ParamReader& reader) {
   const std::filesystem::path path = reader.file("filename", "the PLY file");
+  const Displacement displacement{
+      reader.number_or_texture("displacement", 0, "", "moves the surface along its normals"),
+      reader.number("edgelength", 1, "scene units", "the longest edge if it is displaced")};
+  const bool displaces = reader.has("displacement");
   const bool repair = read_repair(reader);
-  refuse_mesh_params(reader);
   reader.finish();
 
   std::vector<MadeShape> made;
+  if (!(displacement.edge_length > 0)) reader.error("edgelength", "\"edgelength\" must be above 0");
   if (path.empty()) return made;
   try {
-    made.push_back({std::make_unique<TriangleMesh>(read_ply(read_file(path))), std::nullopt, repair});
+    MadeShape& mesh = made.emplace_back();
+    mesh.shape = std::make_unique<TriangleMesh>(read_ply(read_file(path)));
+    mesh.repair = repair;
+    if (displaces) mesh.displacement = displacement;
   } catch (const std::exception& e) {
+    made.clear();
     report_bad_file(reader, path, e);
   }
   return made;

@@ -94,7 +94,14 @@ struct FileMaterial {
   std::string type;
   ParamList params;
   std::vector<FileTexture> textures;
-  std::optional<Rgb> radiance;  // of an area light, on both sides
+  std::optional<Rgb> radiance;       // of an area light, on both sides
+  std::filesystem::path alpha = {};  // a picture of the shape's holes; empty: none
+};
+
+/// Moves a mesh's surface along its normals, once its edges are short enough: see displace.h.
+struct Displacement {
+  ValueOrTexture<float> distance;
+  float edge_length = 1;
 };
 
 /// One shape of a Shape directive (a mesh file may hold several).
@@ -102,6 +109,7 @@ struct MadeShape {
   std::unique_ptr<Shape> shape;
   std::optional<FileMaterial> material;
   bool repair = false;  // the scene asks for mesh repair
+  std::optional<Displacement> displacement = std::nullopt;
 };
 
 using MakeShape = std::vector<MadeShape>(ParamReader&);

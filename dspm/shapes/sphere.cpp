@@ -96,7 +96,6 @@ std::vector<MadeShape> make_sphere(ParamReader& reader) {
   const float z0 = reader.number("zmin", -radius, "scene units", "where the sphere is cut off below");
   const float z1 = reader.number("zmax", radius, "scene units", "where the sphere is cut off above");
   const Sweep sweep(reader);
-  reader.unsupported("alpha", "surfaces cut out by a texture");
   reader.finish();
 
   const auto [z_min, z_max] = std::minmax(z0, z1);

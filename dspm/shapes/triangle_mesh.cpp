@@ -36,6 +36,8 @@ std::optional<std::string> fault_of(const MeshData& data) {
     return fmt::format("{} normals for {} vertices", data.normals.size(), count);
   if (!data.uvs.empty() && data.uvs.size() != count)
     return fmt::format("{} texture coordinates for {} vertices", data.uvs.size(), count);
+  if (!data.tangents.empty() && data.tangents.size() != count)
+    return fmt::format("{} tangents for {} vertices", data.tangents.size(), count);
   for (std::size_t i = 0; i < data.faces.size(); ++i)
     for (const int v : data.faces[i])
       if (v < 0 || static_cast<std::size_t>(v) >= count)
@@ -61,13 +63,15 @@ TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
   MeshData world = data_;
   for (Vec3& p : world.vertices) p = to_world.point(p);
   for (Vec3& n : world.normals) n = to_world.normal(n);
+  for (Vec3& t : world.tangents) t = to_world.vector(t);
   if (to_world.swaps_handedness())
     for (Face& f : world.faces) std::swap(f[1], f[2]);
   return TriangleMesh(std::move(world));
 }
 
 std::size_t TriangleMesh::memory() const {
-  return sizeof *this + (data_.vertices.capacity() + data_.normals.capacity()) * sizeof(Vec3) +
+  return sizeof *this +
+         (data_.vertices.capacity() + data_.normals.capacity() + data_.tangents.capacity()) * sizeof(Vec3) +
          data_.uvs.capacity() * sizeof(Vec2) + data_.faces.capacity() * sizeof(Face);
 }
 
@@ -101,6 +105,10 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
     set_tangents(s, primitive, t);
     s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
   }
+  if (!data_.tangents.empty()) {
+    const Vec3 given = at_point(data_.tangents, primitive, b);
+    if (is_finite(given) && length2(cross(s.ns, given)) > 0) s.dpdu = given;
+  }
   return s;
 }
 
@@ -124,10 +132,13 @@ void TriangleMesh::set_tangents(SurfacePoint& point, int face, const std::array<
 
 Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {
   if (data_.normals.empty()) return ng;
-  const Vec3 n = at(data_.normals, index(face, 0)) * barycentrics.x +
-                 at(data_.normals, index(face, 1)) * barycentrics.y +
-                 at(data_.normals, index(face, 2)) * barycentrics.z;
+  const Vec3 n = at_point(data_.normals, face, barycentrics);
   return dot(n, ng) > 0 ? normalize(n) : ng;
+}
+
+Vec3 TriangleMesh::at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const {
+  return at(of_vertices, index(face, 0)) * barycentrics.x + at(of_vertices, index(face, 1)) * barycentrics.y +
+         at(of_vertices, index(face, 2)) * barycentrics.z;
 }
 
 float TriangleMesh::area(int primitive) const {

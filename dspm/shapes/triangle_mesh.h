@@ -23,6 +23,7 @@ struct MeshData {
   std::vector<Vec3> normals;  // one per vertex, any length, or none
   std::vector<Vec2> uvs;      // one per vertex, or none
   std::vector<Face> faces;
+  std::vector<Vec3> tangents = {};  // along u, one per vertex, any length, or none
 };
 
 /// Why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if it is
@@ -38,6 +39,7 @@ class TriangleMesh final : public Shape {
   const std::vector<Vec3>& normals() const { return data_.normals; }  // unit length (or zero, as in the file)
   const std::vector<Vec2>& uvs() const { return data_.uvs; }
   const std::vector<Face>& faces() const { return data_.faces; }
+  const std::vector<Vec3>& tangents() const { return data_.tangents; }
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
@@ -60,6 +62,7 @@ class TriangleMesh final : public Shape {
   }
   std::array<Vec2, 3> corner_uvs(int face) const;
   void set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& uvs) const;
+  Vec3 at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const;
   Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;
 
   MeshData data_;

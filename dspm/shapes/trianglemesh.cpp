@@ -9,6 +9,8 @@
 // | P         | required | the vertices |
 // | N         | none    | normals, one per vertex |
 // | uv        | none    | texture coordinates, one per vertex (st is another name) |
+// | S         | none    | tangents along u, one per vertex, for materials that are rough along one direction |
+// | faceIndices | none  | one number per triangle, which only pbrt's texture "ptex" uses |
 // | repair    | false   | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 6.5]
@@ -24,8 +26,8 @@ std::vector<MadeShape> make_trianglemesh(ParamReader& reader) {
   mesh.normals = reader.points3("N", "normals, one per vertex");
   mesh.uvs = reader.points2("uv", "texture coordinates, one per vertex");
   const bool repair = read_repair(reader);
-  refuse_mesh_params(reader);
-  reader.unsupported("S", "tangents of a mesh");
+  mesh.tangents = reader.points3("S", "tangents along u, one per vertex");
+  read_face_indices(reader, mesh.faces.size());
   reader.finish();
   return made_mesh(reader, std::move(mesh), repair);
 }

@@ -1,6 +1,7 @@
 // The shapes of a scene at all their places over the frames of the file.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
 #include "dspm/shapes/placed_shape.h"
+#include "dspm/world/alphas.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/looks.h"
 
@@ -23,12 +25,16 @@ struct WorldShape {
   int emitter = -1;           // which of Geometry::emitters it belongs to
   int dynamic_block = -1;     // of the description; -1: static
   const ShapeUse* use = nullptr;
+  int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
+  bool nowhere = false;                  // a hole everywhere: no ray can meet it
+  std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames
 };
 
 /// An emitter: all places of one MadeShape, with its AreaLightSource.
 struct Emitter {
   const AreaLightUse* use;
   std::vector<int> shapes;  // into Geometry::shapes, disjoint in frames
+  bool is_hidden = false;   // a hole everywhere, in all frames: its light is there, but cannot be seen
 };
 
 class Geometry {
@@ -43,10 +49,15 @@ class Geometry {
 
  private:
   struct Source;
+  struct Place;
   void refuse_unknown_objects();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
   std::optional<Source> make_source(const ShapeUse& use);
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
+  Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
+                            std::size_t made) const;
+  static std::vector<int> matrices_by_state(const Timeline<Place>& places, std::size_t geometries);
+  void add_emitter(Emitter emitter);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);
   bool is_seen(int material, FileFrame frame) const;
@@ -56,6 +67,7 @@ class Geometry {
 
   const SceneDescription& description_;
   Looks& looks_;
+  Alphas alphas_;
   Diagnostics& diagnostics_;
   bool check_meshes_;
   std::deque<WorldShape> shapes_;
@@ -64,6 +76,7 @@ class Geometry {
   std::deque<AreaLightUse> lights_of_files_;  // addresses are stable
   Bounds3 bounds_;
   DistinctNames objects_;
+  std::uint64_t placed_ = 0;                    // shapes so far, each counted once for all of its states
   std::map<const void*, int> object_of_use_;    // of an instance, or of a shape outside of blocks
   std::map<std::string, int> object_of_block_;  // blocks of one name are one object
 };

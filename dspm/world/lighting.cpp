@@ -18,7 +18,8 @@ namespace {
 struct LightState {
   ParamList params;
   Matrix4 placement;
-  int shape = -1;  // of an emitter, into Geometry::shapes
+  int shape = -1;       // of an emitter, into Geometry::shapes
+  bool hidden = false;  // see Emitter; the same in all frames
 
   friend bool operator==(const LightState& a, const LightState& b) {
     return a.shape == b.shape && a.placement == b.placement && a.params.same_values(b.params);
@@ -55,10 +56,11 @@ class LightMaker {
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
       for (const int shape : emitter.shapes)
         if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[f.slot()])
-          return LightState{light_params(description_, use, use.name, f), {}, shape};
+          return LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden};
       return std::nullopt;
     });
     auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
+    if (light) light->is_delta = emitter.is_hidden;
     if (light) light->short_name = use.name.empty() ? object_of(emitter) : use.name;
     return light;
   }
@@ -87,6 +89,7 @@ class LightMaker {
       LightContext context;
       context.to_world = Transform(state.placement);
       context.scene_center = sphere_.center, context.scene_radius = sphere_.radius;
+      context.hidden = state.hidden;
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
       ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
       light.controls = read_photon_controls(reader);

@@ -19,7 +19,7 @@ struct WorldLight {
   PhotonControls controls;
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
-  bool is_delta = false;   // neither infinite nor of a shape
+  bool is_delta = false;   // neither infinite nor of a shape that can be seen
   std::string name;        // for messages
   std::string short_name;  // as the scene gives it, or of its type or its shape
   const PluginUse* use = nullptr;

@@ -15,7 +15,7 @@ Definition::Use use_of(const TextureUse& use) { return {&use, &use.world_from_te
 
 bool replaces(const MaterialUse& use, const MaterialUse& own) { return !own.name.empty() && use.name == own.name; }
 bool replaces(const TextureUse& use, const TextureUse& own) {
-  return use.name == own.name && use.is_spectrum == own.is_spectrum;
+  return !own.name.empty() && use.name == own.name && use.is_spectrum == own.is_spectrum;
 }
 
 template <class AnyUse>

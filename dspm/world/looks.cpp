@@ -173,6 +173,13 @@ template <class T>
 void Looks::add_texture_of(const TextureUse& own) {
   auto& [looks, by_name] = std::get<Textures<T>>(textures_);
   Look<Texture<T>>& look = looks.emplace_back();
+  look_at_texture(look, own);
+  by_name[own.name] = &look;
+  names_.add<T>(own.name, std::make_shared<ConstantTexture<T>>(T(0.5f)));
+}
+
+template <class T>
+void Looks::look_at_texture(Look<Texture<T>>& look, const TextureUse& own) {
   look.recipes = recipes_of(definition_of(description_, own));
   for (const Recipe& recipe : look.recipes.states) look.lookups.push_back(lookups_for(recipe));
   if (*std::max_element(look.lookups.begin(), look.lookups.end()) == kMostLookups)
@@ -182,8 +189,26 @@ void Looks::add_texture_of(const TextureUse& own) {
   look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
     return make_texture_of<T>(recipe, textures, diagnostics_);
   });
-  by_name[own.name] = &look;
-  names_.add<T>(own.name, std::make_shared<ConstantTexture<T>>(T(0.5f)));
+}
+
+int Looks::add_number(std::string type, ParamList params, const SourceLocation& where) {
+  TextureUse& use = texture_uses_.emplace_back();
+  use.type = std::move(type), use.params = std::move(params), use.where = use.type_where = where;
+  look_at_texture(numbers_.emplace_back(), use);
+  return static_cast<int>(numbers_.size()) - 1;
+}
+
+TexturePtr<float> Looks::number(int number, int state) const {
+  Diagnostics diagnostics(true);
+  TexturePtr<float> texture = made(Ingredient<float>{{}, &numbers_[slot(number)], state}, diagnostics);
+  diagnostics.throw_if_errors();
+  return texture;
+}
+
+std::optional<float> Looks::constant(int number, int state) const {
+  const Look<FloatTexture>& look = numbers_[slot(number)];
+  const bool cheap = look.recipes.states[slot(state)].numbers.empty() || is_kept(look.recipes.state_of, state);
+  return cheap ? this->number(number, state)->constant() : std::nullopt;
 }
 
 int Looks::add_material(const MaterialUse& own, std::string name, const std::string& public_name) {

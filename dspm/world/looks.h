@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
@@ -30,6 +31,20 @@ class Looks {
   int find(const MaterialRef& ref);
   /// A material from a geometry file, or the scene's of the same name.
   int add(const FileMaterial& material, const SourceLocation& where);
+  /// A texture of numbers without a name, of that type. Returns its index.
+  int add_number(std::string type, ParamList params, const SourceLocation& where);
+  /// The same for a parameter that is a number or names a texture, with keys or without.
+  int add_number(ParamList value, const SourceLocation& where) {
+    for (Param& param : value.params) param.name = "tex";
+    return add_number("scale", std::move(value), where);
+  }
+  /// Its state, by frame of the file.
+  const std::vector<int>& states_of_number(int number) const { return numbers_[slot(number)].recipes.state_of; }
+  /// The texture in a state; throws SceneError if a file has changed since the first time.
+  TexturePtr<float> number(int number, int state) const;
+  /// Its value in a state if it is the same everywhere; not known of a texture of which only some frames of many need
+  /// that state.
+  std::optional<float> constant(int number, int state) const;
   /// Variations may replace materials of geometry files, so their names are checked once these have been read.
   void refuse_unknown_replacements();
 
@@ -70,6 +85,7 @@ class Looks {
     std::map<std::string, const Look<Texture<T>>*> by_name;
   };
 
+  static std::size_t slot(int index) { return static_cast<std::size_t>(index); }
   const MaterialLook& look(int material) const { return materials_[static_cast<std::size_t>(material)]; }
   template <class T>
   const Textures<T>& textures() const {
@@ -81,6 +97,9 @@ class Looks {
   void add_texture_of(const TextureUse& own);
   /// Adds a material of the description, after those that it names. Returns its index, -1 after an error.
   int add_with_parts(std::size_t use, int depth);
+  /// Sets the look's recipes and makes its states.
+  template <class T>
+  void look_at_texture(Look<Texture<T>>& look, const TextureUse& own);
   /// `name`: for messages; `public_name`: see material_names.
   int add_material(const MaterialUse& own, std::string name, const std::string& public_name);
 
@@ -112,7 +131,8 @@ class Looks {
   mutable ImageCache images_;
   TextureSet names_;  // of all textures so far, with something grey for each
   std::tuple<Textures<float>, Textures<Rgb>> textures_;
-  std::deque<MaterialLook> materials_;  // addresses are stable
+  std::deque<Look<FloatTexture>> numbers_;  // of parameters
+  std::deque<MaterialLook> materials_;      // addresses are stable
   DistinctNames material_names_;
   std::deque<TextureUse> texture_uses_;  // of geometry files
   std::deque<MaterialUse> material_uses_;

@@ -79,9 +79,18 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   std::vector<std::vector<const WorldShape*>> moving(description.dynamic_blocks.size());
   for (const WorldShape& shape : geometry.shapes())
     (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
+  // Outside of blocks, textures of holes and displacement may differ.
+  const auto first_changing = std::stable_partition(still.begin(), still.end(), [&](const WorldShape* shape) {
+    return std::all_of(frames.begin(), frames.end(), [&](FileFrame f) { return shape->present[f.slot()]; });
+  });
+  const Summary changing = summary({first_changing, still.end()}, frames);
+  still.erase(first_changing, still.end());
   const Summary fixed = summary(still, frames);
   lines.push_back(fmt::format("static: {} in {}: shared by all frames. Paths that meet nothing else are traced once.",
                               counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape")));
+  if (changing.states > 1)
+    lines.push_back(fmt::format("shapes whose holes or displacement differ: {}. Paths that meet them split.",
+                                counted(changing.states, "state")));
   for (std::size_t b = 0; b < moving.size(); ++b)
     lines.push_back(explain_block(description.dynamic_blocks[b], summary(moving[b], frames), frames.size()));
 

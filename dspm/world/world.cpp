@@ -8,6 +8,7 @@
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/sharing.h"
+#include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
@@ -124,8 +125,20 @@ struct World::Impl {
   std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames) const {
     std::vector<const WorldShape*> there;
     for (const WorldShape& shape : geometry.shapes())
-      if (!present_in(shape, frames).empty()) there.push_back(&shape);
+      if (!shape.nowhere && !present_in(shape, frames).empty()) there.push_back(&shape);
     return there;
+  }
+  /// Gives the scene's shapes their holes.
+  void cut_out(Scene& scene) const {
+    const std::vector<const WorldShape*> there = shapes_there(scene.file_frames);
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const WorldShape& shape = *there[i];
+      if (shape.alpha < 0) continue;
+      scene.cutouts.push_back(
+          shape.cutout ? shape.cutout
+                       : std::make_shared<const TextureCutout>(looks.number(shape.alpha, shape.alpha_state)));
+      scene.shapes[i].cutout = scene.cutouts.back().get();
+    }
   }
 
   const SceneDescription& description;
@@ -151,6 +164,7 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->file_frames.assign(frames.begin(), frames.end());
   scene->center = impl_->sphere.center, scene->radius = impl_->sphere.radius;
   scene->shapes = impl_->shapes_in(scene->file_frames);
+  impl_->cut_out(*scene);
   scene->object_names = impl_->geometry.object_names();
   scene->materials = impl_->looks.materials_in(scene->file_frames);
   scene->material_names = impl_->looks.material_names();

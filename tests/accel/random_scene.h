@@ -1,6 +1,6 @@
 // Small scenes full of what makes trees fail, and rays that look for it: geometry of several frames at the same place,
-// triangles without area, objects that come and go, mirrored and stretched placements, coordinates on a grid so that
-// rays pass exactly through planes, edges and vertices.
+// triangles without area, objects that come and go, mirrored and stretched placements, holes, coordinates on a grid so
+// that rays pass exactly through planes, edges and vertices.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,15 @@
 #include "tests/shapes/placed.h"
 
 namespace dspm::test {
+
+/// Holes, solid places and places that stop some rays, in stripes.
+class Stripes final : public Cutout {
+ public:
+  float alpha(const Vec3&, Vec2 uv) const override {
+    const float stripe = std::floor(7 * (uv.x + 2 * uv.y));
+    return 0.5f * (stripe - 3 * std::floor(stripe / 3));
+  }
+};
 
 class RandomScene {
  public:
@@ -105,10 +114,11 @@ class RandomScene {
     return *shapes_.back();
   }
 
-  /// A sphere, a disk or some curves.
+  /// A sphere, a disk, some curves or bilinear patches.
   const Shape& round() {
     if (random_.below(3) == 0) return strands();
     Diagnostics diagnostics;
+    if (random_.below(3) == 0) return patches();
     const ParamList list{
         {{ParamType::number, "radius", {}, std::vector<float>{scale_ * random_.uniform(0.1f, 1)}, {}, {}}}};
     ParamReader reader(list, "shape", {}, diagnostics);
@@ -132,6 +142,22 @@ class RandomScene {
     return *shapes_.back();
   }
 
+  /// Two patches with a common edge.
+  const Shape& patches() {
+    Diagnostics diagnostics;
+    std::vector<float> corners;
+    for (int i = 0; i < 6; ++i) {
+      const Vec3 p = point(1);
+      corners.insert(corners.end(), {p.x, p.y, p.z});
+    }
+    const ParamList list{{{ParamType::integer, "indices", {}, std::vector<int>{0, 1, 2, 3, 2, 3, 4, 5}, {}, {}},
+                          {ParamType::point3, "P", {}, corners, {}, {}}}};
+    ParamReader reader(list, "shape", {}, diagnostics);
+    auto parts = shape_plugins().find("bilinearmesh")->make(reader);
+    shapes_.push_back(std::move(parts.front().shape));
+    return *shapes_.back();
+  }
+
   Transform placement() {
     const Vec3 at = point(1), axis = random_.direction();
     Matrix4 m = Matrix4::translate(at.x, at.y, at.z);
@@ -145,6 +171,8 @@ class RandomScene {
     if (frames.empty()) return;
     placed_.push_back(test::placed(shape, to_world));
     placed_.back().frames = frames;
+    if (random_.below(4) == 0) placed_.back().cutout = &stripes_;
+    placed_.back().cutout_key = placed_.size();
   }
   void place_at_rest(const Shape& shape) {
     place(shape, (shape.triangles() || shape.turns()) && random_.below(2) == 0 ? Transform() : placement(), all_);
@@ -205,6 +233,7 @@ class RandomScene {
   }
 
   Random random_;
+  Stripes stripes_;
   int frame_count_;
   FrameSet all_;
   float scale_;

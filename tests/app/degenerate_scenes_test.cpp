@@ -33,6 +33,8 @@ const Degenerate kNothing[] = {
     {"TinyTriangles", R"(Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 0 1e-30 0 0 0 1e-30 0])"},
     {"AFlatSubdivision",
      R"(Shape "loopsubdiv" "integer levels" 2 "integer indices" [0 1 2] "point3 P" [0 0 0 0 0 0 0 0 0])"},
+    {"PatchOfOnePoint", R"(Shape "bilinearmesh" "point3 P" [0 0 0 0 0 0 0 0 0 0 0 0])"},
+    {"PatchInALine", R"(Shape "bilinearmesh" "point3 P" [0 0 0 .1 0 0 .2 0 0 .4 0 0])"},
     {"AFlatLight", R"(AreaLightSource "diffuse" "rgb L" [5 5 5]
                       Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [-1 0 0 0 0 0 1 0 0])"},
     {"ATinyLight", R"(AreaLightSource "diffuse" "rgb L" [5 5 5] Shape "sphere" "float radius" 1e-30)"},

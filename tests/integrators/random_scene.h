@@ -201,8 +201,18 @@ class RandomScene {
     }
   }
 
+  /// Some of them with holes.
   std::string still_shape() {
-    switch (whole(0, 6)) {
+    std::string s = whole_shape();
+    if (whole(0, 3) == 0) s.insert(s.size() - 1, whole(0, 1) ? " \"texture alpha\" \"spots\"" : " \"float alpha\" 0.6");
+    return s;
+  }
+
+  std::string whole_shape() {
+    switch (whole(0, 7)) {
+      case 7:
+        return "Shape \"bilinearmesh\" \"integer indices\" [0 1 2 3 2 3 4 5] \"point3 P\" [-.4 -.3 0 .4 -.3 .1 -.4 .1 "
+               ".2 .3 .2 -.1 -.3 .5 0 .4 .4 .3]\n";
       case 0: return "Shape \"cylinder\" \"float radius\" 0.3 \"float zmin\" -0.3 \"float zmax\" 0.4\n";
       case 1: return "Rotate 40 1 1 0 Shape \"disk\" \"float radius\" 0.5\n";
       case 2:

@@ -1,6 +1,9 @@
 // illuminate(), pdf_w() and emitted() of area lights say the same of every point of every shape.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "dspm/image/write_floats.h"
 #include "tests/lights/density.h"
 #include "tests/lights/lamps.h"
 
@@ -131,6 +134,122 @@ TEST(AreaLight, KnowsTheAreaOfWhatIsStretched) {
   const AreaLamp lamp = make_lamp("spheroid", make_shape("sphere", {}), Matrix4::scale(1, 1, 2));
   const float e = std::sqrt(0.75f), area = 2 * kPi * (1 + 2 / e * std::asin(e));
   EXPECT_NEAR(lamp.light->power().g, kPi * area, 2e-3f * kPi * area);
+}
+
+/// A unit square in z = 0, seen from above, with texture coordinates from 0 to 1.
+std::unique_ptr<Shape> square() {
+  MeshData data{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  return std::make_unique<TriangleMesh>(std::move(data));
+}
+std::unique_ptr<Shape> patch() {
+  return make_shape("bilinearmesh",
+                    {{ParamType::point3, "P", {}, std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {}, {}}});
+}
+
+/// Dark but for a few pixels, and its path.
+std::string picture() {
+  Image image(32, 16);
+  Sequence random(11);
+  for (Rgb& c : image.pixels) c = Rgb(random.pair().x < 0.1f ? 20.f : 0.1f) * Rgb(1, 0.5f, 0.25f);
+  const auto path = std::filesystem::temp_directory_path() / "dspm_area_light_test.pfm";
+  write_pfm(path, image);
+  return path.string();
+}
+
+/// The irradiance at `from` by a sum over a grid of points of the square.
+double irradiance_of_square(const Light& light, const Vec3& from, const Vec3& n, int grid) {
+  double sum = 0;
+  for (int y = 0; y < grid; ++y)
+    for (int x = 0; x < grid; ++x) {
+      SurfacePoint point;
+      point.p = {(static_cast<float>(x) + 0.5f) / static_cast<float>(grid),
+                 (static_cast<float>(y) + 0.5f) / static_cast<float>(grid), 0};
+      point.uv = {point.p.x, point.p.y};
+      point.ng = point.ns = {0, 0, 1};
+      const Vec3 d = point.p - from, w = normalize(d);
+      sum +=
+          static_cast<double>(light.emitted(point, -w).g * std::max(0.f, dot(w, n)) * std::max(0.f, -w.z) / length2(d));
+    }
+  return sum / (grid * grid);
+}
+
+TEST(AreaLight, APictureShinesWhereItIsBright) {
+  const std::string file = picture();
+  for (const bool bent : {false, true}) {
+    const AreaLamp lamp = make_lamp("picture", bent ? patch() : square(), {}, {text("filename", file)});
+    const AreaLamp plain = make_lamp("plain", bent ? patch() : square(), {}, {});
+    const Vec3 from{0.3f, 0.6f, 0.7f}, n = normalize({0.1f, 0, -1});
+    const double expected = irradiance_of_square(*lamp.light, from, n, 1024);
+    EXPECT_NEAR(irradiance(*lamp.light, from, n, 200'000), expected, 0.01 * expected);
+    // As few samples as would not do if they were uniform: the standard error would be 20%.
+    EXPECT_NEAR(irradiance(*lamp.light, from, n, 400), expected, 0.15 * expected);
+
+    Sequence random(12);
+    Rgb flux;
+    constexpr int kPhotons = 100'000;
+    for (int i = 0; i < kPhotons; ++i)
+      if (const auto e = lamp.light->emit(random.pair(), random.pair())) flux += e->flux / float{kPhotons};
+    EXPECT_NEAR(flux.g / lamp.light->power().g, 1, 0.02);
+    EXPECT_NEAR(lamp.light->power().b / lamp.light->power().r, 0.25f, 1e-4f);
+  }
+}
+
+TEST(AreaLight, APictureKnowsItsDensities) {
+  const AreaLamp lamp = make_lamp("picture", square(), {}, {text("filename", picture())});
+  Sequence random(13);
+  const Vec3 from{0.3f, 0.6f, 0.7f};
+  int off = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto l = lamp.light->illuminate(from, random.pair());
+    ASSERT_TRUE(l);
+    SurfacePoint point;
+    point.p = from + l->wi * l->distance, point.ng = point.ns = l->normal;
+    off += std::abs(lamp.light->pdf_w(from, point, l->primitive) / l->pdf_w - 1) > 1e-3f;
+    const Vec2 place = random.pair(), direction = random.pair();
+    const auto e = lamp.light->emit(place, direction);
+    const EmissionNumbers u = lamp.light->emission_numbers(e->ray, e->normal, e->primitive);
+    off += std::abs(u[0] - place.x) > 1e-3f || std::abs(u[1] - place.y) > 1e-3f;
+    off += std::abs(lamp.light->pdf_emit(e->ray, e->normal, e->primitive).position / e->pdf.position - 1) > 1e-3f;
+  }
+  EXPECT_LT(off, 40);  // at the borders of cells
+}
+
+TEST(AreaLight, EitherAColourOrAPicture) {
+  Diagnostics diagnostics;
+  const AreaLamp lamp = make_lamp("plain", square(), {});
+  LightContext context;
+  context.shape = lamp.placed.get();
+  const std::vector<Param> both{text("filename", picture()), rgb("L", Rgb(1))};
+  make(area_light_plugins(), "diffuse", both, context, diagnostics);
+  EXPECT_EQ(diagnostics.error_count(), 1);
+}
+
+// Half of the surface is there, so half of the light is, and more of what is sampled comes from there.
+TEST(AreaLight, ShinesWhereItIsThere) {
+  class Half final : public Cutout {
+    float alpha(const Vec3& p, Vec2) const override { return p.x < 0.5f ? 1.f : 0.f; }
+  };
+  const Half half;
+  AreaLamp lamp = make_lamp("half", square(), {});
+  const AreaLamp plain = make_lamp("plain", square(), {});
+  lamp.placed->cutout = &half;
+  LightContext context;
+  context.shape = lamp.placed.get();
+  const auto light = make(area_light_plugins(), "diffuse", {}, context);
+  EXPECT_NEAR(light->power().g, 0.5f * lamp.light->power().g, 1e-4f);
+  Sequence random(14);
+  int there = 0;
+  for (int i = 0; i < 1000; ++i)
+    if (const auto l = light->illuminate({0.5f, 0.5f, 1}, random.pair())) there += l->wi.x < 0 ? 1 : -1000;
+  EXPECT_GT(there, 800);
+
+  context.hidden = true;  // as if it were a hole everywhere: all shines, and nothing can be hit
+  const auto hidden = make(area_light_plugins(), "diffuse", {}, context);
+  EXPECT_NEAR(hidden->power().g, lamp.light->power().g, 1e-4f);
+  const Vec3 from{0.5f, 0.5f, 1}, down{0, 0, -1};
+  EXPECT_EQ(hidden->illuminate(from, {0.5f, 0.5f})->pdf_w, 0);
+  EXPECT_NEAR(irradiance(*hidden, from, down, 100'000), irradiance(*plain.light, from, down, 100'000), 0.01f);
 }
 
 TEST(AreaLight, DegenerateTrianglesDoNotShine) {

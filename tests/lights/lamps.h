@@ -72,6 +72,9 @@ inline std::vector<AreaLamp> area_lamps() {
   add("ring, both sides", make_shape("disk", {number("innerradius", .5f), number("phimax", 200)}), skewed,
       {flag("twosided", true)});
   add("cylinder", make_shape("cylinder", {}), skewed);
+  const std::vector<float> corners{-1, -1, 0, 1, -1, .4f, -1, 1, .3f, .8f, 1, -.2f};
+  add("bent patch", make_shape("bilinearmesh", {{ParamType::point3, "P", {}, corners, {}, {}}}), skewed,
+      {flag("twosided", true)});
   add("mirrored mesh", unequal_mesh(), Matrix4::scale(1, 1, -1));
   add("mesh, both sides", unequal_mesh(), {}, {flag("twosided", true)});
   add("stretched mesh", unequal_mesh(), skewed, {}, true);

@@ -73,7 +73,7 @@ TEST_F(Obj, GroupsAndObjectsCanBeChosen) {
 
 TEST_F(Obj, MaterialsBecomeParts) {
   test::put_file(directory / "lib.mtl",
-                 "newmtl red\nKd 0.8 0.1 0.2\nnewmtl wood \nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\n"
+                 "newmtl red\nKd 0.8 0.1 0.2\nnewmtl wood \nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\nmap_d wood.png\n"
                  "newmtl lost\nKd 0.5 0.5 0.5\nmap_Kd lost.png\n");
   test::put_file(directory / "wood.png", "");
   read("mtllib lib.mtl\n" + kSquare +
@@ -91,6 +91,7 @@ TEST_F(Obj, MaterialsBecomeParts) {
   ASSERT_TRUE(made[2].material);
   ASSERT_EQ(made[2].material->textures.size(), 1u);
   EXPECT_EQ(made[2].material->textures[0].file, directory / "wood.png");
+  EXPECT_EQ(made[2].material->alpha, directory / "wood.png");
   EXPECT_EQ(std::get<Texts>(made[2].material->params.find("reflectance")->values),
             Texts{made[2].material->textures[0].name});
   EXPECT_FALSE(made[3].material);  // "none"
@@ -198,11 +199,11 @@ TEST_F(Mtl, KeIsAnAreaLight) {
 }
 
 TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
-  test::put_file(directory / "lib.mtl", "newmtl a\nmap_Bump a.png\nnewmtl b\nmap_Bump b.png\nmap_d b.png\n");
+  test::put_file(directory / "lib.mtl", "newmtl a\nmap_Bump a.png\nnewmtl b\nmap_Bump b.png\nrefl b.png\n");
   read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
   make({});
   EXPECT_EQ(test::messages(diagnostics),
-            "map_Bump of material \"a\" and of 1 more is left out\nmap_d of material \"b\" is left out\n");
+            "map_Bump of material \"a\" and of 1 more is left out\nrefl of material \"b\" is left out\n");
 }
 
 TEST_F(Obj, AMissingOrEmptyMaterialFileIsAWarning) {
@@ -237,13 +238,13 @@ TEST(TriangleMeshPlugin, ReadsItsParameters) {
 
   EXPECT_TRUE(make({0, 1, 4}, {}).empty());
   EXPECT_TRUE(make({0, 1}, {}).empty());
-  make({0, 1, 2}, {test::param(ParamType::vector3, "S", std::vector<float>(12))});
-  make({0, 1, 2}, {test::param(ParamType::texture, "alpha", Texts{"leaf"})});
+  make({0, 1, 2}, {test::param(ParamType::vector3, "S", std::vector<float>(9))});
+  make({0, 1, 2}, {test::param(ParamType::integer, "faceIndices", std::vector<int>{4, 5})});
   const std::string text = test::messages(diagnostics);
   EXPECT_NE(text.find("refers to vertex 4"), std::string::npos);
   EXPECT_NE(text.find("the number of indices, 2"), std::string::npos);
-  EXPECT_NE(text.find("tangents"), std::string::npos);
-  EXPECT_NE(text.find("\"alpha\""), std::string::npos);
+  EXPECT_NE(text.find("3 tangents for 4 vertices"), std::string::npos);
+  EXPECT_NE(text.find("2 face indices for 1 faces"), std::string::npos);
 }
 
 }  // namespace

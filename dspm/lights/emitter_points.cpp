@@ -1,0 +1,141 @@
+#include "dspm/lights/emitter_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dspm {
+namespace {
+
+// If a transform stretches a curved primitive, its area is the mean over a grid of samples.
+float world_area(const PlacedShape& placed, int primitive) {
+  const float area = placed.shape->area(primitive);
+  if (!(area > 0)) return 0;
+  if (!placed.in_object_space()) return area;
+  const int n = placed.shape->triangles() ? 1 : 16;
+  double sum = 0;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const Vec2 u{(static_cast<float>(x) + 0.5f) / static_cast<float>(n),
+                   (static_cast<float>(y) + 0.5f) / static_cast<float>(n)};
+      sum += 1 / static_cast<double>(placed.sample_area(primitive, u).pdf_a);
+    }
+  return static_cast<float>(sum / (n * n));
+}
+
+// Cells of all primitives together, along a side of one primitive's table, and samples along a side of a cell. Few
+// enough that random numbers of 24 bits choose even the darkest.
+constexpr int kMostCells = 16384, kMostAlongSide = 64, kSamplesAlongCell = 4;
+// The share of its mean that the darkest cell keeps: what the samples of a cell missed is still found.
+constexpr float kLeastShare = 0.2f;
+
+float part(int i, float within, int of) { return (static_cast<float>(i) + within) / static_cast<float>(of); }
+
+}  // namespace
+
+EmitterPoints::EmitterPoints(const PlacedShape& placed, const Brightness& brightness) : placed_(placed) {
+  std::vector<float> areas(static_cast<std::size_t>(placed.shape->primitive_count()));
+  for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = world_area(placed, static_cast<int>(i));
+  std::vector<float> weights = areas;
+  if (brightness) measure(brightness, areas, weights);
+  primitives_.emplace(weights);
+  if (!brightness) total_ = Rgb(primitives_->total());
+  area_ = std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
+void EmitterPoints::measure(const Brightness& brightness, const std::vector<float>& areas,
+                            std::vector<float>& weights) {
+  const double cells = std::sqrt(kMostCells / static_cast<double>(areas.size()));
+  const int side = std::clamp(static_cast<int>(cells), 1, kMostAlongSide);
+  std::vector<std::vector<Rgb>> all;
+  double area = 0, luminous = 0;
+  for (std::size_t p = 0; p < areas.size(); ++p) {
+    all.push_back(brightness_of_cells(brightness, static_cast<int>(p), side));
+    const float share = areas[p] / static_cast<float>(side * side);
+    for (const Rgb& cell : all.back()) {
+      total_ += cell * share;
+      area += static_cast<double>(share), luminous += static_cast<double>(luminance(cell) * share);
+    }
+  }
+  const float least = area > 0 ? kLeastShare * static_cast<float>(luminous / area) : 0.f;
+  // Without the way back from a point to its numbers, its density in a table would not be known.
+  const auto largest = static_cast<int>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  const bool has_numbers =
+      placed_.area_numbers(largest, placed_.sample_area(largest, {0.5f, 0.5f}).point.p).has_value();
+  for (std::size_t p = 0; p < areas.size(); ++p) {
+    std::vector<float> rows;
+    std::vector<Distribution1D> columns;
+    for (int y = 0; y < side; ++y) {
+      std::vector<float> row;
+      for (int x = 0; x < side; ++x)
+        row.push_back(std::max(least, luminance(all[p][static_cast<std::size_t>(y * side + x)])));
+      columns.emplace_back(row);
+      rows.push_back(columns.back().total());
+    }
+    Cells table{Distribution1D(rows), std::move(columns)};
+    weights[p] = areas[p] * table.rows.total() / static_cast<float>(side * side);
+    if (has_numbers) cells_.push_back(std::move(table));
+  }
+}
+
+/// Row by row, the mean over samples of each cell.
+std::vector<Rgb> EmitterPoints::brightness_of_cells(const Brightness& brightness, int primitive, int side) const {
+  std::vector<Rgb> cells(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  const int n = side * kSamplesAlongCell;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const Vec2 uv = placed_.shape->sample_area(primitive, {part(x, 0.5f, n), part(y, 0.5f, n)});
+      const int cell = y / kSamplesAlongCell * side + x / kSamplesAlongCell;
+      cells[static_cast<std::size_t>(cell)] += brightness(placed_.surface_point(primitive, uv));
+    }
+  for (Rgb& cell : cells) cell = cell / static_cast<float>(kSamplesAlongCell * kSamplesAlongCell);
+  return cells;
+}
+
+EmitterPoints::Start EmitterPoints::sample(Vec2 u) const {
+  const auto [primitive, probability, rest] = primitives_->choose(u.x);
+  const Cells* cells = cells_of(primitive);
+  if (cells == nullptr) {
+    Start s{placed_.sample_area(primitive, {rest, u.y}), primitive};
+    s.pdf_a *= probability;
+    return s;
+  }
+  const Distribution1D::Choice row = cells->rows.choose(u.y);
+  const Distribution1D& columns = cells->columns[static_cast<std::size_t>(row.index)];
+  const Distribution1D::Choice column = columns.choose(rest);
+  const int side = cells->rows.size();
+  Start s{placed_.sample_area(primitive, {part(column.index, column.rest, side), part(row.index, row.rest, side)}),
+          primitive};
+  s.pdf_a *= probability * row.probability * column.probability * static_cast<float>(side * side);
+  return s;
+}
+
+float EmitterPoints::pdf_a(int primitive, const Vec3& p, const Vec3& ng) const {
+  const float uniform = primitives_->probability(primitive) * placed_.pdf_a(primitive, ng);
+  const Cells* cells = cells_of(primitive);
+  const auto u = cells == nullptr ? std::nullopt : placed_.area_numbers(primitive, p);
+  if (!u) return uniform;
+  const int side = cells->rows.size();
+  const auto cell = [&](float x) { return std::clamp(static_cast<int>(x * static_cast<float>(side)), 0, side - 1); };
+  const int row = cell(u->y);
+  return uniform * cells->rows.probability(row) *
+         cells->columns[static_cast<std::size_t>(row)].probability(cell(u->x)) * static_cast<float>(side * side);
+}
+
+std::optional<Vec2> EmitterPoints::numbers(int primitive, const Vec3& p) const {
+  const auto u = placed_.area_numbers(primitive, p);
+  if (!u) return std::nullopt;
+  const Cells* cells = cells_of(primitive);
+  if (cells == nullptr) return Vec2{primitives_->number(primitive, std::clamp(u->x, 0.f, 1.f)), u->y};
+  const auto number = [](const Distribution1D& distribution, float x, int& index) {
+    const float scaled = std::clamp(x, 0.f, 1.f) * static_cast<float>(distribution.size());
+    index = std::min(static_cast<int>(scaled), distribution.size() - 1);
+    return distribution.number(index, scaled - static_cast<float>(index));
+  };
+  int row = 0, column = 0;
+  const float y = number(cells->rows, u->y, row);
+  const float x = number(cells->columns[static_cast<std::size_t>(row)], u->x, column);
+  return Vec2{primitives_->number(primitive, x), y};
+}
+
+}  // namespace dspm

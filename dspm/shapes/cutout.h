@@ -1,0 +1,23 @@
+// Where a shape has holes: pbrt's "alpha". Shapes know no textures, so world implements this with one.
+#pragma once
+
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+class Cutout {
+ public:
+  virtual ~Cutout() = default;
+  /// The fraction of rays that the surface stops at a point of the world: all of them from 1 on, none up to 0.
+  virtual float alpha(const Vec3& p, Vec2 uv) const = 0;
+};
+
+inline constexpr const char* kAlphaParam = "alpha";
+
+/// To be called before the shape's own factory reads the rest: alpha is there for all shapes, whatever their plugin.
+inline ValueOrTexture<float> read_alpha(ParamReader& params) {
+  return params.number_or_texture(kAlphaParam, 1, "", "the fraction of rays that the surface stops; 0: a hole");
+}
+
+}  // namespace dspm

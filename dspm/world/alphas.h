@@ -1,0 +1,36 @@
+// "alpha" of shapes and of the materials in geometry files: which texture of Looks it is, and what it makes of a shape.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "dspm/lang/description.h"
+#include "dspm/params/params.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/world/looks.h"
+
+namespace dspm {
+
+struct WorldShape;
+
+ParamList without_alpha(const ParamList& params);
+
+class Alphas {
+ public:
+  Alphas(const SceneDescription& description, Looks& looks, Diagnostics& diagnostics)
+      : description_(description), looks_(looks), diagnostics_(diagnostics) {}
+
+  /// A number of Looks; -1 if there is none.
+  int of(const ShapeUse& use);
+  int of(const FileMaterial& material, const SourceLocation& where);
+  /// Sets what the shape says of its holes, for that number in that state.
+  void set(WorldShape& shape, int alpha, int state) const;
+
+ private:
+  const SceneDescription& description_;
+  Looks& looks_;
+  Diagnostics& diagnostics_;
+  std::map<std::filesystem::path, int> of_files_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,30 @@
+// "displacement" of meshes: the texture by which a shape moves, its states over the frames, and the shape that it makes.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/params/errors.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/world/looks.h"
+#include "dspm/world/timeline.h"
+
+namespace dspm {
+
+/// What a Shape directive made, by index.
+using MadeShapes = std::vector<MadeShape>;
+using Shapes = std::vector<std::shared_ptr<const Shape>>;
+
+/// The geometry of a Shape directive over the frames of the file.
+struct GeometryStates {
+  Timeline<std::pair<int, int>> states;  // of the parameters and of the displacement
+  std::vector<Shapes> shapes;            // by state: shared by all places
+};
+
+/// Takes the shapes that were made for each state of the parameters, and displaces those that ask for it.
+GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_params, std::vector<MadeShapes> made,
+                         const SceneDescription& description, Looks& looks, Diagnostics& diagnostics);
+
+}  // namespace dspm
