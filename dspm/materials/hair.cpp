@@ -198,14 +198,14 @@ class HairMaterial final : public Material {
     const float beta_m = std::clamp(beta_m_->evaluate(at), kSmoothest, 1.f),
                 beta_n = std::clamp(beta_n_->evaluate(at), kSmoothest, 1.f), tilt = alpha_->evaluate(at) * (kPi / 180);
     return slot.emplace<Hair>(
-        point, FibreLook{absorption(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f), eta_->evaluate(at),
+        point, FibreLook{sigma_a(at, beta_n), std::clamp(2 * point.uv.y - 1, -1.f, 1.f), eta_->evaluate(at),
                          variance_of(beta_m), scale_of(beta_n), std::sin(tilt), std::cos(tilt)});
   }
 
  private:
   static constexpr float kSmoothest = 0.01f;
 
-  Rgb absorption(const TexturePoint& at, float beta_n) const {
+  Rgb sigma_a(const TexturePoint& at, float beta_n) const {
     if (sigma_a_) {
       const Rgb sigma = sigma_a_->evaluate(at);
       return {std::max(sigma.r, 0.f), std::max(sigma.g, 0.f), std::max(sigma.b, 0.f)};

@@ -55,8 +55,6 @@ bool are_alike(const ShapeUse& a, const ShapeUse& b) {
          a.params.find("alpha") == nullptr && b.params.find("alpha") == nullptr;
 }
 
-std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }
-
 }  // namespace
 
 /// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
@@ -72,259 +70,257 @@ struct Geometry::Source {
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
   bool absorb(Source& next) {
     const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
+    return is_one(*this) && is_one(next) && caustics == next.caustics &&
+           made.front().front().shape->absorb(*next.made.front().front().shape);
+  }
+};
 
-    /// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
-    /// holes, at one place.
-    struct Geometry::Place {
-      int geometry, matrix, alpha;  // states
-      friend bool operator==(const Place&, const Place&) = default;
-    };
+/// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
+/// holes, at one place.
+struct Geometry::Place {
+  int geometry, matrix, alpha;  // states
+  friend bool operator==(const Place&, const Place&) = default;
+};
 
-    Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
-        : description_(description),
-          looks_(looks),
-          alphas_(description, looks, diagnostics),
-          diagnostics_(diagnostics),
-          check_meshes_(check_meshes) {
-      add_sources(description.shapes, {});
-      std::map<std::string, std::vector<const ObjectUse*>> uses;
-      for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
-      refuse_unknown_objects();
-      for (const ObjectDefinition& object : description.objects)
-        if (const auto found = uses.find(object.name); found != uses.end()) add_sources(object.shapes, found->second);
-      for (const WorldShape& shape : shapes_) {
-        if (!is_there(shape)) continue;
-        for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
+    : description_(description),
+      looks_(looks),
+      alphas_(description, looks, diagnostics),
+      diagnostics_(diagnostics),
+      check_meshes_(check_meshes) {
+  add_sources(description.shapes, {});
+  std::map<std::string, std::vector<const ObjectUse*>> uses;
+  for (const ObjectUse& use : description.instances) uses[use.name].push_back(&use);
+  refuse_unknown_objects();
+  for (const ObjectDefinition& object : description.objects)
+    if (const auto found = uses.find(object.name); found != uses.end()) add_sources(object.shapes, found->second);
+  for (const WorldShape& shape : shapes_) {
+    if (!is_there(shape)) continue;
+    for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+  }
+}
+
+void Geometry::refuse_unknown_objects() {
+  std::vector<std::string> names;
+  for (const ObjectDefinition& object : description_.objects) names.push_back(object.name);
+  for (const ObjectUse& use : description_.instances)
+    if (std::find(names.begin(), names.end(), use.name) == names.end())
+      diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name),
+                         did_you_mean(use.name, names));
+}
+
+/// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
+void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
+  const ShapeUse* first = nullptr;
+  std::optional<Source> open;  // of `first`, and of what it has absorbed since
+  for (const ShapeUse& use : uses) {
+    std::optional<Source> source = make_source(use);
+    if (!source || (open && are_alike(*first, use) && open->absorb(*source))) continue;
+    if (open) add_source(*first, instances, *open);
+    first = &use, open = std::move(source);
+  }
+  if (open) add_source(*first, instances, *open);
+}
+
+/// The shapes that the directive makes in all of its states; nullopt if there are none.
+std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use) {
+  const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
+  if (!plugin) return std::nullopt;
+  Source source;
+  source.params =
+      param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
+  const int errors = diagnostics_.error_count();
+  expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics_);
+  for (const ParamList& params : source.params.states) {
+    ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
+    source.caustics = read_shape_caustics(reader);
+    source.made.push_back(plugin->make(reader));
+    if (diagnostics_.error_count() > errors) return std::nullopt;
+  }
+  return source.made.empty() ? std::nullopt : std::optional(std::move(source));
+}
+
+void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
+  const int errors = diagnostics_.error_count();
+  const int alpha = alphas_.of(use);
+  for (const MadeShape& shape : source.made.front()) {
+    source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
+    source.lights.push_back(area_light(use, shape));
+    source.alphas.push_back(alpha < 0 && shape.material ? alphas_.of(*shape.material, use.where) : alpha);
+  }
+  if (diagnostics_.error_count() > errors) return;
+  leave_out_lights_of_unseen(use, source);
+  for (const MadeShapes& made : source.made)
+    if (made.size() != source.materials.size())
+      return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
+  check(use, source);
+  source.geometry = displaced(use, source.params.state_of, std::move(source.made), description_, looks_, diagnostics_);
+  if (diagnostics_.error_count() > errors) return;
+  if (instances.empty()) return place(use, nullptr, source, true);
+  for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
+}
+
+/// The scene's, else that of the material in the geometry file.
+const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
+  if (use.area_light >= 0 && made.shape->turns())
+    diagnostics_.unsupported(use.where, fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
+                             "it turns to each ray, so it has no area that could emit light");
+  else if (use.area_light >= 0)
+    return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
+  if (!made.material || !made.material->radiance) return nullptr;
+  const Rgb& radiance = *made.material->radiance;
+  AreaLightUse& light = lights_of_files_.emplace_back();
+  light.type = "diffuse", light.name = made.material->name;
+  light.where = light.type_where = use.where;
+  light.params.params = {param_of(ParamType::rgb, "L", std::vector{radiance.r, radiance.g, radiance.b}, use.where),
+                         param_of(ParamType::boolean, "twosided", std::vector{true}, use.where)};
+  return &light;
+}
+
+bool Geometry::is_seen(int material, FileFrame frame) const { return material < 0 || looks_.is_seen(material, frame); }
+
+/// As in pbrt: a surface that is not there emits nothing.
+void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
+  for (std::size_t i = 0; i < source.materials.size(); ++i) {
+    if (source.lights[i] == nullptr) continue;
+    bool seen = false;
+    for (FileFrame f(0); f.index() < description_.frames.count(); ++f) seen |= is_seen(source.materials[i], f);
+    if (seen) continue;
+    source.lights[i] = nullptr;
+    diagnostics_.warning(use.where, fmt::format("{} is an interface, so its area light is left out", subject_of(use)));
+  }
+}
+
+/// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of
+/// its frames alike if the scene asks for it.
+void Geometry::check(const ShapeUse& use, Source& source) {
+  for (std::size_t p = 0; p < source.materials.size(); ++p) {
+    MadeShape& first = source.made.front()[p];
+    const TriangleMesh* mesh = first.shape->triangles();
+    const int material = source.materials[p];
+    if (!mesh || material < 0) continue;
+    const bool body = looks_.bounds_a_body(material);
+    if (first.repair) {
+      const RepairPlan plan = plan_repair(*mesh);
+      const auto faces = mesh->faces();
+      for (MadeShapes& made : source.made) {
+        const TriangleMesh* other = made[p].shape->triangles();
+        if (!other) continue;
+        const bool same_topology = other->faces() == faces;
+        made[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
+      }
+      mesh = source.made.front()[p].shape->triangles();
+    }
+    if (!body || !check_meshes_) continue;
+    for (const std::string& fault : describe(check_mesh(*mesh)))
+      diagnostics_.warning(
+          use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
+          first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
+  }
+}
+
+/// An instance is one object, and so are all dynamic blocks of one name; any other shape is an object of its own.
+int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
+  const auto once = [&](auto& known, const auto& key, const std::string& name) {
+    const auto [at, is_new] = known.try_emplace(key);
+    if (is_new) at->second = objects_.add(name);
+    return at->second;
+  };
+  if (instance) return once(object_of_use_, static_cast<const void*>(instance), instance->name);
+  if (use.name.empty() && use.dynamic_block >= 0) {
+    const std::string& block = description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].name;
+    return once(object_of_block_, block, block);
+  }
+  return once(object_of_use_, static_cast<const void*>(&use), use.name.empty() ? name_in_file(use) : use.name);
+}
+
+Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeline<Matrix4>& matrices,
+                                              const std::vector<bool>& present, std::size_t made) const {
+  const int alpha = source.alphas[made];
+  return Timeline<Place>::of(
+      static_cast<int>(present.size()),
+      [&](FileFrame f) -> std::optional<Place> {
+        if (!present[f.slot()]) return std::nullopt;
+        return Place{source.geometry.states.at(f), matrices.at(f),
+                     alpha < 0 ? 0 : looks_.states_of_number(alpha)[f.slot()]};
+      },
+      [](const Place& a, const Place& b) { return a == b; });
+}
+
+/// How many matrices place each geometry.
+std::vector<int> Geometry::matrices_by_state(const Timeline<Place>& places, std::size_t geometries) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Place& place : places.states) pairs.emplace(place.geometry, place.matrix);
+  std::vector<int> count(geometries, 0);
+  for (const auto& [geometry, matrix] : pairs) ++count[static_cast<std::size_t>(geometry)];
+  return count;
+}
+
+void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
+  std::vector<bool> present(source.params.state_of.size());
+  for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
+  if (instance && instance->dynamic_block >= 0) {
+    const std::vector<bool> there = presence(description_, instance->dynamic_block);
+    for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
+  }
+  const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
+  const int object = object_of(use, instance);
+  for (std::size_t i = 0; i < source.materials.size(); ++i) {
+    const Timeline<Place> places = places_of(source, matrices, present, i);
+    const std::vector<int> matrices_of_state = matrices_by_state(places, source.geometry.shapes.size());
+    std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
+    Emitter emitter{source.lights[i], {}};
+    const std::size_t first = shapes_.size();
+    ++placed_;
+    for (const Place& place : places.states) {
+      const auto state = static_cast<std::size_t>(place.geometry);
+      std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
+      Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
+      // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
+      // once.
+      if (alone && matrices_of_state[state] == 1 && shape->triangles()) {
+        std::shared_ptr<const Shape>& moved = in_world[place.geometry];
+        if (!moved && to_world.is_identity()) moved = shape;
+        if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
+        shape = moved, to_world = Transform();
+      }
+      WorldShape& world = shapes_.emplace_back();
+      owned_.push_back(shape);
+      world.use = &use;
+      world.placed.shape = shape.get();
+      world.placed.to_world = to_world;
+      world.placed.to_world_is_identity = to_world.is_identity();
+      world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
+      world.placed.caustics = source.caustics;
+      world.placed.material = source.materials[i];
+      world.placed.object = object;
+      world.placed.cutout_key = placed_;
+      world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
+      world.present.resize(present.size());
+      alphas_.set(world, source.alphas[i], place.alpha);
+      if (emitter.use) {
+        world.emitter = static_cast<int>(emitters_.size());
+        emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
       }
     }
+    for (FileFrame f(0); f.index() < static_cast<int>(present.size()); ++f)
+      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
+        shapes_[first + static_cast<std::size_t>(state)].present[f.slot()] = true;
+    if (emitter.use) add_emitter(std::move(emitter));
+  }
+}
 
-    void Geometry::refuse_unknown_objects() {
-      std::vector<std::string> names;
-      for (const ObjectDefinition& object : description_.objects) names.push_back(object.name);
-      for (const ObjectUse& use : description_.instances)
-        if (std::find(names.begin(), names.end(), use.name) == names.end())
-          diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name),
-                             did_you_mean(use.name, names));
-    }
+/// Its light is made for all frames at once, and so are its holes.
+void Geometry::add_emitter(Emitter emitter) {
+  const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
+  emitter.is_hidden = !emitter.shapes.empty() && std::all_of(emitter.shapes.begin(), emitter.shapes.end(),
+                                                             [&](int s) { return shape(s).nowhere; });
+  for (const int s : emitter.shapes) {
+    if (emitter.is_hidden || shape(s).alpha < 0) continue;
+    shape(s).cutout = std::make_shared<TextureCutout>(looks_.number(shape(s).alpha, shape(s).alpha_state));
+    shape(s).placed.cutout = shape(s).cutout.get();
+  }
+  emitters_.push_back(std::move(emitter));
+}
 
-    /// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
-    void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
-      const ShapeUse* first = nullptr;
-      std::optional<Source> open;  // of `first`, and of what it has absorbed since
-      for (const ShapeUse& use : uses) {
-        std::optional<Source> source = make_source(use);
-        if (!source || (open && are_alike(*first, use) && open->absorb(*source))) continue;
-        if (open) add_source(*first, instances, *open);
-        first = &use, open = std::move(source);
-      }
-      if (open) add_source(*first, instances, *open);
-    }
-
-    /// The shapes that the directive makes in all of its states; nullopt if there are none.
-    std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use) {
-      const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
-      if (!plugin) return std::nullopt;
-      Source source;
-      source.params =
-          param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
-      const int errors = diagnostics_.error_count();
-      expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics_);
-      for (const ParamList& params : source.params.states) {
-        ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
-        source.caustics = read_shape_caustics(reader);
-        source.made.push_back(plugin->make(reader));
-        if (diagnostics_.error_count() > errors) return std::nullopt;
-      }
-      return source.made.empty() ? std::nullopt : std::optional(std::move(source));
-    }
-
-    void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
-      const int errors = diagnostics_.error_count();
-      const int alpha = alphas_.of(use);
-      for (const MadeShape& shape : source.made.front()) {
-        source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
-        source.lights.push_back(area_light(use, shape));
-        source.alphas.push_back(alpha < 0 && shape.material ? alphas_.of(*shape.material, use.where) : alpha);
-      }
-      if (diagnostics_.error_count() > errors) return;
-      leave_out_lights_of_unseen(use, source);
-      for (const MadeShapes& made : source.made)
-        if (made.size() != source.materials.size())
-          return diagnostics_.error(use.where,
-                                    "the files of this sequence hold different numbers of groups or materials");
-      check(use, source);
-      source.geometry =
-          displaced(use, source.params.state_of, std::move(source.made), description_, looks_, diagnostics_);
-      if (diagnostics_.error_count() > errors) return;
-      if (instances.empty()) return place(use, nullptr, source, true);
-      for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
-    }
-
-    /// The scene's, else that of the material in the geometry file.
-    const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
-      if (use.area_light >= 0 && made.shape->turns())
-        diagnostics_.unsupported(use.where,
-                                 fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
-                                 "it turns to each ray, so it has no area that could emit light");
-      else if (use.area_light >= 0)
-        return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
-      if (!made.material || !made.material->radiance) return nullptr;
-      const Rgb& radiance = *made.material->radiance;
-      AreaLightUse& light = lights_of_files_.emplace_back();
-      light.type = "diffuse", light.name = made.material->name;
-      light.where = light.type_where = use.where;
-      light.params.params = {param_of(ParamType::rgb, "L", std::vector{radiance.r, radiance.g, radiance.b}, use.where),
-                             param_of(ParamType::boolean, "twosided", std::vector{true}, use.where)};
-      return &light;
-    }
-
-    bool Geometry::is_seen(int material, FileFrame frame) const {
-      return material < 0 || looks_.is_seen(material, frame);
-    }
-
-    /// As in pbrt: a surface that is not there emits nothing.
-    void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
-      for (std::size_t i = 0; i < source.materials.size(); ++i) {
-        if (source.lights[i] == nullptr) continue;
-        bool seen = false;
-        for (FileFrame f(0); f.index() < description_.frames.count(); ++f) seen |= is_seen(source.materials[i], f);
-        if (seen) continue;
-        source.lights[i] = nullptr;
-        diagnostics_.warning(use.where,
-                             fmt::format("{} is an interface, so its area light is left out", subject_of(use)));
-      }
-    }
-
-    /// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of
-    /// its frames alike if the scene asks for it.
-    void Geometry::check(const ShapeUse& use, Source& source) {
-      for (std::size_t p = 0; p < source.materials.size(); ++p) {
-        MadeShape& first = source.made.front()[p];
-        const TriangleMesh* mesh = first.shape->triangles();
-        const int material = source.materials[p];
-        if (!mesh || material < 0) continue;
-        const bool body = looks_.bounds_a_body(material);
-        if (first.repair) {
-          const RepairPlan plan = plan_repair(*mesh);
-          const auto faces = mesh->faces();
-          for (MadeShapes& made : source.made) {
-            const TriangleMesh* other = made[p].shape->triangles();
-            if (!other) continue;
-            const bool same_topology = other->faces() == faces;
-            made[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
-          }
-          mesh = source.made.front()[p].shape->triangles();
-        }
-        if (!body || !check_meshes_) continue;
-        for (const std::string& fault : describe(check_mesh(*mesh)))
-          diagnostics_.warning(
-              use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
-              first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
-      }
-    }
-
-    /// An instance is one object, and so are all dynamic blocks of one name; any other shape is an object of its own.
-    int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
-      const auto once = [&](auto& known, const auto& key, const std::string& name) {
-        const auto [at, is_new] = known.try_emplace(key);
-        if (is_new) at->second = objects_.add(name);
-        return at->second;
-      };
-      if (instance) return once(object_of_use_, static_cast<const void*>(instance), instance->name);
-      if (use.name.empty() && use.dynamic_block >= 0) {
-        const std::string& block = description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].name;
-        return once(object_of_block_, block, block);
-      }
-      return once(object_of_use_, static_cast<const void*>(&use), use.name.empty() ? name_in_file(use) : use.name);
-    }
-
-    Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeline<Matrix4>& matrices,
-                                                  const std::vector<bool>& present, std::size_t made) const {
-      const int alpha = source.alphas[made];
-      return Timeline<Place>::of(
-          static_cast<int>(present.size()),
-          [&](FileFrame f) -> std::optional<Place> {
-            if (!present[f.slot()]) return std::nullopt;
-            return Place{source.geometry.states.at(f), matrices.at(f),
-                         alpha < 0 ? 0 : looks_.states_of_number(alpha)[f.slot()]};
-          },
-          [](const Place& a, const Place& b) { return a == b; });
-    }
-
-    /// How many matrices place each geometry.
-    std::vector<int> Geometry::matrices_by_state(const Timeline<Place>& places, std::size_t geometries) {
-      std::set<std::pair<int, int>> pairs;
-      for (const Place& place : places.states) pairs.emplace(place.geometry, place.matrix);
-      std::vector<int> count(geometries, 0);
-      for (const auto& [geometry, matrix] : pairs) ++count[static_cast<std::size_t>(geometry)];
-      return count;
-    }
-
-    void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
-      std::vector<bool> present(source.params.state_of.size());
-      for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
-      if (instance && instance->dynamic_block >= 0) {
-        const std::vector<bool> there = presence(description_, instance->dynamic_block);
-        for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
-      }
-      const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
-      const int object = object_of(use, instance);
-      for (std::size_t i = 0; i < source.materials.size(); ++i) {
-        const Timeline<Place> places = places_of(source, matrices, present, i);
-        const std::vector<int> matrices_of_state = matrices_by_state(places, source.geometry.shapes.size());
-        std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
-        Emitter emitter{source.lights[i], {}};
-        const std::size_t first = shapes_.size();
-        ++placed_;
-        for (const Place& place : places.states) {
-          const auto state = static_cast<std::size_t>(place.geometry);
-          std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
-          Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
-          // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
-          // once.
-          if (alone && matrices_of_state[state] == 1 && shape->triangles()) {
-            std::shared_ptr<const Shape>& moved = in_world[place.geometry];
-            if (!moved && to_world.is_identity()) moved = shape;
-            if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
-            shape = moved, to_world = Transform();
-          }
-          WorldShape& world = shapes_.emplace_back();
-          owned_.push_back(shape);
-          world.use = &use;
-          world.placed.shape = shape.get();
-          world.placed.to_world = to_world;
-          world.placed.to_world_is_identity = to_world.is_identity();
-          world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
-          world.placed.caustics = source.caustics;
-          world.placed.material = source.materials[i];
-          world.placed.object = object;
-          world.placed.cutout_key = placed_;
-          world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
-          world.present.resize(present.size());
-          alphas_.set(world, source.alphas[i], place.alpha);
-          if (emitter.use) {
-            world.emitter = static_cast<int>(emitters_.size());
-            emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
-          }
-        }
-        for (FileFrame f(0); f.index() < static_cast<int>(present.size()); ++f)
-          if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
-            shapes_[first + static_cast<std::size_t>(state)].present[f.slot()] = true;
-        if (emitter.use) add_emitter(std::move(emitter));
-      }
-    }
-
-    /// Its light is made for all frames at once, and so are its holes.
-    void Geometry::add_emitter(Emitter emitter) {
-      const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
-      emitter.is_hidden = !emitter.shapes.empty() && std::all_of(emitter.shapes.begin(), emitter.shapes.end(),
-                                                                 [&](int s) { return shape(s).nowhere; });
-      for (const int s : emitter.shapes) {
-        if (emitter.is_hidden || shape(s).alpha < 0) continue;
-        shape(s).cutout = std::make_shared<TextureCutout>(looks_.number(shape(s).alpha, shape(s).alpha_state));
-        shape(s).placed.cutout = shape(s).cutout.get();
-      }
-      emitters_.push_back(std::move(emitter));
-    }
-
-  }  // namespace dspm
+}  // namespace dspm

@@ -200,7 +200,7 @@ int Looks::add_number(std::string type, ParamList params, const SourceLocation& 
 
 TexturePtr<float> Looks::number(int number, int state) const {
   Diagnostics diagnostics(true);
-  TexturePtr<float> texture = made(Ingredient<float>{{}, &numbers_[slot(number)], state}, diagnostics);
+  TexturePtr<float> texture = made(Ingredient<FloatTexture>{{}, &numbers_[slot(number)], state}, diagnostics);
   diagnostics.throw_if_errors();
   return texture;
 }

@@ -51,7 +51,7 @@ TEST_P(CurvesIn, AllIntegratorsFindTheSame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, CurvesIn, testing::ValuesIn(kCases), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Looks, CurvesIn, testing::ValuesIn(kCases), [](const auto& each) { return each.param.name; });
 
 // What is scattered by white hair comes from the sky in the end, wherever it went: the picture is 1.
 TEST(CurvesIn, AFurnaceWhiteHairIsInvisible) {

@@ -153,7 +153,7 @@ TEST(Curves, SurfaceIsWhereTheRayMeetsIt) {
       ASSERT_NEAR(dot(s.ng, normalize(s.dpdu)), 0, 1e-4f);
       ASSERT_LT(length(s.p - ray.at(found->hit.t)), 0.1f * width + 1e-5f) << i;
       const Bounds3 b = curves.bounds(found->primitive);
-      ASSERT_TRUE(min(s.p, b.low) == b.low && max(s.p, b.high) == b.high || type == CurveType::ribbon);
+      ASSERT_TRUE((min(s.p, b.low) == b.low && max(s.p, b.high) == b.high) || type == CurveType::ribbon);
       if (type == CurveType::flat) {
         ASSERT_LT(dot(s.ng, ray.direction), 0);
       }
