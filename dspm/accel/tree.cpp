@@ -137,13 +137,15 @@ Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, Fram
 }
 
 template <class Query>
-void Tree::find_in(const Placed& placed, const Ray& ray, Query& query) const {
+void Tree::find_in(const Placed& placed, const Ray& ray, Query& query, const CutOut* whole) const {
   const FrameSet frames = placed.shape->frames & query.frames();
   Ray object_ray = placed.shape->in_object_space() ? placed.shape->to_world.inverse_ray(ray) : ray;
   if (!placed.mesh) {
-    const auto hit = placed.shape->cutout == nullptr
+    const PlacedShape& cut = whole != nullptr ? whole->placed : *placed.shape;
+    const auto hit = cut.cutout == nullptr
                          ? meet(*placed.shape->shape, placed.primitive, object_ray)
-                         : first_stop(*placed.shape, placed.primitive, ray, object_ray, query.limit(frames));
+                         : first_stop(cut, placed.primitive, whole != nullptr ? whole->world_ray : ray, object_ray,
+                                      query.limit(frames));
     if (hit) query.offer({hit->t, placed.number, placed.primitive, hit->uv}, frames);
   } else if constexpr (std::is_same_v<Query, Unblocked> || std::is_same_v<Query, AnyHit>) {
     AnyHit any(FrameSet::single(0), ray.t_max);
@@ -164,7 +166,8 @@ void Tree::find_placed(const Ray& ray, Query& query, const PlacedShape& placed, 
   const TreeRay prepared(ray, margins_);
   if (placed.cutout == nullptr) return find(prepared, query, query);
   CutQuery<Query> cut(query, world_ray, &placed);
-  find(prepared, query, cut);
+  const CutOut whole{placed, world_ray};
+  find(prepared, query, cut, &whole);
 }
 
 template <class Query>
@@ -175,10 +178,10 @@ void Tree::find(const TreeRay& ray, Query& query) const {
 }
 
 template <class Query, class Offers>
-void Tree::find(const TreeRay& ray, Query& query, Offers& offers) const {
+void Tree::find(const TreeRay& ray, Query& query, Offers& offers, const CutOut* whole) const {
   const auto frames_of = [&](int shape) { return frames_[static_cast<std::size_t>(shape)]; };
   traverse(bvh_, ray.test, query, [&](std::uint32_t leaf) {
-    if (leaf >= kPlaced) return find_in(placed_[leaf - kPlaced], ray.ray, query);
+    if (leaf >= kPlaced) return find_in(placed_[leaf - kPlaced], ray.ray, query, whole);
     const TrianglePacket* packet = &packets_[leaf & ~kTwo];
     const TrianglePacket* const end = packet + ((leaf & kTwo) != 0 ? 2 : 1);
     for (; packet != end; ++packet) packet->find(ray.four, offers, frames_of);
@@ -195,19 +198,19 @@ std::size_t Tree::memory() const {
 }
 
 const Tree& MeshTrees::of(const Shape& mesh) {
-  std::unique_ptr<const Tree>& tree = trees_[&mesh];
-  if (!tree) {
+  Own& own = trees_[&mesh];
+  if (!own.tree) {
     const FrameSet only = FrameSet::single(0);
-    const PlacedShape placed{.shape = &mesh, .to_world = {}, .frames = only};
+    own.placed = {.shape = &mesh, .to_world = {}, .frames = only};
     const int first = 0;
-    tree = std::make_unique<const Tree>(std::span(&placed, 1), std::span(&first, 1), only, builder_, *this);
+    own.tree = std::make_unique<const Tree>(std::span(&own.placed, 1), std::span(&first, 1), only, builder_, *this);
   }
-  return *tree;
+  return *own.tree;
 }
 
 std::size_t MeshTrees::memory() const {
   std::size_t bytes = 0;
-  for (const auto& [shape, tree] : trees_) bytes += tree->memory();
+  for (const auto& [shape, own] : trees_) bytes += own.tree->memory();
   return bytes;
 }
 

@@ -74,11 +74,17 @@ class Tree {
   };
   class Builder;
 
-  /// Hits on triangles in world space are offered to `offers`, the others to `query`.
+  /// The shape whose own tree this is, where it is placed with holes; the ray before it was transformed.
+  struct CutOut {
+    const PlacedShape& placed;
+    const Ray& world_ray;
+  };
+
+  /// Hits on triangles are offered to `offers`, the others to `query`. `whole`: null if there are no holes.
   template <class Query, class Offers>
-  void find(const TreeRay& ray, Query& query, Offers& offers) const;
+  void find(const TreeRay& ray, Query& query, Offers& offers, const CutOut* whole = nullptr) const;
   template <class Query>
-  void find_in(const Placed& placed, const Ray& ray, Query& query) const;
+  void find_in(const Placed& placed, const Ray& ray, Query& query, const CutOut* whole) const;
   /// Of a mesh in its own space, placed as `placed`; `world_ray`: the ray before it was transformed.
   template <class Query>
   void find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const;
@@ -99,8 +105,13 @@ class MeshTrees {
   std::size_t memory() const;
 
  private:
+  struct Own {
+    PlacedShape placed;  // where it is; the tree's primitives refer to it
+    std::unique_ptr<const Tree> tree;
+  };
+
   BvhBuilder builder_;
-  std::map<const Shape*, std::unique_ptr<const Tree>> trees_;  // lookups only, so addresses affect no result
+  std::map<const Shape*, Own> trees_;  // lookups only, so addresses affect no result
 };
 
 }  // namespace dspm

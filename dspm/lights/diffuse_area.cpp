@@ -21,6 +21,7 @@
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
 #include "dspm/lights/emission_picture.h"
 #include "dspm/lights/emitter_points.h"
 #include "dspm/lights/light.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
 #include "dspm/shapes/curve_segment.h"
 
 namespace dspm {

@@ -1,3 +1,4 @@
+#include "dspm/math/vec.h"
 #include "dspm/world/displacements.h"
 
 #include <map>

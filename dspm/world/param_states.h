@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/world/timeline.h"
 
