@@ -39,7 +39,8 @@ struct Recorded {
 };
 
 TEST(RecordedRays, AreThoseOfAnIteration) {
-  const Recorded recorded(R"("sppm" "string emission" "power" "integer photons" 500 "string direct" "sampled")");
+  const Recorded recorded(
+      R"("sppm" "string emission" "power" "integer photons" 500 "string direct" "sampled" "string indirect" "photons")");
   const Statistics s = recorded.run.integrator->statistics();
   EXPECT_EQ(recorded.rays.nearest.size(), s.camera.segments.done + s.photon.segments.done);
   EXPECT_EQ(recorded.rays.shadow.size(), s.camera.shadow_rays);
