@@ -17,7 +17,7 @@ constexpr int kFrames = 6;
 std::string scene(const std::string& material, const std::string& lamp, const char* share_paths, int photons = 2000) {
   return fmt::format(
       R"(Frames {}
-Integrator "dsppm" "integer photons" {} "bool sharepaths" {}
+Integrator "dsppm" "integer photons" {} "bool sharepaths" {} "string indirect" "photons"
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40
 Film "rgb" "integer xresolution" 24 "integer yresolution" 24
