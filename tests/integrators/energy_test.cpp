@@ -90,8 +90,9 @@ TEST(EnergyOfPhotons, IsAbsorbedAsTheAlbedoSays) {
   constexpr int kDepths[] = {2, 3, 5, 8};
   for (const int depth : kDepths) {
     SCOPED_TRACE(depth);
-    std::string text =
-        test::furnace(fmt::format(R"("dsppm" "integer photons" 5000 "integer maxdepth" {})", depth), 0.25f);
+    std::string text = test::furnace(
+        fmt::format(R"("dsppm" "integer photons" 5000 "integer maxdepth" {} "string indirect" "photons")", depth),
+        0.25f);
     const std::string grey = "[0.25 0.25 0.25]";
     text.replace(text.find(grey), grey.size(), fmt::format("[{} {} {}]", albedo[0], albedo[1], albedo[2]));
     double reaches_last = 0;
