@@ -49,6 +49,9 @@ TEST(V3, Materials) {
       {R"(Material "plastic" "color Kd" [.5 .5 .5] "color Ks" [1 1 1] "bool remaproughness" "false")",
        R"(Material "coateddiffuse" "rgb reflectance" [0.5 0.5 0.5] "float roughness" 0.1 "bool remaproughness" false
             "float eta" 1.5)"},
+      {R"(Material "disney" "rgb color" [.1 .2 .3] "float clearcoat" .8 "float sheen" .5 "float roughness" .4)",
+       R"(Material "principled" "rgb basecolor" [0.1 0.2 0.3] "float coat" 0.2 "float roughness" 0.4
+            "float coatroughness" 0.03162278 "rgb sheen" [0.5 0.5 0.5])"},
       {R"(Material "none")", R"(Material "interface")"},
       {R"(Material "hair" "rgb color" [.3 .2 .1] "float beta_m" .3)",
        R"(Material "hair" "rgb reflectance" [0.3 0.2 0.1] "float beta_m" 0.3)"},

@@ -30,9 +30,9 @@ constexpr Rule kMaterials[] = {
                                            "remaproughness= bumpmap=displacement"},
     {"mix", "mix", "namedmaterial1 namedmaterial2 amount:float.5"},
     {"hair", "hair", "sigma_a color=reflectance eumelanin pheomelanin eta beta_m beta_n alpha"},
-    {"disney", "diffuse", "color=reflectance metallic! eta! roughness! speculartint! anisotropic! sheen! sheentint! "
-                          "clearcoat! clearcoatgloss! spectrans! scatterdistance! thin! flatness! difftrans! "
-                          "bumpmap=displacement"},
+    {"disney", "principled", "color=basecolor:rgb.5 metallic eta roughness:float.5 anisotropic=anisotropy sheen "
+                             "clearcoat=coat clearcoatgloss:float1 spectrans=transmission speculartint! sheentint! "
+                             "scatterdistance! thin! flatness! difftrans! bumpmap=displacement"},
     {"subsurface", "subsurface", "name sigma_a sigma_s scale eta g Kr! Kt! uroughness:float0 vroughness:float0 "
                                  "remaproughness bumpmap=displacement"},
     {"none", "interface", ""},
@@ -141,6 +141,21 @@ void translucent(Edit& edit) {
     edit.set(ParamType::texture, "transmittance", scaled(transmit));
 }
 
+/// v3's coat reflects a quarter of clear varnish, with an alpha from 0.1 to 0.001 [Burley 2012].
+void disney(Edit& edit) {
+  edit.only_close("disney");
+  const float gloss = edit.number("clearcoatgloss").value_or(1);
+  edit.take("clearcoatgloss");
+  if (const auto coat = edit.number("coat")) {
+    edit.set_number("coat", 0.25f * *coat);
+    edit.set_number("coatroughness", std::sqrt(std::lerp(0.1f, 0.001f, gloss)));
+  }
+  if (const auto sheen = edit.number("sheen")) {
+    edit.take("sheen");
+    edit.set_rgb("sheen", Rgb(*sheen));
+  }
+}
+
 /// "amount" is of the first material in v3, of the second in v4.
 void mix(Edit& edit) {
   const std::string first = edit.take_text("namedmaterial1"), second = edit.take_text("namedmaterial2");
@@ -172,6 +187,7 @@ void finish(Edit& edit, std::string_view from) {
   if (from == "uber") uber(edit);
   if (from == "translucent") translucent(edit);
   if (from == "mix") mix(edit);
+  if (from == "disney") disney(edit);
   if (from == "mirror") edit.only_close("mirror (a little more at grazing angles)");
   if (from == "metal") name_metals(edit);
 }
