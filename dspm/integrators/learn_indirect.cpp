@@ -1,5 +1,6 @@
 #include "dspm/integrators/learn_indirect.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -13,8 +14,8 @@ namespace dspm {
 namespace {
 
 constexpr double kPilotPixels = 4096;
-constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;  // random numbers of its own
-constexpr std::int64_t kPilotPhotons = 1 << 15;
+constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
+constexpr std::int64_t kLeastPhotons = 1 << 12, kMostPhotons = 1 << 15;  // of each kind: a tenth of an iteration
 constexpr double kLater = 0.55;      // of the initial radius: that after 64 iterations
 constexpr double kMostOfWork = 0.8;  // to the same variance, or photons bring it all
 constexpr double kWorkOfPhoton = 2;  // of a photon's segment, with the map and its gathers, over that of a camera ray
@@ -37,6 +38,7 @@ class Pilot {
         rays_(scene, {}),
         photon_(photon),
         hit_point_(hit_point),
+        pilot_photons_(std::clamp(photons / 10, kLeastPhotons, kMostPhotons)),
         photons_(static_cast<double>(photons)),
         full_(static_cast<double>(render.width) * render.height) {
     hit_point_.sample_direct = hit_point_.share_paths = photon_.share_paths = true;
@@ -57,7 +59,7 @@ class Pilot {
     }
     const double by_photons = variance_by_photons(ends[0], weights);
     const double work_of_paths = full_ * goes[0].rays + photons_ * kWorkOfPhoton * segments(kCausticPhotons),
-                 work_of_photons = full_ * ends[0].rays + photons_ * kWorkOfPhoton * segments(kAllPhotons);
+                 work_of_photons = full_ * ends[0].rays + photons_ * kWorkOfPhoton * segments(kDiffusePhotons);
     return (direct + indirect) * work_of_paths < kMostOfWork * (direct + by_photons) * work_of_photons;
   }
 
@@ -84,7 +86,7 @@ class Pilot {
     for_each_photon(kinds, [&](const Photon& photon) {
       points.for_each_gathering(photon, [&](float radiance, FrameSet frames, const HitPoint& hit) {
         if (hit.indirect)
-          add(sums, hit.pixel, frames, static_cast<double>(radiance) / static_cast<double>(kPilotPhotons));
+          add(sums, hit.pixel, frames, static_cast<double>(radiance) / static_cast<double>(pilot_photons_));
       });
     });
     return sums;
@@ -102,14 +104,14 @@ class Pilot {
       });
     });
     const double narrower = static_cast<double>(scale()) / kLater;
-    return squares / static_cast<double>(kPilotPhotons) / photons_ * narrower * narrower;
+    return squares / static_cast<double>(pilot_photons_) / photons_ * narrower * narrower;
   }
 
   /// Of a photon path.
   double segments(unsigned kinds) {
     double sum = 0;
     for (const PhotonTrace& trace : trace_of(kinds)) sum += static_cast<double>(trace.paths.segments.done);
-    return sum / static_cast<double>(kPilotPhotons);
+    return sum / static_cast<double>(pilot_photons_);
   }
 
   template <class Fn>
@@ -122,7 +124,7 @@ class Pilot {
     if (kinds == traced_) return traces_;
     PhotonSettings photon = photon_;
     photon.kinds = kinds;
-    traces_ = trace_photons(scene_, photon, kFirstIteration, 0, kPilotPhotons, std::move(traces_));
+    traces_ = trace_photons(scene_, photon, kFirstIteration, 0, pilot_photons_, std::move(traces_));
     traced_ = kinds;
     return traces_;
   }
@@ -155,7 +157,8 @@ class Pilot {
   DirectBalance rays_;
   PhotonSettings photon_;
   HitPointSettings hit_point_;
-  double photons_, full_;
+  std::int64_t pilot_photons_;
+  double photons_, full_;  // photon paths, pixels
   std::vector<PhotonTrace> traces_;
   unsigned traced_ = 0;
 };
