@@ -43,8 +43,8 @@ TEST(Parameters, EveryPluginDescribesItself) {
     EXPECT_EQ(said(plugin.name, {}).empty(), has_defaults(plugin)) << said(plugin.name, {});
   }
   EXPECT_EQ(plugins, (std::vector<std::string>{"coatedconductor", "coateddiffuse", "conductor", "dielectric", "diffuse",
-                                               "diffusetransmission", "interface", "measured", "mix", "principled",
-                                               "subsurface", "thindielectric"}));
+                                               "diffusetransmission", "hair", "interface", "measured", "mix",
+                                               "principled", "subsurface", "thindielectric"}));
   EXPECT_EQ(
       names(*material_plugins().find("conductor")),
       (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k", "reflectance"}));

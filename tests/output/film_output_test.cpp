@@ -140,6 +140,7 @@ TEST(DescribedCamera, ParametersHaveTheEffectThatIsClaimed) {
       {R"("float shutteropen" 0)", R"("float shutteropen" 0.5)"},
       {R"("float shutterclose" 1)", R"("float shutterclose" 0.5)"},
       {"", R"("float screenwindow" [-1 2 -1 1])"},
+      {"", R"("string mapping" "equirectangular")"},
   };
   const auto all_with = [&](const CatalogueEntry& camera, const std::string& changed) {
     std::string parameters;
