@@ -52,8 +52,8 @@ TEST(RunWarnings, ManyIterationsMakeUpForFewPhotons) {
 }
 
 TEST(RunWarnings, TheHintIsWhatTheSceneDoesNotSayYet) {
-  const std::string text =
-      warnings(R"("dsppm" "integer iterations" 40 "integer photons" 30 "string emission" "power")");
+  const std::string text = warnings(
+      R"("dsppm" "integer iterations" 40 "integer photons" 30 "string emission" "power" "string indirect" "photons")");
   EXPECT_EQ(text.find("\"string direct\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"string emission\" \"guided\""), std::string::npos) << text;
 }
@@ -65,7 +65,8 @@ TEST(RunWarnings, AWideRadiusBlurs) {
 }
 
 TEST(RunWarnings, ALowMaximumDepthCutsLight) {
-  const std::string text = warnings(R"("dsppm" "integer iterations" 8 "integer photons" 5000 "integer maxdepth" 2)");
+  const std::string text = warnings(
+      R"("dsppm" "integer iterations" 8 "integer photons" 5000 "integer maxdepth" 2 "string indirect" "photons")");
   EXPECT_NE(text.find("of the photons' flux"), std::string::npos) << text;
   EXPECT_NE(text.find("\"integer maxdepth\""), std::string::npos) << text;
 }

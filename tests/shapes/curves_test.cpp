@@ -205,14 +205,14 @@ TEST(Curves, ARibbonShowsItsEdge) {
   EXPECT_FALSE(nearest(ribbon, {{1, 5, 0}, {0, -1, 0}}));
 }
 
-// Straight ones: a bent curve may be met again further along.
+// Straight ones of one width: one that is bent or widens may be met again further along.
 TEST(Curves, RaysLeaveThem) {
   Random random(34);
   for (const CurveType type : {CurveType::flat, CurveType::cylinder, CurveType::ribbon})
     for (int i = 0; i < 20'000; ++i) {
       const Vec3 a = random.in_cube(1), b = a + random.direction();
       const Vec3 p[4] = {a, a + (b - a) / 3.f, a + (b - a) * (2 / 3.f), b};
-      const CurveSegment segment = CurveSegment::of(p, 0.01f, 0.02f);
+      const CurveSegment segment = CurveSegment::of(p, 0.02f, 0.02f);
       const Curves curves = curves_of(type, random, segment);
       const PlacedShape placed = test::placed(
           curves,
@@ -224,7 +224,7 @@ TEST(Curves, RaysLeaveThem) {
       const float scale = i % 2 == 0 ? 1 : 7;
       for (int piece = 0; piece < curves.primitive_count(); ++piece)
         ASSERT_FALSE(placed.intersect(piece, ray)) << static_cast<int>(type) << " " << i << " v " << uv.y;
-      ASSERT_LT(length(ray.origin - s.p), 0.021f * scale);
+      ASSERT_LT(length(ray.origin - s.p), 0.022f * scale);
     }
 }
 

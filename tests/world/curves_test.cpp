@@ -16,8 +16,8 @@ const std::string kStrand =
 std::vector<int> primitives(const std::string& contents) {
   const TestScene test("Frames 2 WorldBegin LightSource \"point\"\n" + contents);
   std::vector<int> counts;
-  for (const PlacedShape& shape : test.scene(test.all_frames())->shapes)
-    counts.push_back(shape.shape->primitive_count());
+  const auto scene = test.scene(test.all_frames());
+  for (const PlacedShape& shape : scene->shapes) counts.push_back(shape.shape->primitive_count());
   return counts;
 }
 

@@ -71,6 +71,7 @@ TEST(PhotonControls, AreTakenFromLightsOfAnyPlugin) {
   std::string lights;
   int count = 0;
   for (const auto& plugin : light_plugins()) {
+    if (plugin.name == "goniometric" || plugin.name == "projection") continue;  // they need pictures
     ++count;
     lights += fmt::format("LightSource \"{}\" \"float photons\" {} \"bool caustics\" {}\n", plugin.name, count,
                           count % 2 == 0);
