@@ -205,7 +205,7 @@ TEST(Lights, RejectWhatMakesNoSense) {
 
 TEST(Lights, DescribeTheirParameters) {
   for (const auto& plugin : light_plugins()) EXPECT_GE(describe(plugin, LightContext{}).size(), 4u) << plugin.name;
-  for (const auto& plugin : area_light_plugins()) EXPECT_EQ(describe(plugin, LightContext{}).size(), 4u) << plugin.name;
+  for (const auto& plugin : area_light_plugins()) EXPECT_EQ(describe(plugin, LightContext{}).size(), 5u) << plugin.name;
 }
 
 }  // namespace
