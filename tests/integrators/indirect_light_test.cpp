@@ -68,9 +68,9 @@ std::uint64_t stored(const std::string& text) {
 
 // A ball on a wide ground: hardly a photon finds its way from the ground to the ball. In a closed box nearly all do.
 TEST(IndirectLight, IsFoundByPathsUnderTheSkyAndByPhotonsInABox) {
-  const auto scene = [](const char* indirect, const char* things) {
+  const auto scene = [](const char* indirect, const char* things, int photons = 20000) {
     return fmt::format(R"(
-Integrator "dsppm" "integer photons" 20000 "string indirect" "{}"
+Integrator "dsppm" "integer photons" {} "string indirect" "{}"
 LookAt 0 1 4  0 .6 0  0 1 0
 Camera "perspective" "float fov" 40
 Film "rgb" "integer xresolution" 64 "integer yresolution" 64
@@ -79,7 +79,7 @@ WorldBegin
 Material "diffuse" "rgb reflectance" [.5 .5 .5]
 Translate 0 .5 0 Shape "sphere" "float radius" .5
 )",
-                       indirect, things);
+                       photons, indirect, things);
   };
   const char* sky = R"(
 LightSource "infinite" "rgb L" [.5 .6 .8]
@@ -87,7 +87,7 @@ AttributeBegin Rotate 90 1 0 0 Material "diffuse" "rgb reflectance" [.5 .5 .5] S
   const char* box = R"(
 LightSource "point" "rgb I" [5 5 5] "point3 from" [0 2 1]
 AttributeBegin Material "diffuse" "rgb reflectance" [.5 .5 .5] ReverseOrientation Shape "sphere" "float radius" 5 AttributeEnd)";
-  EXPECT_EQ(stored(scene("auto", sky)), stored(scene("paths", sky)));
+  EXPECT_EQ(stored(scene("auto", sky, 2000)), stored(scene("paths", sky, 2000)));
   EXPECT_EQ(stored(scene("auto", box)), stored(scene("photons", box)));
   EXPECT_NE(stored(scene("auto", box)), stored(scene("paths", box)));
 }
