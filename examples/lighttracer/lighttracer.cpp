@@ -48,7 +48,7 @@ class PhotonTracer {
       next.frames = frames;
       const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::flux, bsdf.all_lobes());
       if (!sample) return;
-      extend(next, vertex.point, *sample);
+      extend(next, vertex, *sample);
       next.throughput *= shading_correction(vertex.point, vertex.wo, sample->wi);
       const float survival = std::min(1.f, max_component(next.throughput) / max_component(path.throughput));
       if (survives(next, survival, path.random.number(next.bounces, kRoulette))) branches_.push(next);
