@@ -56,13 +56,28 @@ DoubleVec3 direction_at(const CurveSegment& s, double u) {
   return {0, 0, 1};
 }
 
-Bounds3 bounds_of(const CurveSegment& segment, const CurvePiece& piece) {
+Bounds3 bounds_of(const CurveSegment& segment, double from, double to) {
   Bounds3 bounds;
-  for (const DoubleVec3& p : controls_of(segment, piece.from(), piece.to())) bounds.add(narrow(p));
-  const auto width =
-      static_cast<float>(std::max(segment.width_at(piece.from()), segment.width_at(piece.to())) / 2 * (1 + 1e-6));
+  for (const DoubleVec3& p : controls_of(segment, from, to)) bounds.add(narrow(p));
+  const auto width = static_cast<float>(std::max(segment.width_at(from), segment.width_at(to)) / 2 * (1 + 1e-6));
   const Vec3 margin = gamma_bound(2) * max(abs(bounds.low), abs(bounds.high)) + Vec3{width, width, width};
   return {bounds.low - margin, bounds.high + margin};
+}
+
+CurvePiece CurvePiece::of(const CurveSegment& segment, std::uint32_t number, int index, int count, int steps) {
+  CurvePiece piece{number, static_cast<std::uint16_t>(index), static_cast<std::uint16_t>(count),
+                   static_cast<std::uint16_t>(steps)};
+  const Controls c = controls_of(segment, piece.from(), piece.to());
+  const DoubleVec3 chord = c[3] - c[0];
+  const double length2 = dot(chord, chord);
+  double bulge = 0;
+  for (const DoubleVec3& p : c) {
+    const DoubleVec3 along = length2 > 0 ? chord * (dot(p - c[0], chord) / length2) : DoubleVec3{0, 0, 0};
+    bulge = std::max(bulge, length(p - c[0] - along));
+  }
+  const double radius = std::max(segment.width_at(piece.from()), segment.width_at(piece.to())) / 2;
+  piece.start = narrow(c[0]), piece.chord = narrow(chord), piece.reach = static_cast<float>((radius + bulge) * 1.001);
+  return piece;
 }
 
 double turn_of(const CurveSegment& segment, double from, double to) {

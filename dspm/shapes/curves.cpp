@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "dspm/shapes/rounding.h"
 
@@ -18,6 +19,18 @@ DoubleVec3 perpendicular(const DoubleVec3& v, const DoubleVec3& along) {
   const DoubleVec3 rest = v - along * dot(v, along);
   const double l = length(rest);
   return l > 1e-9 * length(v) ? rest * (1 / l) : widen(Basis::around(narrow(along)).x);
+}
+
+/// The bits of the coordinates within the box, interleaved. [Morton 1966]
+std::uint64_t place_along_z_curve(const Vec3& p, const Bounds3& box) {
+  constexpr int kBits = 21;
+  std::uint64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float share = (p[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
+    const auto cell = static_cast<std::uint64_t>(std::clamp(share > 0 ? share : 0, 0.f, 1.f) * ((1 << kBits) - 1));
+    for (int bit = 0; bit < kBits; ++bit) place |= (cell >> bit & 1) << (3 * bit + axis);
+  }
+  return place;
 }
 
 std::optional<PrimitiveHit> hit_at(double t, double u, double v, const Ray& ray) {
@@ -57,9 +70,7 @@ void Curves::cut(std::uint32_t number, int split_depth) {
   const CurveSegment& segment = segments_[number];
   const auto surface = [&](int count) {
     float sum = 0;
-    for (int i = 0; i < count; ++i)
-      sum +=
-          bounds_of(segment, {number, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(count), 0}).half_area();
+    for (int i = 0; i < count; ++i) sum += bounds_of(segment, double(i) / count, double(i + 1) / count).half_area();
     return sum;
   };
   int count = 1;
@@ -72,8 +83,7 @@ void Curves::cut(std::uint32_t number, int split_depth) {
   for (int i = 0; i < count; ++i) {
     const double turn = turn_of(segment, double(i) / count, double(i + 1) / count);
     const int steps = kCurveSteps * std::max(1, static_cast<int>(std::ceil(turn / (kCurveSteps * kTurnOfStep))));
-    pieces_.push_back(
-        {number, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(count), static_cast<std::uint16_t>(steps)});
+    pieces_.push_back(CurvePiece::of(segment, number, i, count, steps));
   }
 }
 
@@ -91,10 +101,43 @@ bool Curves::absorb(Shape& next) {
   return true;
 }
 
-Bounds3 Curves::bounds(int primitive) const { return bounds_of(segment(primitive), piece(primitive)); }
+/// Pieces that lie close together are stored close together, whatever the order of the strands: a ray that passes dense hair
+/// waits for memory more than for anything else.
+void Curves::settle() {
+  Bounds3 all;
+  for (const CurvePiece& piece : pieces_) all.add(piece.start);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  order.reserve(pieces_.size());
+  for (const CurvePiece& piece : pieces_)
+    order.emplace_back(place_along_z_curve(piece.start + piece.chord * 0.5f, all),
+                       static_cast<std::uint32_t>(order.size()));
+  std::sort(order.begin(), order.end());
+
+  constexpr auto kNotPlaced = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(segments_.size(), kNotPlaced);
+  Curves sorted(type_, {}, {}, 0);
+  sorted.pieces_.reserve(pieces_.size()), sorted.segments_.reserve(segments_.size());
+  sorted.normals_.reserve(normals_.size());
+  for (const auto& [key, number] : order) {
+    CurvePiece& piece = sorted.pieces_.emplace_back(pieces_[number]);
+    std::uint32_t& to = place[piece.segment];
+    if (to == kNotPlaced) {
+      to = static_cast<std::uint32_t>(sorted.segments_.size());
+      sorted.segments_.push_back(segments_[piece.segment]);
+      if (!normals_.empty()) sorted.normals_.push_back(normals_[piece.segment]);
+    }
+    piece.segment = to;
+  }
+  *this = std::move(sorted);
+}
+
+Bounds3 Curves::bounds(int primitive) const {
+  return bounds_of(segment(primitive), piece(primitive).from(), piece(primitive).to());
+}
 
 std::optional<PrimitiveHit> Curves::intersect(int primitive, const Ray& ray) const {
   std::optional<PrimitiveHit> nearest;
+  if (!piece(primitive).may_meet(ray)) return nearest;
   for_each_passage(segment(primitive), piece(primitive), ray, [&](const Passage& passage) {
     const auto hit = type_ == CurveType::ribbon ? ribbon_hit(piece(primitive).segment, passage, ray)
                                                 : facing_hit(segment(primitive), passage, ray);

@@ -33,6 +33,7 @@ class Curves final : public Shape {
   SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const override;
   bool turns() const override { return true; }
   bool absorb(Shape& next) override;
+  void settle() override;
   float area(int primitive) const override;
   Vec2 sample_area(int primitive, Vec2 u) const override;
 

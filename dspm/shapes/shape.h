@@ -75,6 +75,8 @@ class Shape {
   /// Takes over the primitives of `next` and returns true, if it can: shapes of directives that follow one another and
   /// are alike in all but their geometry, such as the strands of hair, become one.
   virtual bool absorb(Shape& /*next*/) { return false; }
+  /// Called once when it has absorbed all that it will; may renumber its primitives.
+  virtual void settle() {}
 
   /// Trees treat triangles specially; null for everything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }

@@ -142,6 +142,8 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use) {
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
   const int errors = diagnostics_.error_count();
+  for (MadeShapes& made : source.made)
+    for (MadeShape& each : made) each.shape->settle();
   const int alpha = alphas_.of(use);
   for (const MadeShape& shape : source.made.front()) {
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));

@@ -65,7 +65,7 @@ TEST(Hair, PathsThroughTheCrossSectionAreThoseOfRays) {
 
 /// The integral of f cos over the sphere by a midpoint rule.
 double integral(const Bsdf& bsdf, const Vec3& wo, Transport transport, const Vec3& ns) {
-  constexpr int kRows = 600, kColumns = 600;
+  constexpr int kRows = 240, kColumns = 240;
   double sum = 0;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
