@@ -89,9 +89,10 @@ struct FibrePassage {
 
   FibrePassage(float sin_o, float cos_o, float h, float eta, const Rgb& sigma_a) {
     const float sin_t = sin_o / eta, bravais = std::sqrt(std::max(0.f, eta * eta - sin_o * sin_o)) / cos_o;
-    const float sin_gamma_t = std::clamp(h / bravais, -1.f, 1.f);
+    // An index below 1 may reflect all: then there is no way inside.
+    const float sin_gamma_t = bravais > 0 ? std::clamp(h / bravais, -1.f, 1.f) : 0, cos_t = cos_of(sin_t);
     gamma_o = std::asin(std::clamp(h, -1.f, 1.f)), gamma_t = std::asin(sin_gamma_t);
-    const float way = 2 * cos_of(sin_gamma_t) / cos_of(sin_t);
+    const float way = cos_t > 0 ? 2 * cos_of(sin_gamma_t) / cos_t : 0;
     const Rgb passed{std::exp(-sigma_a.r * way), std::exp(-sigma_a.g * way), std::exp(-sigma_a.b * way)};
     const float mirrored = fresnel_dielectric(cos_o * cos_of(h), eta);
     attenuation[0] = Rgb(mirrored);

@@ -101,6 +101,7 @@ class DescribedScene {
     std::vector<CatalogueEntry> plugins = all_plugins();
     std::erase_if(plugins, [&](const CatalogueEntry& entry) { return entry.kind != kind; });
     const CatalogueEntry& plugin = one_of(plugins);
+    points_ = plugin.name == "bilinearmesh" ? 4 : 3;
     DrawnDirective& drawn = directives_.emplace_back(
         DrawnDirective{kind + ":" + plugin.name, fmt::format(fmt::runtime(directive), plugin.name)});
     for (const ParamInfo& info : plugin.params()) {
@@ -141,10 +142,11 @@ class DescribedScene {
     const bool list = info.default_value.empty();
     if (type == "bool") return chance(0.5) ? "true" : "false";
     if (type == "integer")
-      return list ? "[0 1 2]" : fmt::format("{}", is_costly(info) ? whole(1, kMost) : integer_near(info.default_value));
+      return list ? (points_ == 4 ? "[0 1 2 3]" : "[0 1 2]")
+                  : fmt::format("{}", is_costly(info) ? whole(1, kMost) : integer_near(info.default_value));
     if (type == "float") return list ? list_of(1, 4) : fmt::format("{:.6g}", number_near(info.default_value));
-    if (type == "point2" || type == "vector2") return list_of(2, 3);
-    if (type == "point3" || type == "vector3" || type == "normal") return list_of(3, list ? 3 : 1);
+    if (type == "point2" || type == "vector2") return list_of(2, points_);
+    if (type == "point3" || type == "vector3" || type == "normal") return list_of(3, list ? points_ : 1);
     if (type == "rgb") return fmt::format("[{:.3f} {:.3f} {:.3f}]", real(0, 1), real(0, 1), real(0, 1));
     if (type == "blackbody") return fmt::format("{:.0f}", real(1000, 9000));
     if (type == "spectrum")
@@ -237,6 +239,7 @@ class DescribedScene {
   std::mt19937 random_;
   Light light_;
   int frames_ = 1;
+  int points_ = 3;  // of the plugin that is being drawn, if it has lists
   std::vector<DrawnDirective> directives_;
 };
 

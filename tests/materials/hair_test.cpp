@@ -76,6 +76,24 @@ double integral(const Bsdf& bsdf, const Vec3& wo, Transport transport, const Vec
   return sum * 4 * std::acos(-1.) / (kRows * kColumns);
 }
 
+// An index below 1 reflects all light that comes from far along the fibre, whatever it absorbs: nothing is divided by the
+// length of a way that is not there.
+TEST(Hair, PassagesAreFinite) {
+  for (const float eta : {0.51f, 1.f, 1.55f})
+    for (const float sin : {-1.f, -0.8f, -0.51f, 0.f, 0.3f, 1.f})
+      for (const float h : {-1.f, 0.f, 0.5f, 1.f})
+        for (const float sigma : {0.f, 1.f, 1e30f}) {
+          const FibrePassage passage(sin, cos_of(sin), h, eta, Rgb(sigma));
+          float sum = 0;
+          for (const Rgb& a : passage.attenuation) {
+            EXPECT_TRUE(is_finite(a) && a.r >= 0) << eta << " " << sin << " " << h << " " << sigma;
+            sum += a.r;
+          }
+          EXPECT_LE(sum, 1 + 1e-5f);
+          for (const int p : {0, 1, 2}) EXPECT_TRUE(std::isfinite(passage.turn(p)));
+        }
+}
+
 TEST(Hair, WhiteFibresLoseNothing) {
   for (const Roughness& r : kRoughness) {
     const auto material = hair(Rgb(0), r.along, r.around);
