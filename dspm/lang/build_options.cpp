@@ -50,9 +50,9 @@ bool SceneBuilder::apply_option(Directive& directive) {
 }
 
 void SceneBuilder::warn_of_second(const Directive& directive, const PluginUse* first) {
-  if (first == nullptr) return;
-  diagnostics_.warning(directive.where,
-                       fmt::format("this {} replaces the one on line {}", directive.info->name, first->where.line));
+  if (first == nullptr || (scene_is_whole_ && first->where.file != directive.where.file)) return;
+  diagnostics_.warning(directive.where, fmt::format("this {} replaces the one on {}", directive.info->name,
+                                                    place_of(first->where, directive.where)));
 }
 
 void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directive) {
@@ -64,12 +64,13 @@ void SceneBuilder::camera(Directive& directive) {
   warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
   scene_.camera = CameraUse{plugin_use(directive), state_.ctm};
   scene_.coordinate_systems["camera"] = state_.ctm.inverse();
+  if (scene_is_whole_) state_.ctm = {};
 }
 
 void SceneBuilder::frames(const Directive& directive) {
   if (scene_.frames_where.file != nullptr) {
     diagnostics_.error(directive.where, "a second Frames directive",
-                       fmt::format("the first is on line {}", scene_.frames_where.line));
+                       fmt::format("the first is on {}", place_of(scene_.frames_where, directive.where)));
     return;
   }
   scene_.frames_where = directive.where;

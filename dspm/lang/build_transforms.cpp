@@ -129,7 +129,9 @@ void SceneBuilder::keyframe(const Directive& directive) {
   const double key = directive.numbers[0];
   if (!(key >= 1 && key <= kMostFrames && key == std::floor(key))) {
     diagnostics_.error(directive.where, fmt::format("expected a frame from 1 to {}", kMostFrames));
-  } else if (!group_ && (world_where_ ? state_.dynamic_block < 0 : scene_.camera.has_value())) {
+  } else if (!group_ && (!world_where_     ? scene_.camera.has_value()
+                         : scene_is_whole_ ? !blocks_.empty() && state_.dynamic_block < 0
+                                           : state_.dynamic_block < 0)) {
     diagnostics_.error(directive.where, "Keyframe must be in a Dynamic block or before Camera");
   }
   if (!group_) {

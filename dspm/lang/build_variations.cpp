@@ -64,6 +64,8 @@ bool SceneBuilder::apply_variation(const Directive& directive) {
     case DirectiveKind::axis_end: axis_end(directive); return true;
     case DirectiveKind::variation_begin: variation_begin(directive); return true;
     case DirectiveKind::variation_end: variation_end(directive); return true;
+    case axis_exclude:
+    case axis_only: add_rule(directive); return true;
     case light:
     case show:
     case hide: in_variation(directive); return true;
@@ -75,7 +77,6 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
   const DirectiveKind kind = directive.info->kind;
   const bool in_axis = blocks_.innermost_is(Kind::axis), in_variation = blocks_.innermost_is(Kind::variation);
   if (!in_axis && !in_variation) return false;
-  ++directives_in_variation_;
   if (in_variation && (kind == DirectiveKind::make_named_material || kind == DirectiveKind::texture)) return false;
   diagnostics_.error(directive.where,
                      fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
@@ -133,17 +134,10 @@ void SceneBuilder::variation_begin(const Directive& directive) {
   define(variations_[axis_of_variation_], directive);
   open_block(Kind::variation, directive, name.text);
   axis->variations.push_back({name.text, name.where, {}, {}, {}, {}});
-  directives_in_variation_ = 0;
   replaced_ = {};
 }
 
-void SceneBuilder::variation_end(const Directive& directive) {
-  if (blocks_.innermost_is(Kind::variation) && directives_in_variation_ == 0)
-    diagnostics_.error(blocks_.innermost().where, fmt::format("{} replaces nothing", begin_of(blocks_.innermost())),
-                       "a variation needs MakeNamedMaterial, Texture, Light, Show or Hide; to keep something as it "
-                       "is, define it again");
-  close_block(Kind::variation, directive);
-}
+void SceneBuilder::variation_end(const Directive& directive) { close_block(Kind::variation, directive); }
 
 Variation* SceneBuilder::variation_in_force() {
   return blocks_.innermost_is(Kind::variation) ? &scene_.axes[axis_of_variation_].variations.back() : nullptr;
@@ -157,7 +151,6 @@ void SceneBuilder::in_variation(const Directive& directive) {
     return diagnostics_.error(directive.where, fmt::format("{} is only allowed in a variation", directive.info->name),
                               is_light ? "LightSource defines a light; VariationBegin \"a name\" begins a variation"
                                        : "VariationBegin \"a name\" begins one");
-  ++directives_in_variation_;
   define(is_light ? replaced_.lights : replaced_.switches, directive);
   if (is_light)
     scale_light(directive, *variation);

@@ -126,7 +126,16 @@ void SceneBuilder::object_begin(const Directive& directive) {
   scene_.objects.push_back({directive.words[0].text, {}, directive.where});
 }
 
+/// After a whole scene, keys may stand outside of blocks: for its Camera.
+void SceneBuilder::expect_still(const Directive& directive) {
+  if (state_.dynamic_block < 0 && state_.ctm.is_keyed())
+    diagnostics_.error(directive.where,
+                       fmt::format("this {} moves, but is not in a Dynamic block", directive.info->name),
+                       "put it and its keys between DynamicBegin \"a name\" and DynamicEnd");
+}
+
 void SceneBuilder::object_instance(const Directive& directive) {
+  expect_still(directive);
   if (const Block* outer = blocks_.find(Block::Kind::object))
     diagnostics_.error(directive.where,
                        fmt::format("ObjectInstance inside {} (line {})", begin_of(*outer), outer->where.line),
@@ -248,12 +257,14 @@ void SceneBuilder::area_light_source(Directive& directive) {
 }
 
 void SceneBuilder::light_source(Directive& directive) {
+  expect_still(directive);
   LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
   light.name = take_name(light.params);
   scene_.lights.push_back(std::move(light));
 }
 
 void SceneBuilder::shape(Directive& directive) {
+  expect_still(directive);
   ShapeUse use{plugin_use(directive, AttributeTarget::shape),
                {},
                state_.ctm,

@@ -140,6 +140,18 @@ struct VariationAxis {
   std::vector<Variation> variations;
 };
 
+/// `AxisExclude "steel" "red-*"` or `AxisOnly`: the combinations in which each pattern matches a choice.
+struct CombinationRule {
+  struct Pattern {
+    int axis = -1;  // into SceneDescription::axes, once all are known; -1: any
+    std::string text;
+    SourceLocation where;
+  };
+  bool excludes;
+  std::vector<Pattern> patterns;
+  SourceLocation where;
+};
+
 /// `Plugin "libvelvet.so"`: a module with plugins.
 struct ModuleUse {
   std::string file;
@@ -177,6 +189,7 @@ struct SceneDescription {
   std::vector<MediumUse> media;
   std::vector<MediumInterfaceUse> medium_interfaces;
   std::vector<VariationAxis> axes;
+  std::vector<CombinationRule> rules;  // which combinations are left
 };
 
 }  // namespace dspm

@@ -16,8 +16,8 @@ enum class DirectiveKind {
   look_at, make_named_material, make_named_medium, material, medium_interface, named_material, object_begin, object_end,
   object_instance, option, pixel_filter, reverse_orientation, rotate, sampler, scale, shape, texture, transform,
   transform_begin, transform_end, transform_times, translate, world_begin,
-  plugin, frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,  // dspm's additions to pbrt
-  variation_begin, variation_end, axis_begin, axis_end, show, hide, light,
+  plugin, default_value, frames, dynamic_begin, dynamic_end, keyframe, keyframe_end,  // dspm's additions to pbrt
+  variation_begin, variation_end, axis_begin, axis_end, axis_exclude, axis_only, show, hide, light,
 };
 // clang-format on
 

@@ -125,13 +125,14 @@ class DirectiveTokens {
   std::string_view trailing_comment_;
 };
 
-/// Brackets around a single value are left out: they mean nothing. Misplaced ones inside a list stay.
+/// Brackets around a single value are left out: they mean nothing, unless its $name stands for several. Misplaced ones inside a list stay.
 Group without_needless_brackets(Group group) {
   const std::size_t n = group.size();
   const auto first_open = std::find_if(group.begin(), group.end(), [](const Token& t) { return t.kind == Kind::open; });
   const bool is_needless = n >= 4 && first_open == group.end() - 3 && group[n - 1].kind == Kind::close &&
                            group[n - 2].kind != Kind::open && !group[n - 2].is_comment() &&
-                           group[n - 4].kind == Kind::string;
+                           group[n - 4].kind == Kind::string &&
+                           (group[n - 2].kind == Kind::string || group[n - 2].text.find('$') == std::string_view::npos);
   if (is_needless) group.erase(group.end() - 1), group.erase(group.end() - 2);
   return group;
 }

@@ -35,7 +35,12 @@ enum class Age { unknown, v4, v3 };
 class SceneReader {
  public:
   SceneReader(SourceFiles& files, Age age, const ParseOptions& options, Diagnostics& diagnostics)
-      : files_(files), options_(options), diagnostics_(diagnostics), builder_(scene_, diagnostics), age_(age) {
+      : files_(files),
+        options_(options),
+        diagnostics_(diagnostics),
+        builder_(scene_, diagnostics),
+        age_(age),
+        defines_(options.defines) {
     scene_.dialect = has_extension(files.main_name(), ".pbrt") ? Dialect::pbrt : Dialect::dsc;
     if (has_extension(files.main_name(), ".dsc")) age_ = Age::v4;
   }
@@ -43,7 +48,9 @@ class SceneReader {
   void read_main(const std::string& path) {
     try {
       open_.push_back({path, identity_of(path)});
-      read(files_.load(path));
+      const SourceFile& file = files_.load(path);
+      read(file);
+      builder_.end_file(file);
     } catch (const std::runtime_error& error) {
       diagnostics_.error({}, fmt::format("cannot read \"{}\": {}", path, error.what()));
     }
@@ -80,13 +87,18 @@ class SceneReader {
   }
 
   void read(const SourceFile& file) {
-    const SourceText source(file, options_.defines, diagnostics_);
+    const SourceText whole(file);
+    for (const TextPart& part : parts_of(whole.text())) read(whole, part);
+  }
+
+  void read(const SourceText& whole, const TextPart& part) {
+    const SourceText source(whole, part, defines_, diagnostics_);
     Lexer lexer(source);
     while (!is_full()) {
       try {
         auto directive = read_directive(lexer, old_types());
         if (!directive) break;
-        carry_out(*std::move(directive), file);
+        carry_out(*std::move(directive), whole.file());
       } catch (const SyntaxError& error) {
         if (age_ == Age::v3 && error.old_word == "WorldEnd") continue;
         if (!error.old_word.empty() && age_ != Age::v4) throw OldScene{{error.old_word, error.where}};
@@ -102,12 +114,28 @@ class SceneReader {
       if (const auto word = old_word_in(directive); word && (age_ == Age::unknown || is_before_v3(*word)))
         throw OldScene{*word};
     const DirectiveKind kind = directive.info->kind;
+    if (kind == DirectiveKind::default_value) return set_default(directive);
     if (kind != DirectiveKind::include && kind != DirectiveKind::import) return apply(std::move(directive));
     const SourceFile& included = open(directive.words[0], file);
     if (kind == DirectiveKind::import) builder_.begin_import(directive);
     read(included);
-    if (kind == DirectiveKind::import) builder_.end_import();
+    if (kind == DirectiveKind::import)
+      builder_.end_import();
+    else
+      builder_.end_file(included);
     open_.pop_back();
+  }
+
+  /// The first value holds: that of -D, or of a file that includes this one.
+  void set_default(const Directive& directive) {
+    const Argument &name = directive.words[0], &value = directive.words[1];
+    if (!is_define_name(name.text))
+      throw SyntaxError(name.where, fmt::format("\"{}\" cannot be the name of a value", name.text),
+                        "names consist of letters, digits and _");
+    if (find_directive(value.text) != nullptr)
+      throw SyntaxError(directive.where, fmt::format("Default {} has no value", name.text),
+                        fmt::format("Default {} 1", name.text));
+    defines_.emplace(name.text, value.text);
   }
 
   void apply(Directive directive) {
@@ -175,6 +203,7 @@ class SceneReader {
   SceneDescription scene_;
   SceneBuilder builder_;
   Age age_;
+  Defines defines_;
   v3::Translator translator_;
   v3::Header header_;  // of a v3 scene, before WorldBegin
   bool is_header_ = true;

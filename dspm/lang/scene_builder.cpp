@@ -58,9 +58,9 @@ void SceneBuilder::close_forgotten_group(const Directive& directive) {
 }
 
 bool SceneBuilder::check_section(const Directive& directive) {
-  if (directive.info->section == Section::options && world_where_) {
+  if (directive.info->section == Section::options && world_where_ && !may_replace(directive)) {
     diagnostics_.error(directive.where, fmt::format("{} must come before WorldBegin", directive.info->name),
-                       fmt::format("the world begins on line {}", world_where_->line));
+                       fmt::format("the world begins on {}", place_of(*world_where_, directive.where)));
     return false;
   }
   if (directive.info->section == Section::world && !world_where_) {
@@ -93,7 +93,7 @@ void SceneBuilder::check_key(Moment key, const SourceLocation& where) {
 
 void SceneBuilder::world_begin(const SourceLocation& where) {
   if (world_where_) {
-    diagnostics_.error(where, "a second WorldBegin", fmt::format("the first is on line {}", world_where_->line));
+    diagnostics_.error(where, "a second WorldBegin", fmt::format("the first is on {}", place_of(*world_where_, where)));
     return;
   }
   world_where_ = where;
@@ -122,10 +122,31 @@ void SceneBuilder::end_import() {
   outer_coordinate_systems_.pop_back();
 }
 
+/// A file that includes a scene replaces what it says of the job. Transforms for its Camera start in the world.
+void SceneBuilder::end_file(const SourceFile& file) {
+  if (!world_where_ || world_where_->file != &file) return;
+  scene_is_whole_ = true;
+  options_have_keys_ = false;
+  if (scene_.dialect == Dialect::dsc && blocks_.empty() && !group_) state_.ctm = {};
+}
+
+bool SceneBuilder::may_replace(const Directive& directive) const {
+  switch (directive.info->kind) {
+    case DirectiveKind::camera:
+    case film:
+    case sampler:
+    case pixel_filter:
+    case integrator:
+    case accelerator: return scene_is_whole_ && blocks_.empty();
+    default: return false;
+  }
+}
+
 void SceneBuilder::finish() {
   if (group_) diagnostics_.error(group_->where(), "these keys are not closed", "KeyframeEnd is missing");
   blocks_.check_all_closed();
   check_replacements();
+  check_rules();
   if (!world_where_ && diagnostics_.error_count() == 0)
     diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, so there is nothing to render");
 }

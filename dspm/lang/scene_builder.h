@@ -27,6 +27,8 @@ class SceneBuilder {
   /// An imported file's changes to the state end with it.
   void begin_import(const Directive& directive);
   void end_import();
+  /// Of an included or a main file. After a whole scene, the job's directives may be replaced.
+  void end_file(const SourceFile& file);
   /// Call it after the last file.
   void finish();
 
@@ -52,7 +54,9 @@ class SceneBuilder {
   void color_space(const Directive& directive);
   void world_begin(const SourceLocation& where);
   void set_plugin(std::optional<PluginUse>& slot, Directive& directive);
+  bool may_replace(const Directive& directive) const;
   void warn_of_second(const Directive& directive, const PluginUse* first);
+  void expect_still(const Directive& directive);
 
   void multiply(const Directive& directive, const TransformOp& op);
   void replace(const Directive& directive, const TransformOp& op);
@@ -71,6 +75,10 @@ class SceneBuilder {
   void variation_begin(const Directive& directive);
   void variation_end(const Directive& directive);
   void in_variation(const Directive& directive);
+  void add_rule(const Directive& directive);
+  void check_rules();
+  bool find_axis(CombinationRule::Pattern& pattern);
+  void check_pattern(const CombinationRule::Pattern& pattern);
   void scale_light(const Directive& directive, Variation& variation);
   /// The variation being read; null outside.
   Variation* variation_in_force();
@@ -105,6 +113,7 @@ class SceneBuilder {
   BlockStack blocks_;
   std::optional<SourceLocation> world_where_;  // of WorldBegin
   std::optional<KeyframeGroup> group_;         // the keys being read
+  bool scene_is_whole_ = false;                // the file with WorldBegin has ended
   bool options_have_keys_ = false;
   bool blur_told_ = false;                                               // since the last ActiveTransform
   std::vector<std::pair<Moment, SourceLocation>> keys_before_world_;     // checked when the number of frames is known
@@ -115,7 +124,6 @@ class SceneBuilder {
   } replaced_;                      // by the current variation
   std::vector<Places> variations_;  // by axis
   std::size_t axis_of_variation_ = 0;
-  int directives_in_variation_ = 0;
 };
 
 }  // namespace dspm

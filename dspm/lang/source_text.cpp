@@ -38,6 +38,10 @@ std::size_t find_dollar(std::string_view text, std::size_t from, bool& in_string
 
 }  // namespace
 
+bool is_define_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_name_character);
+}
+
 bool refers_to(std::string_view text, std::string_view define) {
   const std::string reference = fmt::format("${}", define);
   for (std::size_t at = 0; (at = text.find(reference, at)) != text.npos;) {
@@ -48,23 +52,28 @@ bool refers_to(std::string_view text, std::string_view define) {
 }
 
 SourceText::SourceText(const SourceFile& file) : file_(file), text_(file.text) {
-  line_starts_.push_back(0);
+  std::vector<std::size_t> starts{0};
   const char *begin = text_.data(), *end = begin + text_.size();
   for (const char* p = begin; p != end; ++p) {
     p = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
     if (p == nullptr) break;
-    line_starts_.push_back(static_cast<std::size_t>(p + 1 - begin));
+    starts.push_back(static_cast<std::size_t>(p + 1 - begin));
   }
+  line_starts_ = std::make_shared<const std::vector<std::size_t>>(std::move(starts));
 }
 
-SourceText::SourceText(const SourceFile& file, const Defines& defines, Diagnostics& diagnostics) : SourceText(file) {
+SourceText::SourceText(const SourceText& whole, const TextPart& part, const Defines& defines, Diagnostics& diagnostics)
+    : file_(whole.file_),
+      begin_(part.begin),
+      text_(std::string_view(file_.text).substr(part.begin, part.end - part.begin)),
+      line_starts_(whole.line_starts_) {
   if (text_.find('$') != text_.npos) replace(defines, diagnostics);
 }
 
 void SourceText::replace(const Defines& defines, Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const auto& [name, value] : defines) known.push_back(name);
-  const std::string_view original_text = file_.text;
+  const std::string_view original_text = text_;
   bool in_string = false;
   std::size_t done = 0;
   for (std::size_t i; (i = find_dollar(original_text, done, in_string)) != original_text.npos;) {
@@ -75,8 +84,10 @@ void SourceText::replace(const Defines& defines, Diagnostics& diagnostics) {
     const auto found = defines.find(name);
     if (found == defines.end()) {
       const std::string guess = did_you_mean(name, known);
-      diagnostics.error(locate_original(i, end), fmt::format("${} has no value", name),
-                        guess.empty() ? "values are given on the command line: -D name=value" : guess);
+      diagnostics.error(
+          locate_original(begin_ + i, begin_ + end), fmt::format("${} has no value", name),
+          guess.empty() ? fmt::format("give it one: Default {} 1 before it, or -D {}=1 on the command line", name, name)
+                        : guess);
     }
     const std::string_view value = found == defines.end() ? "1" : std::string_view(found->second);
     replaced_.append(original_text.substr(done, i - done));
@@ -99,13 +110,13 @@ std::size_t SourceText::original(std::size_t offset, bool is_end) const {
 
 SourceLocation SourceText::locate(std::string_view piece) const {
   const std::size_t begin = static_cast<std::size_t>(piece.data() - text_.data());
-  return locate_original(original(begin, false), original(begin + piece.size(), true));
+  return locate_original(begin_ + original(begin, false), begin_ + original(begin + piece.size(), true));
 }
 
 SourceLocation SourceText::locate_original(std::size_t begin, std::size_t end) const {
-  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), begin);
+  const auto after = std::upper_bound(line_starts_->begin(), line_starts_->end(), begin);
   const std::size_t line_start = *(after - 1);
-  return {&file_, as_int(static_cast<std::size_t>(after - line_starts_.begin())), as_int(begin - line_start + 1),
+  return {&file_, as_int(static_cast<std::size_t>(after - line_starts_->begin())), as_int(begin - line_start + 1),
           as_int(std::max<std::size_t>(end - std::min(begin, end), 1))};
 }
 

@@ -1,8 +1,9 @@
-// A scene file's text as the lexer reads it: `$name` replaced by its value from -D, and every place in it traced back
+// A scene file's text as the lexer reads it: `$name` replaced by its value, and every place in it traced back
 // to line and column of the original file.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,15 +26,26 @@ class SyntaxError : public std::runtime_error {
   std::string old_word;  // known to older versions of pbrt, see old_pbrt.h; mostly empty
 };
 
+bool is_define_name(std::string_view name);
 /// Whether the text contains $define.
 bool refers_to(std::string_view text, std::string_view define);
 
+/// Characters of a file, from `begin` to `end`.
+struct TextPart {
+  std::size_t begin = 0, end = 0;
+};
+
+/// The parts of a text that are each read with the defines of that time: they end after a Default, an Include or an
+/// Import, which may give a name its value. A text without `$` is one part.
+std::vector<TextPart> parts_of(std::string_view text);
+
+/// Every undefined `$name` is an error.
 class SourceText {
  public:
-  /// Keeps a reference to `file`. Every undefined `$name` is an error.
-  SourceText(const SourceFile& file, const Defines& defines, Diagnostics& diagnostics);
   /// Leaves `$name` as it is.
   explicit SourceText(const SourceFile& file);
+  /// The characters `part` of `whole`, which leaves `$name` as it is and outlives this.
+  SourceText(const SourceText& whole, const TextPart& part, const Defines& defines, Diagnostics& diagnostics);
 
   SourceText(const SourceText&) = delete;
   SourceText& operator=(const SourceText&) = delete;
@@ -46,7 +58,7 @@ class SourceText {
  private:
   struct Replacement {
     std::size_t begin, end;                    // in text()
-    std::size_t original_begin, original_end;  // in the file
+    std::size_t original_begin, original_end;  // in the part
   };
 
   void replace(const Defines& defines, Diagnostics& diagnostics);
@@ -54,10 +66,11 @@ class SourceText {
   SourceLocation locate_original(std::size_t begin, std::size_t end) const;
 
   const SourceFile& file_;
+  std::size_t begin_ = 0;  // in the file
   std::string replaced_;
   std::string_view text_;
   std::vector<Replacement> replacements_;
-  std::vector<std::size_t> line_starts_;
+  std::shared_ptr<const std::vector<std::size_t>> line_starts_;  // of the file
 };
 
 }  // namespace dspm

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "dspm/lang/combination_rules.h"
 #include "dspm/lang/glob.h"
 #include "dspm/lang/keyframe_group.h"
 
@@ -16,11 +17,16 @@ std::string part_of_name(std::size_t axis, const Variation& variation) {
   return axis == 0 ? variation.name : "-" + variation.name;
 }
 
+/// Rules may leave nothing of so many combinations that trying them would never end.
+constexpr std::size_t kMostTried = 4'000'000;
+struct TooManyTried {};
+
 /// Descends the axes, choice by choice, but only as long as a pattern can still match.
 class Search {
  public:
-  Search(const std::vector<VariationAxis>& axes, const std::vector<std::string>& patterns, std::size_t most)
-      : axes_(axes), most_(most) {
+  Search(const std::vector<VariationAxis>& axes, const std::vector<CombinationRule>& rules,
+         const std::vector<std::string>& patterns, std::size_t most)
+      : axes_(axes), rules_(axes, rules), most_(most) {
     for (const std::string& pattern : patterns) globs_.emplace_back(pattern);
     learn_ends();
   }
@@ -60,7 +66,8 @@ class Search {
     const std::size_t axis = path_.choices.size();
     bool goes_on = false;
     for (std::size_t g = 0; g < globs_.size(); ++g) goes_on = goes_on || can_end(axis, g, states[g]);
-    if (!goes_on || found_.size() == most_) return;
+    if (!goes_on || found_.size() == most_ || !rules_.may_go_on(path_.choices)) return;
+    if (++tried_ > kMostTried) throw TooManyTried();
     if (axis == axes_.size()) return found_.push_back(path_);
     const std::size_t length = path_.name.size();
     for (std::size_t v = 0; v < axes_[axis].variations.size(); ++v) {
@@ -76,7 +83,9 @@ class Search {
   }
 
   const std::vector<VariationAxis>& axes_;
+  const CombinationRules rules_;
   const std::size_t most_;
+  std::size_t tried_ = 0;
   std::vector<Glob> globs_;
   std::vector<std::vector<Glob::State>> ends_;  // by axis and pattern
   Combination path_;
@@ -115,17 +124,23 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
 }  // namespace
 
 std::vector<Combination> matching_combinations(const std::vector<VariationAxis>& axes,
-                                               const std::vector<std::string>& patterns, std::size_t most) {
-  return Search(axes, patterns, most).find();
+                                               const std::vector<std::string>& patterns, std::size_t most,
+                                               const std::vector<CombinationRule>& rules) {
+  return Search(axes, rules, patterns, most).find();
 }
 
 FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
-                     Diagnostics& diagnostics) {
+                     Diagnostics& diagnostics) try {
   const int most = std::clamp(kMostFrames / scene.moments, 1, kMostCombinations);
   const std::size_t one_more = static_cast<std::size_t>(most) + 1;
-  std::vector<Combination> combinations = matching_combinations(scene.axes, {"*"}, one_more);
+  const auto matching = [&](const std::vector<std::string>& names) {
+    return matching_combinations(scene.axes, names, one_more, scene.rules);
+  };
+  std::vector<Combination> combinations = matching({"*"});
   const auto too_many = [&] { return combinations.size() == one_more; };
-  if (too_many() && !patterns.empty()) combinations = matching_combinations(scene.axes, patterns, one_more);
+  if (combinations.empty() && diagnostics.error_count() == 0)
+    diagnostics.error(scene.rules.front().where, "AxisExclude and AxisOnly leave no variation");
+  if (too_many() && !patterns.empty()) combinations = matching(patterns);
   if (too_many()) {
     const std::string product = product_in_words(scene.axes),
                       limit = fmt::format("more than {}{}", most,
@@ -138,6 +153,11 @@ FileFrames frames_of(const SceneDescription& scene, const std::vector<std::strin
   }
   if (diagnostics.error_count() == 0) refuse_equal_names(scene, combinations, diagnostics);
   return {scene.moments, std::move(combinations)};
+} catch (const TooManyTried&) {
+  diagnostics.error(scene.rules.front().where,
+                    fmt::format("AxisExclude and AxisOnly leave too few: {} combinations were tried", kMostTried),
+                    "put the axes that they name first");
+  return {scene.moments, {}};
 }
 
 }  // namespace dspm

@@ -11,7 +11,11 @@
 
 namespace dspm {
 
+/// For the world, which knows whether the mesh bounds a body and warns of holes.
+inline constexpr const char* kOpenParam = "open";
+
 inline bool read_repair(ParamReader& reader) {
+  reader.flag(kOpenParam, false, "it is an open surface, and meant to be: no warning of its holes");
   return reader.flag("repair", false, "repair the mesh if it is not a closed surface");
 }
 

@@ -13,10 +13,16 @@ namespace {
 
 constexpr std::size_t kNamesListed = 10;
 
+bool matches_any(const Glob& glob, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return glob.matches(name); });
+}
+
 /// A hint for a pattern that matches nothing.
 std::string names_in_words(const std::string& pattern, const std::vector<Combination>& combinations) {
   std::vector<std::string> names;
   for (const Combination& each : combinations) names.push_back(each.name);
+  for (const std::string& wider : {pattern + "-*", "*-" + pattern, "*-" + pattern + "-*"})
+    if (matches_any(Glob(wider), names)) return fmt::format("did you mean '{}'?", wider);
   if (const std::string guess = did_you_mean(pattern, names); !guess.empty()) return guess;
   std::string list = "the scene has: ";
   for (std::size_t i = 0; i < std::min(names.size(), kNamesListed); ++i) list += (i > 0 ? ", " : "") + names[i];

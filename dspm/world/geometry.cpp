@@ -11,6 +11,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/shapes/mesh_check.h"
+#include "dspm/shapes/mesh_params.h"
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
@@ -45,6 +46,12 @@ std::string name_in_file(const ShapeUse& use) {
 /// In some frame.
 bool is_there(const WorldShape& shape) {
   return std::find(shape.present.begin(), shape.present.end(), true) != shape.present.end();
+}
+
+bool is_open(const ParamList& params) {
+  const Param* const open = params.find(kOpenParam);
+  const auto* values = open != nullptr ? std::get_if<std::vector<bool>>(&open->values) : nullptr;
+  return values != nullptr && values->size() == 1 && values->front();
 }
 
 /// But for their parameters, among which only holes matter here.
@@ -214,10 +221,14 @@ void Geometry::check(const ShapeUse& use, Source& source) {
       mesh = source.made.front()[p].shape->triangles();
     }
     if (!body || !check_meshes_) continue;
-    for (const std::string& fault : describe(check_mesh(*mesh)))
+    MeshReport report = check_mesh(*mesh);
+    if (is_open(source.params.states.front())) report.open_edges = {};
+    for (const std::string& fault : describe(report))
       diagnostics_.warning(
           use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),
-          first.repair ? "" : "\"bool repair\" true repairs orientation, duplicate vertices and small holes");
+          first.repair ? ""
+                       : "\"bool repair\" true repairs orientation, duplicate vertices and small holes; \"bool open\" "
+                         "true says that it is meant to be open");
   }
 }
 

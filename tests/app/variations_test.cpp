@@ -259,6 +259,10 @@ TEST(Variations, ThatAreNotThereAreAUsageError) {
   const Outcome close = run(directory, {"finishes.dsc", "--variation", "oka-dots"});
   EXPECT_EQ(close.code, 2);
   EXPECT_EQ(close.err, "dspm: --variation oka-dots: there is no such variation; did you mean \"oak-dots\"?\n");
+  EXPECT_EQ(run(directory, {"finishes.dsc", "--variation", "oak"}).err,
+            "dspm: --variation oak: there is no such variation; did you mean 'oak-*'?\n");
+  EXPECT_EQ(run(directory, {"finishes.dsc", "--variation", "glass"}).err,
+            "dspm: --variation glass: there is no such variation; did you mean '*-glass'?\n");
   const Outcome far = run(directory, {"finishes.dsc", "--variation", "x*"});
   EXPECT_NE(far.err.find("the scene has: oak-dots, oak-glass, oak-bare, steel-dots, steel-glass, steel-bare"),
             far.err.npos)

@@ -306,7 +306,7 @@ const Mistake kNames[] = {
      "scene.dsc:2:21: error: $radius has no value\n"
      "    2 | Shape \"a\" \"float f\" $radius\n"
      "      |                     ^~~~~~~\n"
-     "  values are given on the command line: -D name=value\n"},
+     "  give it one: Default radius 1 before it, or -D radius=1 on the command line\n"},
 };
 INSTANTIATE_TEST_SUITE_P(Names, Mistakes, testing::ValuesIn(kNames));
 

@@ -72,9 +72,15 @@ const Mistake kNames[] = {
     {"AxisBegin \"a\" AxisEnd",
      {"6:1: AxisBegin \"a\" contains no variation | define one with VariationBegin \"a name\" .. VariationEnd"}},
     {"AxisBegin \"\"\nVariationBegin \"b\" Show \"cushion\" VariationEnd AxisEnd", {"6:11: an axis needs a name | "}},
-    {"VariationBegin \"b\" VariationEnd",
-     {"6:1: VariationBegin \"b\" replaces nothing | a variation needs MakeNamedMaterial, Texture, Light, Show or Hide; "
-      "to keep something as it is, define it again"}},
+    {"AxisBegin \"a\" VariationBegin \"b\" VariationEnd VariationBegin \"red\" VariationEnd AxisEnd\n"
+     "AxisExclude \"b\" \"rde\"\nAxisOnly \"A:b\" \"a:red\" \"a:x\"",
+     {"7:17: no variation is named \"rde\" | did you mean \"red\"?",
+      "8:10: there is no axis \"A\" | did you mean \"a\"?", "8:24: no variation is named \"x\" | "}},
+    {"AxisBegin \"a\" VariationBegin \"b\" VariationEnd VariationBegin \"c\" VariationEnd AxisEnd\n"
+     "AxisExclude \"b\"\nAxisOnly \"b\"",
+     {"7:1: AxisExclude and AxisOnly leave no variation | "}},
+    {"VariationBegin \"a\" AxisExclude \"a\" VariationEnd",
+     {"6:20: AxisExclude inside VariationBegin \"a\" (line 6) | VariationEnd must come before it"}},
     {"VariationBegin \"a/b\" Show \"cushion\" VariationEnd",
      {"6:16: \"a/b\" cannot be part of a file name | images are named after variations: up to 100 characters, none "
       "of / \\ : * ? \" < > |"}},

@@ -163,6 +163,36 @@ TEST(Patterns, ChooseByTheWholeName) {
   EXPECT_EQ(matching(all, {"*"}, 3), (Names{"oak-red", "oak-blue", "steel-red"}));
 }
 
+TEST(Variations, MayReplaceNothing) {
+  const SceneDescription scene = good(std::string(kChair) + "VariationBegin \"as it is\" VariationEnd" +
+                                      " VariationBegin \"bare\" Hide \"cushion\" VariationEnd");
+  EXPECT_EQ(names(scene), (Names{"as it is", "bare"}));
+}
+
+TEST(Variations, CombinationsAreExcludedOrChosen) {
+  const std::string product = kChair + axis("legs", {"oak", "steel", "black"}) +
+                              axis("seat", {"red-silk", "red-wool", "blue"}) + axis("back", {"oak", "none"});
+  const auto left = [&](const std::string& rules) { return names(good(product + rules)); };
+  EXPECT_EQ(left("").size(), 18u);
+  EXPECT_EQ(left("AxisExclude \"steel\" \"red-*\"").size(), 14u);
+  EXPECT_EQ(left("AxisExclude \"steel\" \"red-*\" \"none\"").size(), 16u);
+  EXPECT_EQ(left("AxisExclude \"oak\"").size(), 6u);
+  EXPECT_EQ(left("AxisExclude \"legs:oak\"").size(), 12u);
+  EXPECT_EQ(left("AxisOnly \"oak\" \"blue\" \"none\" AxisOnly \"black\" \"red-wool\" AxisExclude \"back:oak\""),
+            (Names{"oak-blue-none", "black-red-wool-none"}));
+}
+
+// 2^60 of them, of which the last axis's rule leaves nothing.
+TEST(Variations, ExcludedOnesAreNotTriedForever) {
+  std::string product = kChair;
+  for (int i = 0; i < 60; ++i) product += axis("axis" + std::to_string(i), {"a", "b"});
+  product += axis("last", {"z"});
+  const Parsed parsed = parse(product + "AxisExclude \"z\"");
+  ASSERT_EQ(parsed.diagnostics.error_count(), 1);
+  EXPECT_NE(parsed.messages().find("leave too few: 4000000 combinations were tried"), std::string::npos)
+      << parsed.messages();
+}
+
 // 10^24 of them: only what matches may be walked through.
 TEST(Patterns, FindAFewAmongVeryMany) {
   Names tens;
