@@ -158,7 +158,8 @@ Findings measure_own(const Setup& setup) {
   for (const Case& c : cases()) {
     try {
       all.push_back(measure_one(c, effort));
-      told += fmt::format("\n{}, as `--explain` says:\n\n{}", all.back().name, all.back().told);
+      const std::string& of_lights = all.back().told;
+      if (!of_lights.empty()) told += fmt::format("\n{}, as `--explain` says:\n\n{}", all.back().name, of_lights);
     } catch (const Skipped& why) {
       skipped += fmt::format("\n{}: SKIPPED, {}\n", c.file.stem().string(), why.what());
     }

@@ -132,11 +132,11 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
 
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
-/// `frames` in which nothing is in between. It is weighted by `weight(const LightSample&)`. Radiance that is not finite
-/// is passed on; giver() then returns its source.
-template <class Weight, class Fn>
+/// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the
+/// same light. Radiance that is not finite is passed on; giver() then returns its source.
+template <class ScatteringFunction, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
-                         const Bsdf& bsdf, LobeSet lobes, PathCounts& counts, Weight&& weight, Fn&& fn) {
+                         PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn) {
   const int bounce = path.bounces + 1;
   const Vec2 u = path.random.pair(bounce, kLightPoint);
   const SurfacePoint& point = vertex.point;
@@ -148,10 +148,9 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
       const auto lit = light.illuminate(point.p, u);
       if (!lit) return;
       const float pdf_w = samples * lit->pdf_w;
-      const Rgb f = bsdf.evaluate(vertex.wo, lit->wi, Transport::radiance, lobes) * std::abs(dot(lit->wi, point.ns));
+      const Rgb f = scattered(LightSample{scene_light, light, *lit, pdf_w}) * std::abs(dot(lit->wi, point.ns));
       if (is_black(f)) return;
-      const LightSample sample{scene_light, light, *lit, pdf_w};
-      const Rgb radiance = f * lit->radiance * (weight(sample) / (pdf_w > 0 ? pdf_w : samples));
+      const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
       if (!is_finite(radiance)) {
         const SceneElement giver = is_finite(f) ? light_element(scene, scene_light) : vertex.material_element();
         fn(common, radiance, [&] { return giver; });

@@ -41,6 +41,7 @@ EmissionGuide::EmissionGuide(int lights, std::vector<Node> nodes) : nodes_(std::
   double end = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
+    steps_.push_back({node.probability / boxes[i].volume(), node.first_child, boxes[i].middle(node.side), node.side});
     if (node.first_child < 0) {
       end += node.probability;
       cells_.push_back({light[i], boxes[i], end, static_cast<float>(node.probability / boxes[i].volume())});
@@ -67,18 +68,20 @@ EmissionStart EmissionGuide::draw(const PathRandom& random) const {
 }
 
 float EmissionGuide::density(int light, const EmissionNumbers& numbers) const {
-  return static_cast<float>(density(nodes_[static_cast<std::size_t>(light)], {}, numbers));
+  return static_cast<float>(density(static_cast<std::size_t>(light), numbers));
 }
 
-// A side of which any number will do keeps its length of 1, and both halves of it count.
-double EmissionGuide::density(const Node& node, const EmissionBox& box, const EmissionNumbers& numbers) const {
-  if (node.first_child < 0) return node.probability / box.volume();
-  const std::size_t side = EmissionBox::slot(node.side);
-  const Node &below = nodes_[static_cast<std::size_t>(node.first_child)],
-             &above = nodes_[static_cast<std::size_t>(node.first_child) + 1];
-  if (numbers[side] == kAnyNumber) return density(below, box, numbers) + density(above, box, numbers);
-  const bool is_above = numbers[side] >= box.middle(node.side);
-  return density(is_above ? above : below, box.half(node.side, is_above), numbers);
+// A side of which any number will do keeps its length of 1, and both halves of it count: each cell's density then is
+// over half of it.
+double EmissionGuide::density(std::size_t node, const EmissionNumbers& numbers) const {
+  for (;;) {
+    const Step& step = steps_[node];
+    if (step.first_child < 0) return step.density;
+    const auto child = static_cast<std::size_t>(step.first_child);
+    const float number = numbers[EmissionBox::slot(step.side)];
+    if (number == kAnyNumber) return (density(child, numbers) + density(child + 1, numbers)) / 2;
+    node = child + (number >= step.middle);
+  }
 }
 
 std::vector<double> EmissionGuide::shares(std::size_t lights) const {

@@ -67,7 +67,9 @@ class EmissionGuide {
   float density(int light, const EmissionNumbers& numbers) const;
   /// Loading throws std::runtime_error unless it finds a guide for that many lights.
   void persist(StateStream& state, int lights);
-  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node) + cells_.capacity() * sizeof(Cell); }
+  std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + steps_.capacity() * sizeof(Step) + cells_.capacity() * sizeof(Cell);
+  }
 
   static constexpr std::size_t kMostCells = 20'000;
 
@@ -79,9 +81,18 @@ class EmissionGuide {
     float density;
   };
 
-  double density(const Node& node, const EmissionBox& box, const EmissionNumbers& numbers) const;
+  /// A node as density() looks it up: every light sample asks.
+  struct Step {
+    double density;   // of a cell
+    int first_child;  // as the node's
+    float middle;     // where it is halved
+    int side;
+  };
+
+  double density(std::size_t node, const EmissionNumbers& numbers) const;
 
   std::vector<Node> nodes_;
+  std::vector<Step> steps_;
   std::vector<Cell> cells_;
 };
 

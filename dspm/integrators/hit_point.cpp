@@ -5,7 +5,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
-#include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/hit_point_light.h"
 #include "dspm/integrators/hit_point_writer.h"
 #include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/parted_paths.h"
@@ -48,6 +48,7 @@ class HitPointTracer {
                                 [](const SceneLight& light) { return light.is_delta; })),
         tile_(out),
         out_(scene, settings, out),
+        light_(scene, settings, out_),
         branches_(scene, out.paths) {}
 
   /// x, y in the full image. Where frames part, their paths wait for finish().
@@ -103,8 +104,9 @@ class HitPointTracer {
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       arriving.frames = frames;
       const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
+      light_.add(arriving, vertex, bsdf, choice);
       if (choice.rough) {
-        end(arriving, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
+        end(bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
           out_.add_hit_point(tile_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
         });
@@ -140,8 +142,9 @@ class HitPointTracer {
       CameraPath branch = path;
       branch.frames = frames;
       const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
+      light_.add(branch, vertex, bsdf, choice);
       if (choice.rough) {
-        end(branch, vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
+        end(bsdf, choice, [&](const std::optional<Rgb>& constant) {
           ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
         });
         sample_further(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -168,12 +171,7 @@ class HitPointTracer {
 
   /// Calls fn(f if it is constant) unless nothing can be gathered.
   template <class Fn>
-  void end(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    if (settings_.sample_direct)
-      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
-        if (settings_.direct == nullptr) return 1.f;
-        return settings_.direct->weight_of_sample(sample, {vertex.point.p, vertex.point.ng});
-      });
+  void end(const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     std::optional<Rgb> constant;
     if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
@@ -182,21 +180,16 @@ class HitPointTracer {
   /// Calls fn(const BsdfSample&) unless the frames end.
   template <class Fn>
   void scatter(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
-    // A glossy lobe finds lights by a shadow ray and by the scattered ray, which never hits a point, spot or distant
-    // light: what those send through specular lobes is left to the photons stored for this purpose.
-    // If the path has left a hit point, photons of that point bring all this light.
+    // Scattered rays and shadow rays never bring what point, spot and distant lights send through specular lobes: it is
+    // left to the photons stored for this purpose.
     const LobeSet glossy = choice.lobes & glossy_lobes(bsdf, vertex.point, settings_.least_alpha);
-    if (glossy != 0 && !path.indirect) {
-      add_direct_light(path, vertex, bsdf, choice, choice.lobes, [&](const LightSample& sample) {
-        if (!(sample.pdf_w > 0)) return 1.f;
-        return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, choice.lobes));
-      });
-      const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
-      if (has_hidden_) out_.add_hit_point(tile_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
-    }
-    const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
+    const FrameFactor f{path.frames, Rgb(1 / choice.chance)};
+    if (glossy != 0 && !path.indirect && has_hidden_)
+      out_.add_hit_point(tile_.glossy, path, vertex, {&f, 1}, &bsdf, glossy);
+    auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, choice.lobes);
     if (!sample) return;
     if (!is_finite(sample->wi)) return out_.reject(path, path.frames, vertex.material_element());
+    if (settings_.sample_direct) sample->pdf_w *= choice.chance;  // shadow rays have not waited for this choice
     fn(*sample);
   }
 
@@ -250,21 +243,13 @@ class HitPointTracer {
     return out_.carry(branch, vertex, factors, by_ratio, roulette);
   }
 
-  template <class Weight>
-  void add_direct_light(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice,
-                        LobeSet lobes, Weight&& weight) {
-    sample_direct_light(scene_, path, vertex, path.frames, bsdf, lobes, out_.paths(), weight,
-                        [&](FrameSet frames, const Rgb& radiance, auto&& giver) {
-                          out_.see(path, frames, radiance / choice.chance, giver);
-                        });
-  }
-
   const Scene& scene_;
   const RenderSettings& render_;
   const HitPointSettings& settings_;
   bool has_hidden_;  // hidden photons may exist
   HitPointTile& tile_;
   HitPointWriter out_;
+  HitPointLight light_;
   BranchingPath<CameraPath> branches_;
   PartedPaths parted_;
   bool finishing_ = false;

@@ -88,12 +88,14 @@ class PixelTracer {
   }
 
   void add_direct_light(const CameraPath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
-    const auto weight = [&](const LightSample& sample) {
-      if (!(sample.pdf_w > 0)) return 1.f;
-      return balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, bsdf.all_lobes()));
+    const auto scattered = [&](const LightSample& sample) {
+      const LobeSet all = bsdf.all_lobes();
+      const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, all);
+      if (is_black(f) || !(sample.pdf_w > 0)) return f;
+      return f * balance(sample.pdf_w, bsdf.pdf_w(vertex.wo, sample.lit.wi, Transport::radiance, all));
     };
     sample_direct_light(
-        scene_, path, vertex, frames, bsdf, bsdf.all_lobes(), counts_, weight,
+        scene_, path, vertex, frames, counts_, scattered,
         [&](FrameSet lit, const Rgb& radiance, auto&& giver) { add(path, lit, path.throughput * radiance, giver); });
   }
 

@@ -187,6 +187,14 @@ struct LobeChoice {
 // Rougher lobes are not specular: Ggx::kSmoothest exceeds this.
 inline constexpr float kLeastRoughness = 1e-4f;
 
+/// The alpha from which on a glossy lobe beside rough ones gathers with them: where those sample its directions about as
+/// densely as it does. Alone it would be chosen seldom, and each time count for much. Its density is at most
+/// 1 / (4 pi alpha^2), theirs 1 / pi; chances are those head-on, as paths from both ends have to agree.
+inline float least_alpha_beside(LobeSet rough, const Bsdf& bsdf, const SurfacePoint& point) {
+  const float chance = bsdf.lobe_probability(point.ns, rough);
+  return 0.5f * std::sqrt(std::max(0.f, 1 - chance) / chance);
+}
+
 /// Lobes on which photons are gathered: those at least that rough. Frosted glass is followed however rough it is:
 /// hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves, which
 /// have no area on which to count photons, are followed, too.
@@ -194,7 +202,12 @@ inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, floa
   constexpr float kRoughest = 1;
   if (point.turns) return 0;
   const LobeSet rough = bsdf.lobes(least_alpha);
-  return rough != 0 && bsdf.transmits(rough) ? bsdf.lobes(std::max(least_alpha, kRoughest)) : rough;
+  if (rough == 0) return 0;
+  if (bsdf.transmits(rough)) return bsdf.lobes(std::max(least_alpha, kRoughest));
+  if ((bsdf.lobes(kLeastRoughness) & ~rough) == 0) return rough;
+  const float beside = least_alpha_beside(rough, bsdf, point);
+  const LobeSet joined = beside < least_alpha ? bsdf.lobes(std::max(beside, kLeastRoughness)) : rough;
+  return bsdf.transmits(joined) ? rough : joined;
 }
 
 /// Lobes that extend the path although they are not specular.

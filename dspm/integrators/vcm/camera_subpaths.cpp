@@ -138,14 +138,16 @@ class CameraSubpathTracer {
   void add_next_event(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
     const LobeSet lobes = bsdf.all_lobes();
     const VcmWays ways = ways_at(vertex);
-    const auto weight = [&](const LightSample& sample) {
+    const auto scattered = [&](const LightSample& sample) {
       const Vec3& wi = sample.lit.wi;
+      const Rgb f = bsdf.evaluate(vertex.wo, wi, Transport::radiance, lobes);
+      if (is_black(f)) return f;
       const float hit = sample.pdf_w > 0 ? bsdf.pdf_w(vertex.wo, wi, Transport::radiance, lobes) / sample.pdf_w : 0;
-      return weight_of_next_event(ways, hit,
-                                  {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
-                                   emission_over_next_event(pass_, sample, vertex.point), merging_after(ways, 0)});
+      return f * weight_of_next_event(ways, hit,
+                                      {path.weights, bsdf.pdf_w(wi, vertex.wo, Transport::flux, lobes),
+                                       emission_over_next_event(pass_, sample, vertex.point), merging_after(ways, 0)});
     };
-    sample_direct_light(scene_, path, vertex, frames, bsdf, lobes, counts_, weight,
+    sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
                           add(path, {lit, radiance, nullptr}, giver);
                         });
