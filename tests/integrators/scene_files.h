@@ -31,6 +31,7 @@ class SceneFiles {
     }
     test::put_file(directory_ / "box.mtl", "newmtl red\nKd .8 .2 .1\nnewmtl printed\nKd 1 1 1\nmap_Kd picture.png\n");
     test::put_file(directory_ / "box.obj", obj());
+    test::put_file(directory_ / "pair.dat", "55 5 1.6 24\n-400 6 1 24\n0 6 0 14\n400 5 1.6 24\n-55 40 1 24\n");
   }
 
   /// For the text of a scene.

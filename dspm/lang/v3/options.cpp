@@ -8,14 +8,14 @@
 namespace dspm::v3 {
 namespace {
 
-constexpr std::string_view kSamples = "pixelsamples", kIterations = "iterations";
+constexpr std::string_view kSamples = "pixelsamples", kIterations = "iterations", kSimpleWeighting = "simpleweighting";
 
 // clang-format off
 constexpr Rule kCameras[] = {
     {"perspective", "", "fov halffov lensradius focaldistance frameaspectratio screenwindow shutteropen shutterclose"},
     {"orthographic", "", "lensradius focaldistance frameaspectratio screenwindow shutteropen shutterclose"},
     {"environment", "spherical", "lensradius= focaldistance= frameaspectratio= screenwindow= shutteropen shutterclose"},
-    {"realistic", "", "lensfile aperturediameter focusdistance simpleweighting= shutteropen shutterclose"},
+    {"realistic", "", "lensfile aperturediameter focusdistance simpleweighting shutteropen shutterclose"},
 };
 constexpr Rule kFilms[] = {
     {"image", "rgb", "filename xresolution:integer640 yresolution:integer480 cropwindow diagonal scale "
@@ -64,6 +64,8 @@ std::span<const Rule> rules_of(DirectiveKind kind) {
 
 void finish(Edit& edit, std::string_view from) {
   if (from == "environment") edit.set(ParamType::text, "mapping", std::vector<std::string>{"equirectangular"});
+  if (from == "realistic" && edit.find(kSimpleWeighting) == nullptr)
+    edit.set(ParamType::boolean, std::string(kSimpleWeighting), std::vector<bool>{true});
   if (const auto half = edit.number("halffov")) {
     edit.take("halffov");
     edit.set_number("fov", 2 * *half);
@@ -88,6 +90,9 @@ float shutter_seconds(Header& header, Remarks& remarks) {
   Directive* const camera = find_in(header, DirectiveKind::camera);
   if (camera == nullptr) return 1;
   const Edit edit(*camera, remarks);
+  // Weights of such a lens count the shutter in v3, too.
+  const Param* simple = edit.find(kSimpleWeighting);
+  if (simple != nullptr && simple->values == Param::Values(std::vector<bool>{false})) return 1;
   const float seconds = edit.number("shutterclose").value_or(1) - edit.number("shutteropen").value_or(0);
   return seconds > 0 ? seconds : 1;
 }

@@ -1,0 +1,63 @@
+// A lens as it is built: spherical surfaces and a stop on one axis.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dspm/cameras/diaphragm.h"
+#include "dspm/math/ray.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+
+/// Lengths in metres. A list of them goes from the scene to the film.
+struct LensSurface {
+  float curvature = 0;  // radius; above 0: the surface bulges towards the scene; 0: a stop
+  float thickness = 0;  // to the next surface, or from the last one to the film
+  float eta = 1;        // index of what follows; 0 is air, too
+  float aperture = 0;   // radius of what light may pass
+};
+
+/// The film lies in the plane z = 0 and looks along +z, where the scene is.
+class LensSystem {
+ public:
+  /// At least one surface. The diaphragm is that of all stops.
+  explicit LensSystem(std::vector<LensSurface> surfaces, Diaphragm diaphragm = {});
+
+  /// A ray that has left the lens for the scene, of unit length, and the share of its light that the stop lets through.
+  struct Passage {
+    Ray ray;
+    float share = 1;
+  };
+  /// Nullopt if the ray, from the film into any direction, does not pass.
+  std::optional<Passage> from_film(const Ray& ray) const;
+  /// The way back, which stops let through within their circles. The ray starts before the lens.
+  std::optional<Ray> from_scene(const Ray& ray) const;
+
+  float front_z() const { return z_.front(); }
+  float rear_z() const { return z_.back(); }
+  float rear_aperture() const { return surfaces_.back().aperture; }
+  /// The same lens with a round stop that is as wide as its shape reaches.
+  LensSystem with_round_stop() const;
+
+  /// The thick lens that acts as this one does near the axis.
+  struct ThickLens {
+    float focal_length;                     // below 0: it scatters
+    float scene_principal, film_principal;  // where its principal planes lie, as z
+  };
+  /// Nullopt if a ray beside the axis does not pass, or is not bent.
+  std::optional<ThickLens> thick_lens() const;
+
+  /// Moves the lens so that a plane at that distance before the film is sharp, by the equation of the thick lens, and
+  /// returns the distance from the film to the principal plane. Throws std::runtime_error with a sentence if it cannot.
+  float focus(float distance);
+
+ private:
+  void set_film_distance(float distance);
+
+  std::vector<LensSurface> surfaces_;
+  std::vector<float> z_;  // of their vertices
+  Diaphragm diaphragm_;
+};
+
+}  // namespace dspm
