@@ -42,8 +42,28 @@ void check(ParamReader& reader, FilmSettings& film) {
   }
   if (film.white_kelvin != 0 && !(film.white_kelvin >= 1000 && film.white_kelvin <= 25000))
     reader.error("whitebalance", "the white balance must be a temperature from 1000 to 25000 K, or 0");
-  if (!(film.iso > 0)) reader.error("iso", "the ISO speed must be above 0");
+  if (!(film.iso > 0)) reader.error("iso", "the ISO speed and the exposure time must be above 0");
   if (!(film.max_component > 0)) reader.error("maxcomponentvalue", "the largest value must be above 0");
+}
+
+// pbrt's cameras, whose response to spectra it fits to XYZ.
+constexpr std::string_view kRealSensors[] = {
+    "canon_eos_100d",     "canon_eos_1dx_mkii", "canon_eos_200d",    "canon_eos_200d_mkii", "canon_eos_5d",
+    "canon_eos_5d_mkii",  "canon_eos_5d_mkiii", "canon_eos_5d_mkiv", "canon_eos_5ds",       "canon_eos_m",
+    "hasselblad_l1d_20c", "nikon_d810",         "nikon_d850",        "sony_ilce_6400",      "sony_ilce_7m3",
+    "sony_ilce_7rm3",     "sony_ilce_9"};
+
+/// After "whitebalance", whose default depends on it.
+void read_sensor(ParamReader& reader, FilmSettings& film) {
+  const std::string sensor = reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly");
+  if (sensor == "cie1931") return;
+  if (std::find(std::begin(kRealSensors), std::end(kRealSensors), sensor) == std::end(kRealSensors))
+    return reader.error("sensor", fmt::format("unknown sensor \"{}\"", sensor), "dspm has cie1931");
+  reader.diagnostics().unsupported(
+      reader.where("sensor"),
+      fmt::format("dspm renders colours, not the spectra that sensor \"{}\" responds to", sensor),
+      "with --lenient, \"cie1931\" stands in for it, with pbrt's white balance for real sensors");
+  if (!reader.has("whitebalance")) film.white_kelvin = 6500;
 }
 
 void read_common(ParamReader& reader, FilmSettings& film) {
@@ -57,14 +77,12 @@ void read_common(ParamReader& reader, FilmSettings& film) {
       four(reader, "pixelbounds", reader.integers("pixelbounds", "x0 x1 y0 y1 in pixels: the region to render"));
   film.diagonal = reader.number("diagonal", 35, "mm", "diagonal of the film") / 1000;
   film.iso = reader.number("iso", film.iso, "", "speed of the film: 200 doubles the values of 100");
+  film.iso *= reader.number("exposuretime", 1, "s", "of early scenes: multiplies values, beside the camera's shutter");
   film.max_component = reader.number("maxcomponentvalue", film.max_component, "",
                                      "colours with a brighter component are scaled down to it");
   film.save_half = reader.flag("savefp16", film.save_half, "half precision in the EXR file, else single");
   film.white_kelvin = reader.number("whitebalance", 0, "K", "daylight that becomes white; 0: colours stay as they are");
-  const std::string sensor = reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly");
-  if (sensor != "cie1931")
-    reader.diagnostics().unsupported(reader.where("sensor"), fmt::format("dspm has no sensor \"{}\"", sensor),
-                                     "\"cie1931\" stands in for it with --lenient: its colours are exact");
+  read_sensor(reader, film);
   film.space = reader.space();
   reader.finish();
   check(reader, film);

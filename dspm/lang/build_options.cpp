@@ -101,7 +101,8 @@ void SceneBuilder::option(const Directive& directive) {
     (known == "disablepixeljitter" ? scene_.options.disable_pixel_jitter : scene_.options.disable_texture_filtering) =
         value.text == "true";
   } else if (std::find(std::begin(kOptionsOfPbrt), std::end(kOptionsOfPbrt), known) != std::end(kOptionsOfPbrt)) {
-    diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text));
+    diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text),
+                             "with --lenient, it has no effect");
   } else {
     const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter", "disabletexturefiltering"});
     diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),

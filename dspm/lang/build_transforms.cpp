@@ -91,7 +91,8 @@ bool SceneBuilder::is_blurred(const Directive& directive) {
   if (!blur_told_)
     diagnostics_.unsupported(directive.where,
                              "motion blur (a transform for one end of the shutter interval) is not "
-                             "supported yet");
+                             "supported yet",
+                             "with --lenient, everything stays where it is when the shutter opens");
   blur_told_ = true;
   return state_.active == GraphicsState::Active::end;  // --lenient renders the state at the start
 }

@@ -12,7 +12,8 @@ RandomWalk read_random_walk(ParamReader& reader, bool as_in_pbrt) {
       reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is supported");
   const auto refuse = [&](std::string_view name) {
     reader.diagnostics().unsupported(reader.where(name),
-                                     reader.subject() + ": a medium in the coat is not supported by dspm");
+                                     reader.subject() + ": a medium in the coat is not supported by dspm",
+                                     "with --lenient, the coat is clear");
   };
   if (g != 0) refuse("g");
   if (!albedo.texture.empty() || !is_black(albedo.value)) refuse("albedo");

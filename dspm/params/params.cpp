@@ -200,7 +200,8 @@ std::filesystem::path ParamReader::existing_file(const Param& param, const std::
 void ParamReader::unsupported(std::string_view name, std::string_view what) {
   if (!has(name)) return;
   tolerated_.emplace_back(name);
-  diagnostics_.unsupported(where(name), fmt::format("{} is not supported by dspm: {}", quoted(name), what));
+  diagnostics_.unsupported(where(name), fmt::format("{} is not supported by dspm: {}", quoted(name), what),
+                           "with --lenient, it has no effect");
 }
 
 void ParamReader::without_effect(std::string_view name) {

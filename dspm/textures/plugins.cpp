@@ -56,7 +56,10 @@ PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
 
 template <class T>
 TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const TextureContext& context) {
-  if (const auto* plugin = texture_plugins<T>().find(type, reader.where(), reader.diagnostics()))
+  if (type == "ptex")
+    reader.diagnostics().unsupported(reader.where(), "texture \"ptex\" is not supported by dspm",
+                                     "its library is not in Debian 12; with --lenient, grey stands in for it");
+  else if (const auto* plugin = texture_plugins<T>().find(type, reader.where(), reader.diagnostics()))
     return plugin->make(reader, context);
   return std::make_shared<ConstantTexture<T>>(T(0.5f));
 }

@@ -172,8 +172,9 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
 /// The scene's, else that of the material in the geometry file.
 const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
   if (use.area_light >= 0 && made.shape->turns())
-    diagnostics_.unsupported(use.where, fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
-                             "it turns to each ray, so it has no area that could emit light");
+    diagnostics_.unsupported(
+        use.where, fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
+        "it turns to each ray, so it has no area that could emit light; with --lenient, it emits none");
   else if (use.area_light >= 0)
     return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
   if (!made.material || !made.material->radiance) return nullptr;

@@ -17,6 +17,7 @@ struct StandIn {
 constexpr StandIn kStandIns[] = {{"volpath", "path"},    {"simplepath", "path"}, {"simplevolpath", "path"},
                                  {"randomwalk", "path"}, {"bdpt", "vcm"},        {"mlt", "vcm"},
                                  {"lightpath", "vcm"}};
+constexpr std::string_view kFunction = "function";  // draws how sampling converges
 constexpr std::string_view kPhotonsAlias = "photonsperiteration";
 
 bool knows(const std::vector<ParamInfo>& described, std::string_view name) {
@@ -40,6 +41,11 @@ const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& dia
   if (is_stood_in_for)
     diagnostics.note(use.where, fmt::format("integrator \"{}\" is rendered by \"{}\"{}", use.type, by,
                                             by == "vcm" ? " with \"merge\" false" : ""));
+  if (use.type == kFunction) {
+    diagnostics.unsupported(use.type_where, "integrator \"function\" renders no scene, so dspm does not have it",
+                            "with --lenient, \"path\" renders the scene");
+    return nullptr;
+  }
   return integrator_plugins().find(is_stood_in_for ? by : use.type, use.type_where, diagnostics);
 }
 

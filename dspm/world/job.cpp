@@ -18,6 +18,12 @@
 namespace dspm {
 namespace {
 
+/// pbrt's paths per pixel where the scene names none, for scenes that were written for it.
+int usual_samples(const SceneDescription& description) {
+  if (description.dialect != Dialect::pbrt) return RenderSettings().default_iterations;
+  return description.sampler && description.sampler->type == "independent" ? 4 : 16;
+}
+
 /// What dspm takes from the Sampler directive; the sequence is its own.
 struct SamplerSettings {
   std::optional<int> pixel_samples, seed;
@@ -241,7 +247,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
                     job.film.filename, settings.outputs.front()));
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.filter_textures = !description.options.disable_texture_filtering;
-  settings.default_iterations = sampler.pixel_samples.value_or(settings.default_iterations);
+  settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
   if (job.plugin != nullptr) check_integrator(job, diagnostics);

@@ -61,10 +61,11 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
 /// The language knows media, the renderer does not.
 void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
   for (const MediumUse& use : description.media)
-    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media");
+    diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media",
+                            "with --lenient, it is empty");
   for (const MediumInterfaceUse& use : description.medium_interfaces)
     if (!use.inside.empty() || !use.outside.empty())
-      diagnostics.unsupported(use.where, "dspm does not render participating media");
+      diagnostics.unsupported(use.where, "dspm does not render participating media", "with --lenient, they are empty");
 }
 
 template <class T>

@@ -90,6 +90,14 @@ TEST(Film, WhatIsNotBuiltIsAWarningWhereLenient) {
   EXPECT_EQ(r.diagnostics.error_count(), 0);
   EXPECT_EQ(r.diagnostics.all().size(), 1u);
   EXPECT_EQ(r.film.white_kelvin, 5000);
+  EXPECT_EQ(read({text("sensor", "nikon_d850")}, true).film.white_kelvin, 6500);  // pbrt's for real sensors
+  EXPECT_EQ(read({text("sensor", "cie1931")}, true).film.white_kelvin, 0);
+  EXPECT_EQ(read({text("sensor", "canon")}, true).diagnostics.error_count(), 1);  // pbrt does not know it either
+}
+
+TEST(Film, ExposureTimeMultiplies) {
+  EXPECT_FLOAT_EQ(imaging_ratio(read({numbers("iso", {200}), numbers("exposuretime", {0.25f})}).film, 1), 0.5f);
+  EXPECT_GT(read({numbers("exposuretime", {0})}).diagnostics.error_count(), 0);
 }
 
 /// pbrt-v4, film.cpp: edges at ceil(resolution * fraction) in single precision, fractions sorted and clamped.
@@ -183,7 +191,7 @@ TEST(Film, OtherColourSpacesKeepWhite) {
 
 TEST(Film, DescribesItsParameters) {
   const auto described = describe(film_plugins().front());
-  EXPECT_EQ(described.size(), 11u);
+  EXPECT_EQ(described.size(), 12u);
 }
 
 }  // namespace

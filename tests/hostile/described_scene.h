@@ -155,6 +155,7 @@ class DescribedScene {
     if (!info.choices.empty()) return fmt::format("\"{}\"", one_of(info.choices));
     if (info.name == "materials") return "[\"matte\" \"metal\"]";
     if (info.sentence.find(".bsdf") != info.sentence.npos) return files()["ggx.bsdf"];
+    if (info.name == "lensfile") return files()["pair.dat"];
     if (info.unit == "file")
       return files()[one_of<std::string>(
           {"picture.png", "square.exr", "sky.exr", "blob.001.ply", "blob.%03d.ply", "page.%02d.png", "box.obj"})];

@@ -2,6 +2,7 @@
 // scan lines of single precision floats. [OpenEXR File Layout, openexr.com]
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -69,6 +70,37 @@ struct ExrByHand {
     return file + table + data;
   }
 };
+
+/// The same picture in tiles of 2 x 2, with mip levels whose values are all 99.
+inline std::string tiled(const ExrByHand& picture) {
+  constexpr int kTiled = 0x200, kSide = 2;
+  const std::string tiles = ExrByHand::integers({kSide, kSide}) + '\1';  // mip levels, sizes rounded down
+  std::string file = ExrByHand::integers({20000630, 2 | kTiled}) + picture.header() +
+                     ExrByHand::attribute("tiles", "tiledesc", tiles) + '\0';
+  std::vector<std::string> chunks;
+  const auto add_tile = [&](int level, int width, int height, int column, int row) {
+    std::string data;
+    for (int y = row * kSide; y < std::min(height, (row + 1) * kSide); ++y)
+      for (std::size_t channel = 0; channel < picture.channels.size(); ++channel)
+        for (int x = column * kSide; x < std::min(width, (column + 1) * kSide); ++x)
+          data += float_bytes(
+              level > 0 ? 99
+                        : picture.values[static_cast<std::size_t>(y * width) * picture.channels.size() +
+                                         channel * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]);
+    chunks.push_back(ExrByHand::integers({column, row, level, level, static_cast<int>(data.size())}) + data);
+  };
+  for (int level = 0, size = std::max(picture.width, picture.height); size >= 1; ++level, size /= 2) {
+    const int width = std::max(1, picture.width >> level), height = std::max(1, picture.height >> level);
+    for (int row = 0; row * kSide < height; ++row)
+      for (int column = 0; column * kSide < width; ++column) add_tile(level, width, height, column, row);
+  }
+  std::string table, data;
+  for (const std::string& chunk : chunks) {
+    table += little_endian(std::uint64_t{file.size() + 8 * chunks.size() + data.size()});
+    data += chunk;
+  }
+  return file + table + data;
+}
 
 inline std::string multi_part(const std::vector<ExrByHand>& parts) {
   constexpr int kMultiPart = 0x1000;

@@ -135,6 +135,20 @@ std::string message_for(const ExrByHand& file) {
   return "no error";
 }
 
+TEST(Exr, OfTiledAndMipMappedFilesTheLargestLevel) {
+  ExrByHand picture{{"B", "G", "R"}, 0, 0, 5, 3, {}, {}};
+  Image expected(5, 3);
+  for (int y = 0; y < 3; ++y)
+    for (int channel = 0; channel < 3; ++channel)
+      for (int x = 0; x < 5; ++x) {
+        const auto value = static_cast<float>(100 * y + 10 * channel + x);
+        picture.values.push_back(value);
+        (channel == 0 ? expected.at(x, y).b : channel == 1 ? expected.at(x, y).g : expected.at(x, y).r) = value;
+      }
+  EXPECT_EQ(decode_exr(test::tiled(picture)), expected);
+  EXPECT_EQ(decode_exr(picture.bytes()), expected);
+}
+
 TEST(Exr, MissingChannelsAreNamed) {
   ExrByHand file;
   file.channels = {"diffuse.R"}, file.width = file.height = 1, file.values = {1};

@@ -203,7 +203,8 @@ const Mistake kTransforms[] = {
     {"WorldBegin\nActiveTransform EndTime\nScale 2 2 2\nScale 2 2 2",
      "scene.dsc:3:1: error: motion blur (a transform for one end of the shutter interval) is not supported yet\n"
      "    3 | Scale 2 2 2\n"
-     "      | ^~~~~\n"},
+     "      | ^~~~~\n"
+     "  with --lenient, everything stays where it is when the shutter opens\n"},
     {"TransformTimes 0 1\nWorldBegin",
      "scene.dsc:1:1: note: TransformTimes has no effect: motion blur is not supported yet\n"
      "    1 | TransformTimes 0 1\n"
@@ -296,7 +297,8 @@ const Mistake kNames[] = {
     {"Option \"wavefront\" true\nWorldBegin",
      "scene.dsc:1:8: error: dspm has no Option \"wavefront\"\n"
      "    1 | Option \"wavefront\" true\n"
-     "      |        ^~~~~~~~~~~\n"},
+     "      |        ^~~~~~~~~~~\n"
+     "  with --lenient, it has no effect\n"},
     {"ColorSpace \"rec2022\"\nWorldBegin",
      "scene.dsc:1:12: error: unknown ColorSpace \"rec2022\"\n"
      "    1 | ColorSpace \"rec2022\"\n"

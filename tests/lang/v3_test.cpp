@@ -176,6 +176,11 @@ TEST(V3, Options) {
           Film "rgb" "integer xresolution" 640 "integer yresolution" 480
           PixelFilter "box"
           WorldBegin)"},
+      {R"(Camera "realistic" "string lensfile" "a.dat" "float aperturediameter" 5 WorldBegin WorldEnd)",
+       R"(Camera "realistic" "string lensfile" "a.dat" "float aperturediameter" 5 "bool simpleweighting" true
+          Film "rgb" "integer xresolution" 640 "integer yresolution" 480
+          PixelFilter "box"
+          WorldBegin)"},
       {R"(Camera "perspective" "float shutteropen" 0 "float shutterclose" .5
           Film "image" "float scale" 2 "integer xresolution" 10 "integer yresolution" 20
           PixelFilter "gaussian" "float xwidth" 3

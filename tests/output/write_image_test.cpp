@@ -62,6 +62,22 @@ TEST(WriteImage, HdrIsExactToHalfAMantissa) {
       EXPECT_NEAR(back.pixels[i][c], image.pixels[i][c], max_component(image.pixels[i]) * 1.01f / 255) << i;
 }
 
+// The file says in which space its numbers are, so whoever reads it gets the same colours.
+TEST(WriteImage, ColourSpacesOfTheFilmComeBack) {
+  const TemporaryDirectory directory;
+  Image image(2, 1);
+  image.pixels = {{0.8f, 0.3f, 0.1f}, {0.1f, 0.2f, 3}};
+  for (const ColourSpace space : {ColourSpace::rec2020, ColourSpace::aces2065_1, ColourSpace::dci_p3}) {
+    FilmSettings film;
+    film.width = 2, film.height = 1, film.space = space, film.save_half = false;
+    write_image(directory / "a.exr", image, film, {});
+    const Image back = read_image(directory / "a.exr");
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.pixels[i][c], image.pixels[i][c], 2e-6f) << i << ' ' << c;
+    EXPECT_NE(test::contents(directory / "a.exr").find("chromaticities"), std::string::npos);
+  }
+}
+
 TEST(WriteImage, OtherEndingsAreErrors) {
   const TemporaryDirectory directory;
   EXPECT_THROW(write_image(directory / "a.tif", Image(1, 1), {}, {}), std::runtime_error);

@@ -63,6 +63,32 @@ TEST(IntegratorChoice, SppmOfAPbrtFileHasPbrtsDefaults) {
   EXPECT_EQ(dsc.job.params.find("radius"), nullptr);
 }
 
+TEST(IntegratorChoice, PathsPerPixelOfAPbrtFileAreAsManyAsInPbrt) {
+  const auto samples = [](const char* file, const std::string& sampler) {
+    Diagnostics diagnostics;
+    return LoadedScene(file, sampler + " WorldBegin Shape \"sphere\"", {}, diagnostics).job.settings.default_iterations;
+  };
+  EXPECT_EQ(samples("a.pbrt", ""), 16);
+  EXPECT_EQ(samples("a.pbrt", "Sampler \"halton\""), 16);
+  EXPECT_EQ(samples("a.pbrt", "Sampler \"stratified\""), 16);
+  EXPECT_EQ(samples("a.pbrt", "Sampler \"independent\""), 4);
+  EXPECT_EQ(samples("a.pbrt", "Sampler \"independent\" \"integer pixelsamples\" 9"), 9);
+  EXPECT_EQ(samples("a.dsc", ""), 256);
+}
+
+TEST(IntegratorChoice, PathStandsInForFunctionWhereLenient) {
+  EXPECT_THROW(integrator_of("function"), SceneError);
+  Diagnostics diagnostics(true);
+  Choices choices;
+  choices.lenient = true;
+  const LoadedScene loaded("test.pbrt",
+                           "Integrator \"function\" \"string function\" \"step\" WorldBegin Shape \"sphere\"", choices,
+                           diagnostics);
+  EXPECT_EQ(loaded.job.integrator, "path");
+  ASSERT_FALSE(diagnostics.all().empty());
+  EXPECT_NE(diagnostics.all().front().hint.find("\"path\" renders the scene"), std::string::npos);
+}
+
 TEST(IntegratorChoice, ButAModulesIntegratorOfThatNameComesFirst) {
   integrator_plugins().add({{"simplepath", "does nothing", make_idle}});
   EXPECT_EQ(integrator_of("simplepath"), "simplepath");

@@ -10,20 +10,30 @@ namespace {
 
 bool is_named(const Directive& directive) { return directive.info->name.starts_with("MakeNamed"); }
 
+bool is_material(const Directive& directive) {
+  return directive.info->kind == DirectiveKind::material || is_named(directive);
+}
+
+std::string in_its_place(const Directive& directive) {
+  if (directive.info->kind == DirectiveKind::texture) return "it is 1 everywhere";
+  return is_material(directive) ? "it is diffuse and grey" : "it is left out";
+}
+
 }  // namespace
 
 NoCounterpart::NoCounterpart(const Directive& directive, std::string_view kind, const std::string& type,
-                             std::string way_out)
+                             const std::string& way_out)
     : SyntaxError(directive.where, fmt::format("pbrt-v3's {} \"{}\" cannot be translated", kind, type),
-                  std::move(way_out)) {
-  if (directive.info->kind != DirectiveKind::material && !is_named(directive)) return;
-  Directive diffuse;
-  diffuse.info = directive.info;
-  diffuse.where = directive.where;
-  diffuse.words = directive.words;
+                  way_out + "; with --lenient, " + in_its_place(directive)) {
+  const bool is_texture = directive.info->kind == DirectiveKind::texture;
+  if (!is_texture && !is_material(directive)) return;
+  Directive plain;
+  plain.info = directive.info;
+  plain.where = directive.where;
+  plain.words = directive.words;
   Remarks ignored;
-  Edit(diffuse, ignored).set_type("diffuse");
-  instead.push_back(std::move(diffuse));
+  Edit(plain, ignored).set_type(is_texture ? "constant" : "diffuse");
+  instead.push_back(std::move(plain));
 }
 
 /// One word of a rule.

@@ -23,7 +23,7 @@ struct Remarks {
 /// v4 has nothing like it.
 class NoCounterpart : public SyntaxError {
  public:
-  NoCounterpart(const Directive& directive, std::string_view kind, const std::string& type, std::string way_out);
+  NoCounterpart(const Directive& directive, std::string_view kind, const std::string& type, const std::string& way_out);
 
   std::vector<Directive> instead;  // what stands in with --lenient
 };
