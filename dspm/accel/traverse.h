@@ -9,6 +9,7 @@
 #include <immintrin.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "dspm/accel/box_ray.h"
@@ -22,7 +23,9 @@ class NodeTest {
  public:
   explicit NodeTest(const BoxRay& ray) {
     for (int axis = 0; axis < 3; ++axis) {
-      near_plane_[axis] = 2 * axis + (ray.negative[static_cast<std::size_t>(axis)] ? 1 : 0);
+      const bool negative = ray.negative[static_cast<std::size_t>(axis)];
+      near_[axis] = (2 * axis + (negative ? 1 : 0)) * Bvh::kWidth;
+      far_[axis] = (2 * axis + (negative ? 0 : 1)) * Bvh::kWidth;
       near_origin_[axis] = _mm_set1_ps(ray.near_origin[axis]);
       far_origin_[axis] = _mm_set1_ps(ray.far_origin[axis]);
       inverse_[axis] = _mm_set1_ps(ray.inverse[axis]);
@@ -36,11 +39,11 @@ class NodeTest {
 
  private:
   unsigned half(const Bvh::Node& node, int first, float limit, float* entry) const {
+    const float* const planes = node.planes[0] + first;
     // The order of the operands matters: if one is NaN (zero times infinity), min and max return the second.
     __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit);
     for (int axis = 0; axis < 3; ++axis) {
-      const __m128 near = _mm_load_ps(node.planes[near_plane_[axis]] + first);
-      const __m128 far = _mm_load_ps(node.planes[near_plane_[axis] ^ 1] + first);
+      const __m128 near = _mm_load_ps(planes + near_[axis]), far = _mm_load_ps(planes + far_[axis]);
       enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(near, near_origin_[axis]), inverse_[axis]), enter);
       leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(far, far_origin_[axis]), inverse_[axis]), leave);
     }
@@ -48,7 +51,7 @@ class NodeTest {
     return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
   }
 
-  int near_plane_[3];
+  std::ptrdiff_t near_[3], far_[3];  // offsets of planes in a node
   __m128 near_origin_[3], far_origin_[3], inverse_[3];
 };
 
@@ -61,19 +64,24 @@ inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
 void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& visit) {
-  // The stack: entry distance, number and frames. Three uninitialised arrays, since initialising costs time and reading
-  // a struct as a whole after writing it by member would stall.
+  // The stack: entry distance, number and, if they matter, frames. Uninitialised arrays, since initialising costs time and
+  // reading a struct as a whole after writing it by member would stall.
   constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
   float at[kMost];
   std::uint32_t child[kMost];
-  std::uint64_t common[kMost];
+  std::uint64_t common[Query::kOneFrame ? 1 : kMost];
+  const auto put = [&](int place, float entry, std::uint32_t number, std::uint64_t frames) {
+    at[place] = entry, child[place] = number;
+    if constexpr (!Query::kOneFrame) common[place] = frames;
+  };
+  const auto frames_at = [&](int place) { return Query::kOneFrame ? 0 : common[place]; };
   if (bvh.nodes.empty()) return;
   const bool frames_differ = !bvh.node_frames.empty();
   int size = 1;
-  at[0] = 0, child[0] = 0, common[0] = query.frames().bits();
+  put(0, 0, 0, query.frames().bits());
   while (size > 0) {
     --size;
-    if (Query::kOneFrame ? at[size] > query.limit() : !query.reaches(at[size], FrameSet(common[size]))) continue;
+    if (Query::kOneFrame ? at[size] > query.limit() : !query.reaches(at[size], FrameSet(frames_at(size)))) continue;
     const std::uint32_t top = child[size];
     if (top >= Bvh::kLeaf) {
       visit(top - Bvh::kLeaf);
@@ -84,13 +92,16 @@ void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& v
     const int base = size;
     for (unsigned hits = test(node, query.limit(), entry); hits != 0; hits &= hits - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(hits));
-      const FrameSet both = frames_differ ? bvh.node_frames[top][i] & query.frames() : query.frames();
-      if (both.empty()) continue;
+      FrameSet common_frames = query.frames();
+      if (frames_differ) {
+        common_frames &= bvh.node_frames[top][i];
+        if (common_frames.empty()) continue;
+      }
       int place = size++;
       if constexpr (Query::kNearestFirst)
         for (; place > base && at[place - 1] < entry[i]; --place)
-          at[place] = at[place - 1], child[place] = child[place - 1], common[place] = common[place - 1];
-      at[place] = entry[i], child[place] = node.child[i], common[place] = both.bits();
+          put(place, at[place - 1], child[place - 1], frames_at(place - 1));
+      put(place, entry[i], node.child[i], common_frames.bits());
     }
   }
 }

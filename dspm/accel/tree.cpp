@@ -56,7 +56,8 @@ class Tree::Builder {
                                                         : build_bvh(pieces_, kLeafSize, all);
     if (alike) tree_.bvh_.node_frames = {};
     pieces_ = {};  // frees memory for the packets
-    tree_.packets_.reserve(packets_in(triangles));
+    tree_.bvh_.nodes.shrink_to_fit();
+    tree_.packets_.reserve(packets_in(triangles)), tree_.placed_.reserve(placed_.size());
     for (Bvh::Node& node : tree_.bvh_.nodes)
       for (std::uint32_t& child : node.child)
         if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);
@@ -68,23 +69,33 @@ class Tree::Builder {
 
   void place(int s) {
     const PlacedShape& placed = shape(s);
+    const ToWorld to_world(placed.to_world);
+    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
     if (has_own_tree(placed)) {
       const Tree& mesh = meshes_.of(*placed.shape);
-      return add(placed, {&placed, &mesh, s, 0}, mesh.outline());
+      return add({&placed, &mesh, s, 0}, to_world, mesh.outline());
     }
-    for (int p = 0; p < placed.shape->primitive_count(); ++p)
-      add(placed, {&placed, nullptr, s, p}, {with_margin(placed.shape->bounds(p))});
+    for (int p = 0; p < placed.shape->primitive_count(); ++p) {
+      const Bounds3 box = with_margin(placed.shape->bounds(p));
+      add({&placed, nullptr, s, p}, to_world, std::span(&box, 1));
+    }
   }
 
+  /// What the boxes of a placed shape need: the same for all of its primitives, of which hair has millions.
+  struct ToWorld {
+    explicit ToWorld(const Transform& t)
+        : transform(t), margins(stretch_of(t)), origin(max_component(abs(t.point({})))) {}
+    const Transform& transform;
+    float margins, origin;
+  };
+
   /// Adds a piece that fills a leaf. `outline`: in the shape's space.
-  void add(const PlacedShape& shape, const Placed& placed, const std::vector<Bounds3>& outline) {
+  void add(const Placed& placed, const ToWorld& to_world, std::span<const Bounds3> outline) {
     Bounds3 world;
-    for (const Bounds3& part : outline) world.add(shape.to_world.bounds(part));
-    const float margins = stretch_of(shape.to_world), origin = max_component(abs(shape.to_world.point({})));
-    tree_.margins_ = std::max(tree_.margins_, margins);
-    world = widened(world, margins * kBoxMargin * (largest_coordinate(world) + origin));
+    for (const Bounds3& part : outline) world.add(to_world.transform.bounds(part));
+    world = widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
     placed_.push_back(placed);
-    pieces_.push_back({world, shape.frames, kLeafSize});
+    pieces_.push_back({world, placed.shape->frames, kLeafSize});
   }
 
   std::uint32_t add_leaf(const Bvh::Leaf& leaf, const TrianglePieces& triangles) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -200,6 +201,9 @@ template <class Number>
 void Lexer::numbers_to_bracket(std::vector<Number>& values) {
   take_back_peeked();
   const char* const begin = at_;
+  // Most lists are short, and a vector that grows one by one would take several allocations for them.
+  std::array<Number, 64> few;
+  std::size_t count = 0;
   while (true) {
     skip_blank();
     if (at_ == end_) fail(view(begin - 1, begin), "this list is not closed");
@@ -208,8 +212,12 @@ void Lexer::numbers_to_bracket(std::vector<Number>& values) {
       if (*at_ == '"' || *at_ == '[' || is_upper(*at_))
         fail(view(at_, at_ + 1), "expected a number, or ] to end the list");
     }
-    values.push_back(read_number<Number>());
+    few[count++] = read_number<Number>();
+    if (count < few.size()) continue;
+    values.insert(values.end(), few.begin(), few.end());
+    count = 0;
   }
+  values.insert(values.end(), few.begin(), few.begin() + static_cast<std::ptrdiff_t>(count));
   ++at_;
 }
 

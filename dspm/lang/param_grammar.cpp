@@ -208,7 +208,8 @@ Param read_param(Lexer& lexer, OldTypes old_types) {
   param.key = read_key(lexer, string, declared.key);
   param.where = lexer.locate(string.text);
   const Token& next = lexer.peek();
-  if (next.kind == Token::Kind::end || next.kind == Token::Kind::close || find_directive(next.text) != nullptr)
+  const bool is_directive = next.kind == Token::Kind::word && find_directive(next.text) != nullptr;
+  if (next.kind == Token::Kind::end || next.kind == Token::Kind::close || is_directive)
     lexer.fail(string.text, "this parameter has no value");
   param.values_where = lexer.locate(first_value(lexer).text);
   param.values = read_values_of(lexer, *declared.type, declared.name);
@@ -227,8 +228,17 @@ void check_pair(const Param& a, const Param& b) {
   if (!a.key || !b.key) fail("is given both with and without a frame");
 }
 
-/// No parameter twice, unless for different frames; sorts, so that a long list does not take quadratic time.
+bool has_repeats(const std::vector<Param>& params) {
+  for (std::size_t i = 1; i < params.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (params[k].name == params[i].name) return true;
+  return false;
+}
+
+/// No parameter twice, unless for different frames; sorts a long list, which would take quadratic time.
 void check_unique(const ParamList& list) {
+  constexpr std::size_t kFew = 16;
+  if (list.params.size() <= kFew && !has_repeats(list.params)) return;
   std::vector<const Param*> sorted;
   for (const Param& param : list.params) sorted.push_back(&param);
   std::stable_sort(sorted.begin(), sorted.end(), [](const Param* a, const Param* b) {
@@ -255,8 +265,12 @@ bool declares_param(std::string_view quoted) {
 }
 
 ParamList read_params(Lexer& lexer, OldTypes old_types) {
+  // Hair may have a million lists: none takes more memory than it needs, nor more than one allocation.
+  static thread_local std::vector<Param> params;
+  params.clear();
+  while (lexer.peek().kind == Token::Kind::string) params.push_back(read_param(lexer, old_types));
   ParamList list;
-  while (lexer.peek().kind == Token::Kind::string) list.params.push_back(read_param(lexer, old_types));
+  list.params.assign(std::make_move_iterator(params.begin()), std::make_move_iterator(params.end()));
   if (list.params.size() < 2) return list;
   if (old_types == OldTypes::v3)
     keep_last(list);

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/math/sphere_mapping.h"
+#include "dspm/math/bins.h"
 #include "dspm/math/sampling.h"
+#include "dspm/math/sphere_mapping.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -23,23 +25,21 @@ class EnvironmentMap {
   };
 
   /// All values of the image must be finite and non-negative.
-  EnvironmentMap(Image image, SphereMapping mapping);
+  EnvironmentMap(const Image& image, SphereMapping mapping);
 
-  Rgb radiance(const Vec3& direction) const { return image_.pixels[pixel_at(direction)]; }
+  Rgb radiance(const Vec3& direction) const;
   float pdf_w(const Vec3& direction) const;
   /// Only if the map is not black.
   Sample sample(Vec2 u) const;
   /// The u for which sample(u) has that direction.
   Vec2 sample_numbers(const Vec3& direction) const;
-  friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
-    return a.mapping_ == b.mapping_ && a.image_ == b.image_;
-  }
+  friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b);
   /// The radiance, if it is the same in all directions and not black.
   std::optional<Rgb> constant() const {
-    return image_.pixels.size() == 1 && !is_black() ? std::optional(image_.pixels[0]) : std::nullopt;
+    return width_ == 1 && height_ == 1 && !is_black() ? std::optional(radiance(0, 0)) : std::nullopt;
   }
   /// The larger number of pixels, across or down.
-  int size() const { return std::max(image_.width, image_.height); }
+  int size() const { return std::max(width_, height_); }
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.
   Rgb fluence() const;
@@ -47,16 +47,30 @@ class EnvironmentMap {
   float illuminance() const;
 
  private:
-  std::size_t pixel_at(const Vec3& direction) const;
+  /// A row's pixels are the bins of its luminance. What a sample needs of one lies together: memory is what it waits for.
+  struct Pixel : Bin {
+    Rgb radiance;
+  };
+  struct Place {
+    int x, y;
+    Vec2 rest;  // within the pixel
+  };
+
+  Place pixel_at(const Vec3& direction) const;
+  const Rgb& radiance(int x, int y) const { return row(y)[static_cast<std::size_t>(x)].radiance; }
   float solid_angle(int row) const;  // of one of its pixels
   float pdf_w(int x, int y) const;
   Vec3 direction_in(int x, int y, Vec2 u) const;
-  std::vector<Distribution1D> distributions_within_rows() const;
-  Distribution1D distribution_of_rows() const;
+  Distribution1D distribution_of_rows(const Image& image);
+  /// One more than the image has: the end of the last bin.
+  std::span<const Pixel> row(int y) const {
+    const auto length = static_cast<std::size_t>(width_) + 1;
+    return std::span(pixels_).subspan(static_cast<std::size_t>(y) * length, length);
+  }
 
-  Image image_;
+  int width_, height_;
   SphereMapping mapping_;
-  std::vector<Distribution1D> columns_;  // of each row
+  std::vector<Pixel> pixels_;  // row by row
   Distribution1D rows_;
 };
 

@@ -46,7 +46,7 @@ EnvironmentMap map_of(const Photometry& photometry) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       image.at(x, y) = Rgb(photometry.intensity(180 * (1 - middle(y, image.height)), 360 * middle(x, image.width)));
-  return EnvironmentMap(std::move(image), SphereMapping::equirectangular);
+  return EnvironmentMap(image, SphereMapping::equirectangular);
 }
 
 /// Nullopt if it is another kind of file.
@@ -65,7 +65,7 @@ EnvironmentMap read_intensities(const std::filesystem::path& file, const std::st
   Image image = read_light_image(file);
   for (Rgb& pixel : image.pixels) pixel = Rgb((pixel.r + pixel.g + pixel.b) / 3);
   const SphereMapping kind = mapping_of(image, mapping);
-  return EnvironmentMap(std::move(image), kind);
+  return EnvironmentMap(image, kind);
 }
 
 }  // namespace

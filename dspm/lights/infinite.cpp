@@ -105,13 +105,13 @@ class Infinite final : public Light {
 EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping) {
   Image image = read_light_image(file);
   const SphereMapping kind = mapping_of(image, mapping);
-  return EnvironmentMap(std::move(image), kind);
+  return EnvironmentMap(image, kind);
 }
 
 EnvironmentMap constant(const Rgb& radiance) {
   Image image(1, 1);
   image.at(0, 0) = radiance;
-  return EnvironmentMap(std::move(image), SphereMapping::equal_area);
+  return EnvironmentMap(image, SphereMapping::equal_area);
 }
 
 }  // namespace

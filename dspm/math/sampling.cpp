@@ -75,58 +75,21 @@ Vec2 uniform_triangle(Vec2 u) { return u.x < u.y ? Vec2{u.x / 2, u.y - u.x / 2} 
 
 Vec2 uniform_triangle_numbers(Vec2 b) { return b.x < b.y ? Vec2{2 * b.x, b.x + b.y} : Vec2{b.x + b.y, 2 * b.y}; }
 
-namespace {
-
-/// std::upper_bound, from the place where it would be if all weights were equal. Most weights vary slowly, as those of a
-/// sky: few steps, close together in memory, find it.
-std::vector<float>::const_iterator first_above(const std::vector<float>& cdf, float u) {
-  const auto last = static_cast<std::ptrdiff_t>(cdf.size()) - 1;
-  std::ptrdiff_t low = 0, high = last, step = 1;  // cdf[low] <= u < cdf[high]
-  const auto guess = std::clamp(static_cast<std::ptrdiff_t>(u * static_cast<float>(last)), low, last - 1);
-  const auto at = [&](std::ptrdiff_t i) { return cdf[static_cast<std::size_t>(i)]; };
-  if (at(guess) <= u) {
-    for (low = guess; low + step < last && at(low + step) <= u; step *= 2) low += step;
-    high = std::min(low + step, last);
-  } else {
-    for (high = guess; high > step && at(high - step) > u; step *= 2) high -= step;
-    low = std::max(high - step, low);
-  }
-  return std::upper_bound(cdf.begin() + low, cdf.begin() + high, u);
-}
-
-}  // namespace
-
 Distribution1D::Distribution1D(std::span<const float> weights) {
   double total = 0;
   for (const float weight : weights) total += static_cast<double>(weight);
   total_ = static_cast<float>(total);
   const double n = static_cast<double>(weights.size());
   double sum = 0;
-  cdf_.push_back(0);
+  bins_.resize(weights.size() + 1);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     sum += total > 0 ? static_cast<double>(weights[i]) / total : 1 / n;
-    cdf_.push_back(static_cast<float>(std::min(sum, 1.)));
+    bins_[i + 1].begin = static_cast<float>(std::min(sum, 1.));
   }
   // Rounding may leave the last steps short of 1; bins of zero weight at the end must stay empty.
-  std::replace(cdf_.begin() + 1, cdf_.end(), float{cdf_.back()}, 1.f);
-}
-
-Distribution1D::Choice Distribution1D::choose(float u) const {
-  // The last bin that begins at or below u. A bin of zero weight begins where the next one does, so it is never the
-  // last.
-  const auto above = first_above(cdf_, std::min(u, kBelowOne));
-  const int index = static_cast<int>(above - cdf_.begin()) - 1;
-  const float begin = *(above - 1), width = *above - begin;
-  return {index, width, std::min((u - begin) / width, kBelowOne)};
-}
-
-float Distribution1D::number(int index, float rest) const {
-  return cdf_[static_cast<std::size_t>(index)] + rest * probability(index);
-}
-
-float Distribution1D::probability(int index) const {
-  const std::size_t i = static_cast<std::size_t>(index);
-  return cdf_[i + 1] - cdf_[i];
+  const float end = bins_.back().begin;
+  for (std::size_t i = weights.size(); i > 0 && bins_[i].begin == end; --i) bins_[i].begin = 1;
+  set_cutpoints(std::span(bins_));
 }
 
 }  // namespace dspm

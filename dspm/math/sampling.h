@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "dspm/math/bins.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -42,24 +43,22 @@ Vec2 uniform_triangle_numbers(Vec2 b);
 /// n weights as a density over [0, 1) that is constant on each of n equal bins, and as a choice among n items.
 class Distribution1D {
  public:
-  struct Choice {
-    int index;
-    float probability;  // of this index
-    float rest;         // in [0, 1): uniform again, for further use
-  };
+  using Choice = BinChoice;
 
   /// At least one weight, all finite and non-negative. If all are zero, they count as equal.
   explicit Distribution1D(std::span<const float> weights);
 
-  Choice choose(float u) const;
-  float probability(int index) const;
+  Choice choose(float u) const { return choose_bin(bins(), u); }
+  float probability(int index) const { return probability_of(bins(), index); }
   /// The u for which choose(u) returns that index and rest.
-  float number(int index, float rest) const;
-  int size() const { return static_cast<int>(cdf_.size()) - 1; }
+  float number(int index, float rest) const { return bin_number(bins(), index, rest); }
+  int size() const { return static_cast<int>(bins_.size()) - 1; }
   float total() const { return total_; }  // the sum of the weights
+  /// One more than weights.
+  std::span<const Bin> bins() const { return bins_; }
 
  private:
-  std::vector<float> cdf_;  // n + 1 values for n bins, from 0 to 1
+  std::vector<Bin> bins_;
   float total_;
 };
 

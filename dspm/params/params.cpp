@@ -38,6 +38,12 @@ std::size_t value_count(const Param& param) {
 
 std::string counted(std::size_t count) { return fmt::format("{} value{}", count, count == 1 ? "" : "s"); }
 
+/// What only --describe asks for: hair has a million shapes, and none needs it.
+template <class... Args>
+std::string text_if(bool described, fmt::format_string<Args...> format, Args&&... args) {
+  return described ? fmt::format(format, std::forward<Args>(args)...) : std::string();
+}
+
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ", ")); }
 
 const std::vector<std::string>& texts_of(const Param& param) {
@@ -72,7 +78,7 @@ ParamReader::ParamReader(std::vector<ParamInfo>& described, Diagnostics& diagnos
 bool ParamReader::has(std::string_view name) const { return find(name) != nullptr; }
 
 float ParamReader::number(std::string_view name, float fallback, std::string_view unit, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::number}, 1, fmt::format("{:g}", fallback), unit, sentence);
+  const Param* param = take_some(name, {ParamType::number}, 1, text_if(described_, "{:g}", fallback), unit, sentence);
   return param ? numbers_of(*param).front() : fallback;
 }
 
@@ -87,13 +93,13 @@ bool ParamReader::flag(std::string_view name, bool fallback, std::string_view se
 }
 
 std::string ParamReader::text(std::string_view name, std::string fallback, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::text}, 1, fmt::format("\"{}\"", fallback), {}, sentence);
+  const Param* param = take_some(name, {ParamType::text}, 1, text_if(described_, "\"{}\"", fallback), {}, sentence);
   return param ? texts_of(*param).front() : fallback;
 }
 
 std::string ParamReader::choice(std::string_view name, std::string fallback, const std::vector<std::string>& choices,
                                 std::string_view sentence) {
-  const std::string value = text(name, fallback, fmt::format("{} ({})", sentence, joined(choices)));
+  const std::string value = text(name, fallback, text_if(described_, "{} ({})", sentence, fmt::join(choices, ", ")));
   if (described_) described_->back().choices = choices;
   if (described_ || contains(choices, value) || value == fallback) return value;
   const std::string guess = did_you_mean(value, choices);
@@ -104,7 +110,7 @@ std::string ParamReader::choice(std::string_view name, std::string fallback, con
 
 Vec3 ParamReader::triple(std::string_view name, const Types& types, Vec3 fallback, std::string_view unit,
                          std::string_view sentence) {
-  const std::string default_value = fmt::format("{:g} {:g} {:g}", fallback.x, fallback.y, fallback.z);
+  const std::string default_value = text_if(described_, "{:g} {:g} {:g}", fallback.x, fallback.y, fallback.z);
   const Param* param = take_some(name, types, 3, default_value, unit, sentence);
   if (!param) return fallback;
   const std::vector<float> v = numbers_of(*param);
@@ -121,8 +127,8 @@ Vec3 ParamReader::vector(std::string_view name, Vec3 fallback, std::string_view 
 
 ValueOrTexture<float> ParamReader::number_or_texture(std::string_view name, float fallback, std::string_view unit,
                                                      std::string_view sentence) {
-  const Param* param =
-      take_some(name, {ParamType::number, ParamType::texture}, 1, fmt::format("{:g}", fallback), unit, sentence);
+  const Param* param = take_some(name, {ParamType::number, ParamType::texture}, 1,
+                                 text_if(described_, "{:g}", fallback), unit, sentence);
   if (!param) return {fallback, {}, where(name)};
   if (param->type == ParamType::texture) return {fallback, texts_of(*param).front(), param->values_where};
   return {numbers_of(*param).front(), {}, param->values_where};

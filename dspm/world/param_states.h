@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dspm/lang/description.h"
@@ -14,12 +16,15 @@
 namespace dspm {
 
 /// The directive's parameters, state by state.
-inline Timeline<ParamList> param_states(const ParamList& params, const FileFrames& frames,
-                                        const std::vector<bool>& present) {
-  const bool keyed = params.is_keyed();
-  return Timeline<ParamList>::of_moments(
-      frames, present, [&](Moment moment) { return keyed ? params.at(moment) : params; },
-      [&](const ParamList& a, const ParamList& b) { return !keyed || a.same_values(b); });
+inline Timeline<ParamList> param_states(ParamList params, const FileFrames& frames, const std::vector<bool>& present) {
+  if (params.is_keyed())
+    return Timeline<ParamList>::of_moments(
+        frames, present, [&](Moment moment) { return params.at(moment); },
+        [&](const ParamList& a, const ParamList& b) { return a.same_values(b); });
+  Timeline<ParamList> line;
+  for (const bool is_there : present) line.state_of.push_back(is_there ? 0 : -1);
+  if (std::find(present.begin(), present.end(), true) != present.end()) line.states.push_back(std::move(params));
+  return line;
 }
 
 inline std::string subject_of(const ShapeUse& use) { return fmt::format("shape \"{}\"", use.type); }

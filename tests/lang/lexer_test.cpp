@@ -71,6 +71,15 @@ TEST(Lexer, ReadsNumbers) {
             (std::vector<int>{0, -7, 12, 2147483647, -2147483647 - 1}));
 }
 
+TEST(Lexer, ReadsListsOfAnyLength) {
+  for (const int count : {0, 1, 63, 64, 65, 128, 1000}) {
+    std::string list;
+    std::vector<int> expected;
+    for (int i = 0; i < count; ++i) expected.push_back(i * i), list += std::to_string(i * i) + " ";
+    EXPECT_EQ(numbers<int>(list), expected);
+  }
+}
+
 TEST(Lexer, TakesTinyNumbersForZero) {
   EXPECT_EQ(numbers<float>("1e-60 -1e-400 1e-45"), (std::vector<float>{0, 0, 1e-45f}));
 }
