@@ -62,7 +62,7 @@ double relative_variance(const std::vector<double>& a, const std::vector<double>
   int count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double both = a[i] + b[i];
-    if (!(both > 0)) continue;
+    if (!(both > 0 && std::isfinite(both))) continue;
     sum += 2 * (a[i] - b[i]) * (a[i] - b[i]) / (both * both), ++count;
   }
   return count == 0 ? 2 : sum / count;
@@ -87,8 +87,8 @@ LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, co
   LearnedDirect learned;
   const DirectBalance rays_alone(sample, {});
   const std::vector<double> seen = pilot.direct_light(nullptr, 0);
+  if (!(pilot.radius() > 0 && std::isfinite(pilot.radius()))) return learned;
   learned.radius = pilot.radius();
-  if (learned.radius == 0) return learned;
   std::vector<double> alone = pilot.direct_light(&rays_alone, 0), again = pilot.direct_light(&rays_alone, 1);
   const std::vector<double> seen_again = pilot.direct_light(nullptr, 1);
   for (std::size_t i = 0; i < seen.size(); ++i) alone[i] -= seen[i], again[i] -= seen_again[i];

@@ -104,7 +104,8 @@ void put_scene(const TemporaryDirectory& directory, const std::string& text,
 }
 
 Outcome render(const TemporaryDirectory& directory, const std::string& integrator) {
-  std::vector<std::string> words = {"d.dsc", "--iterations", "3", "--stats=s.json"};
+  std::filesystem::remove(directory / "c");
+  std::vector<std::string> words = {"d.dsc", "--iterations", "3", "--stats=s.json", "--checkpoint", "c"};
   if (integrator != R"("path")") words.insert(words.end(), {"--photons", "2000"});
   return run(directory, words);
 }
@@ -148,8 +149,10 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene,
-                         ::testing::Values(R"("dsppm")", R"("sppm")", R"("photonmap")",
-                                           R"("photonmap" "integer finalgather" 2)", R"("path")", R"("vcm")"));
+                         ::testing::Values(R"("dsppm")", R"("sppm" "string emission" "power")",
+                                           R"("photonmap" "string emission" "power")",
+                                           R"("photonmap" "integer finalgather" 2)", R"("path")",
+                                           R"("vcm" "string emission" "power")"));
 
 TEST(SenselessScene, IsRefused) {
   const TemporaryDirectory directory;
