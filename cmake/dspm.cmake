@@ -71,7 +71,11 @@ function(dspm_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 1200)  # seconds: enough under ThreadSanitizer
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  # Long ones begin first, so that the last to end are short.
+  set(cost_statistical 3)
+  set(cost_render 2)
+  set(cost_quick 1)
+  set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} COST ${cost_${ARG_LABEL}})
   if(ARG_DATA)  # ctest lets a skipped test hide a failed one, so this is only for binaries that need the data throughout
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED")
   endif()

@@ -7,7 +7,6 @@
 
 #include "dspm/image/shrink.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 
 namespace dspm::test {
 namespace {
@@ -47,11 +46,11 @@ Tiles tiles_of(const std::vector<std::vector<Image>>& renders, int across) {
 }
 
 Tiles rendered(const std::string& scene, int iterations, int seeds, int across) {
+  TestScene test(scene);
   std::vector<std::vector<Image>> renders;
   for (int seed = 1; seed <= seeds; ++seed) {
-    Choices choices;
-    choices.seed = static_cast<std::uint64_t>(seed);
-    renders.push_back(TestScene(scene, choices).render_all(iterations));
+    test.set_seed(static_cast<std::uint64_t>(seed));
+    renders.push_back(test.render_all(iterations));
   }
   return tiles_of(renders, across);
 }

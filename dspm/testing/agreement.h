@@ -26,7 +26,8 @@ struct Tiles {
 /// The images of all frames, by seed, in `across` x `across` tiles.
 Tiles tiles_of(const std::vector<std::vector<Image>>& renders, int across = 4);
 
-/// All frames of a scene's text, by that many seeds. Files that it names are looked for in the current folder.
+/// All frames of a scene's text, by that many seeds. Files that it names are looked for in the current folder. What the
+/// integrator learns first, such as where photons start, it learns once: for given guides the renders are independent.
 Tiles rendered(const std::string& scene, int iterations, int seeds = 16, int across = 4);
 
 struct Tolerance {

@@ -68,4 +68,6 @@ std::vector<Image> TestScene::render_all(int iterations) {
   return images;
 }
 
+void TestScene::set_seed(std::uint64_t seed) { impl_->loaded.job.settings.seed = seed; }
+
 }  // namespace dspm::test

@@ -1,6 +1,7 @@
 // A scene's text with everything made from it, as dspm itself makes it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class TestScene {
   Image render(FileFrame frame, int iterations, const std::string& name = {});
   /// All frames, interval by interval.
   std::vector<Image> render_all(int iterations);
+  /// Of integrators that are made from now on. What they learn first they learn once, whatever the seed.
+  void set_seed(std::uint64_t seed);
 
   const Job& job() const;
   const World& world() const;

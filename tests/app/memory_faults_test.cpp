@@ -54,7 +54,7 @@ TEST_P(AddressSpace, ALimitIsNoSignal) {
   ASSERT_EQ(run(undisturbed, {"tiny.dsc"}).code, 0);
   const std::vector<Image> images = undisturbed.images();
   int failed = 0, done = 0;
-  for (double bytes = 10 * kMegabyte; bytes < 1000 * kMegabyte; bytes *= 1.06) {
+  for (double bytes = 10 * kMegabyte; bytes < 1000 * kMegabyte; bytes *= 1.12) {
     const Directory directory;
     if (run_below(directory, bytes, {"--version"}).code != 0) continue;  // the libraries alone are too much
     const Outcome outcome = run_below(directory, bytes, {"tiny.dsc", "--nthreads", GetParam(), "--write-every", "1"});

@@ -1,5 +1,5 @@
 // Scenes at random from the plugins' own descriptions render without crash, without a value that is no number and
-// without more light than there is. DSPM_RANDOM_SCENES says how many (default 60), DSPM_FIRST_SCENE which is the first.
+// without more light than there is. DSPM_RANDOM_SCENES says how many (default 30), DSPM_FIRST_SCENE which is the first.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,7 +90,7 @@ Seen render(const std::string& text, int iterations = 2) {
 template <class Check>
 void for_each_scene(DescribedScene::Light light, const Check& check) {
   const unsigned first = static_cast<unsigned>(number_from("DSPM_FIRST_SCENE", 1));
-  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 60));
+  const unsigned count = static_cast<unsigned>(number_from("DSPM_RANDOM_SCENES", 30));
   for (unsigned seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     DescribedScene scene(seed, light);
     const std::string text = mended(scene);

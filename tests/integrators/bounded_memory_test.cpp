@@ -66,7 +66,7 @@ void expect_equal_counts(const Statistics& a, const Statistics& b) {
 class Progressive : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Progressive, BatchesOfPhotonsChangeNothing) {
-  for (unsigned seed = 0; seed < 12; ++seed) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
     const std::string text =
         RandomScene(2000 + seed, kFrames).text(fmt::format(R"(Integrator {} "integer photons" 20000)", GetParam()));
     SCOPED_TRACE(text);
@@ -166,7 +166,7 @@ Shape "sphere" "float radius" 0.7
 class BoundedMemory : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BoundedMemory, HoldsWhatItSays) {
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
     const std::string text = RandomScene(2100 + seed, kFrames).text(fmt::format(R"(Integrator {})", GetParam()));
     SCOPED_TRACE(text);
     TestScene test(text);

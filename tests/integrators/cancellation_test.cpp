@@ -19,7 +19,7 @@ constexpr const char* kScene = R"(
 Frames 2
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 45
-Film "rgb" "integer xresolution" 160 "integer yresolution" 120
+Film "rgb" "integer xresolution" 96 "integer yresolution" 72
 WorldBegin
 LightSource "point" "point3 from" [0 2 -1] "rgb I" [8 8 8]
 AttributeBegin
@@ -61,9 +61,9 @@ TEST_P(Cancellation, ChangesNothing) {
   const auto calm = test.integrator(*scene), given_up = test.integrator(*scene);
   for (const int iteration : {0, 1}) {  // the first one makes what the others share
     int cancelled = 0;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 15; ++i) {
       const std::string before = state_of(*given_up);
-      if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, iteration, *scene)) break;
+      if (!iterate_for(std::chrono::microseconds(700 * i), *given_up, iteration, *scene)) break;
       ++cancelled;
       ASSERT_EQ(state_of(*given_up), before);
     }
@@ -95,7 +95,7 @@ TEST_P(CancellationBetweenBatches, ChangesNothing) {
   const std::size_t memory = least_memory(test, *scene);
   const auto calm = test.integrator(*scene, {}, memory), given_up = test.integrator(*scene, {}, memory);
   ASSERT_EQ(given_up->statistics().photon_batches, 16);
-  constexpr int kMoments = 20;
+  constexpr int kMoments = 12;
   for (const int iteration : {0, 1}) {  // before the first one there is nothing to keep
     const auto begin = std::chrono::steady_clock::now();
     calm->iterate(iteration, *scene);

@@ -7,11 +7,13 @@
 #include "dspm/testing/test_scene.h"
 #include "dspm/world/choices.h"
 #include "tests/integrators/random_scene.h"
+#include "tests/support/seeds.h"
 
 namespace dspm {
 namespace {
 
 using test::RandomScene;
+using test::seeds;
 using test::TestScene;
 
 constexpr int kIterations = 3;
@@ -90,7 +92,7 @@ class DsppmEqualsSppm : public ::testing::TestWithParam<int> {};
 TEST_P(DsppmEqualsSppm, OnRandomScenes) {
   Comparison sum;
   const int frames = GetParam();
-  const int scenes = frames > 16 ? 6 : 40;
+  const int scenes = frames > 16 ? 4 : seeds(24);
   for (int i = 0; i < scenes; ++i) {
     const unsigned seed = static_cast<unsigned>(1000 * frames + i);
     const char* estimator = i % 4 == 3 ? "kz11" : "hj09";
@@ -120,7 +122,7 @@ TEST_P(DsppmEqualsSppm, OnRandomScenes) {
 }
 
 TEST(Kz11, FramesEqualTheirOwnRuns) {
-  for (unsigned seed = 0; seed < 30; ++seed) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
     const std::string text =
         RandomScene(500 + seed, 6).text(R"(Integrator "dsppm" "integer photons" 3000 "string estimator" "kz11")");
     SCOPED_TRACE(text);
@@ -137,7 +139,7 @@ TEST(Kz11, FramesEqualTheirOwnRuns) {
 
 // Frames of a path tracer, too, are those of their own runs.
 TEST(Path, FramesEqualTheirOwnRuns) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
     const std::string text = RandomScene(700 + seed, 4).text(R"(Integrator "path" "integer maxdepth" 8)");
     SCOPED_TRACE(text);
     TestScene test(text);

@@ -30,10 +30,15 @@ struct Rendered {
   double estimated = 0;
 };
 
-Rendered rendered(const std::string& text, std::uint64_t seed, int iterations) {
+/// Integrators of all seeds learn once.
+TestScene estimating(const std::string& text) {
   Choices choices;
-  choices.seed = seed, choices.until_error = 0.01;
-  TestScene test(text, choices);
+  choices.until_error = 0.01;
+  return TestScene(text, choices);
+}
+
+Rendered rendered(TestScene& test, std::uint64_t seed, int iterations) {
+  test.set_seed(seed);
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);
   for (int i = 0; i < iterations; ++i) integrator->iterate(i, *scene);
@@ -51,19 +56,19 @@ double true_error(const Image& image, const Image& truth) {
 }
 
 /// What runs of other seeds give on average: so it has the same blur as each of them.
-Image mean_of_seeds(const std::string& text, int seeds) {
+Image mean_of_seeds(TestScene& test, int seeds) {
   Image sum(32, 32);
   for (int seed = 0; seed < seeds; ++seed) {
-    const Image image = rendered(text, 100 + static_cast<std::uint64_t>(seed), kIterations).image;
+    const Image image = rendered(test, 100 + static_cast<std::uint64_t>(seed), kIterations).image;
     for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += image.pixels[i] / static_cast<float>(seeds);
   }
   return sum;
 }
 
-void expect_estimates(const std::string& text, const Image& truth) {
+void expect_estimates(TestScene& test, const Image& truth) {
   double estimated = 0, actual = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    const Rendered run = rendered(text, seed, kIterations);
+    const Rendered run = rendered(test, seed, kIterations);
     estimated += run.estimated / 4, actual += true_error(run.image, truth) / 4;
   }
   EXPECT_NEAR(estimated / actual, 1, 0.2);
@@ -72,17 +77,17 @@ void expect_estimates(const std::string& text, const Image& truth) {
 class ErrorEstimate : public testing::TestWithParam<std::string> {};
 
 TEST_P(ErrorEstimate, IsTheErrorAgainstTheMeanOfOtherRuns) {
-  const std::string text = scene(GetParam());
-  expect_estimates(text, mean_of_seeds(text, 30));
+  TestScene test = estimating(scene(GetParam()));
+  expect_estimates(test, mean_of_seeds(test, 30));
 }
 
 /// Runs of other seeds have other maps.
 TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
-  const std::string text = scene(R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)");
+  TestScene test = estimating(scene(R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)"));
   double estimated = 0, actual = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    const Rendered run = rendered(text, seed, kIterations);
-    estimated += run.estimated, actual += true_error(run.image, rendered(text, seed, 30 * kIterations).image);
+    const Rendered run = rendered(test, seed, kIterations);
+    estimated += run.estimated, actual += true_error(run.image, rendered(test, seed, 30 * kIterations).image);
   }
   EXPECT_NEAR(estimated / actual, 1, 0.2);
 }

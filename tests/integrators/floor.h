@@ -25,7 +25,7 @@ struct Floor {
   float radius = 0.04f;  // of gathers: small against what E changes over
   int max_depth = 8;
   double bias = 0.003;   // of the gathers' blur
-  int photons = 20'000;  // an iteration
+  int photons = 10'000;  // an iteration
 
   std::string text(const std::string& integrator) const {
     return fmt::format(R"(

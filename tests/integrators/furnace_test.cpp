@@ -41,12 +41,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string estimator" "kz11")", 2},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "photons")", 2},
         Case{R"("dsppm" "integer maxdepth" 40 "integer photons" 8000 "string direct" "sampled")", 3},
-        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2
-"integer causticphotons" 20000)",
-             3},
-        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 40000 "float radius" 0.2 "integer nearest" 5
-"integer causticphotons" 20000)",
-             3},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "float radius" 0.2
+"integer causticphotons" 10000)",
+             2},
+        Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "float radius" 0.2 "integer nearest" 5
+"integer causticphotons" 10000)",
+             2},
         Case{R"("photonmap" "integer maxdepth" 40 "integer photons" 20000 "integer finalgather" 1
 "integer causticphotons" 20000)",
              2},

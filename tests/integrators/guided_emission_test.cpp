@@ -45,8 +45,8 @@ Shape "sphere" "float radius" .3
 // E = L cos of the sun and pi L of the sky; one part in 8000 of the ground is seen.
 TEST(GuidedEmission, EndlessGround) {
   const double radiance = 0.5 / std::numbers::pi * (3 * 0.8 + 0.6 * std::numbers::pi);
-  for (const char* integrator : {R"("dsppm" "integer photons" 50000)", R"("sppm" "integer photons" 50000)",
-                                 R"("dsppm" "integer photons" 50000 "string estimator" "hj09")"}) {
+  for (const char* integrator : {R"("dsppm" "integer photons" 20000)", R"("sppm" "integer photons" 20000)",
+                                 R"("dsppm" "integer photons" 20000 "string estimator" "hj09")"}) {
     const Verdict verdict =
         agreement(rendered(ground(integrator), 4, 16, 2), Rgb(static_cast<float>(radiance)), {0.01 / 3, 0.002});
     EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
@@ -57,10 +57,10 @@ TEST(GuidedEmission, EndlessGround) {
 TEST(GuidedEmission, ConvergesToWhatPathFinds) {
   constexpr int kRadius = 10;
   const std::string ball = "Translate 5 3 .5 Shape \"sphere\" \"float radius\" .5";
-  const Tiles path = rendered(ground(R"("path" "integer maxdepth" 4)", ball, "", kRadius), 256, 16, 2);
+  const Tiles path = rendered(ground(R"("path" "integer maxdepth" 4)", ball, "", kRadius), 128, 16, 2);
   for (const char* direct : {"both", "photons", "sampled"}) {
     const std::string words = fmt::format(
-        R"("dsppm" "integer photons" 30000 "integer maxdepth" 4 "float radius" .03 "string direct" "{}")", direct);
+        R"("dsppm" "integer photons" 15000 "integer maxdepth" 4 "float radius" .03 "string direct" "{}")", direct);
     const Verdict verdict = agreement(rendered(ground(words, ball, "", kRadius), 8, 16, 2), path, {0.01 / 2, 0.01});
     EXPECT_TRUE(verdict.passed) << direct << ": " << verdict.message;
   }

@@ -211,11 +211,11 @@ Material "thindielectric"
 Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-2 1.6 -2  -2 1.6 2  2 1.6 2  2 1.6 -2]
 )";
   for (const std::string& scene : {corner, lamp}) {
-    const test::Tiles path = test::rendered(R"(Integrator "path" "integer maxdepth" 6)" + scene, 64);
+    const test::Tiles path = test::rendered(R"(Integrator "path" "integer maxdepth" 6)" + scene, 32);
     for (const char* photons : {R"("dsppm" "integer photons" 1000)",
                                 R"("photonmap" "integer photons" 1000 "integer causticphotons" 40000)"}) {
       const std::string integrator = fmt::format(R"(Integrator {} "integer maxdepth" 6)", photons);
-      const test::Verdict verdict = test::agreement(test::rendered(integrator + scene, 48), path, {0.01 / 4, 0.003});
+      const test::Verdict verdict = test::agreement(test::rendered(integrator + scene, 16), path, {0.01 / 4, 0.003});
       EXPECT_TRUE(verdict.passed) << photons << ": " << verdict.message;
     }
   }

@@ -43,13 +43,13 @@ TEST(LightChoices, PartHere) {
 }
 
 TEST(LightChoices, ConvergeToWhatPathFinds) {
-  const Tiles path = rendered(room(R"("path" "integer maxdepth" 4)"), 256, 16, 2);
+  const Tiles path = rendered(room(R"("path" "integer maxdepth" 4)"), 128, 16, 2);
   for (const char* integrator :
        {R"("dsppm" "integer photons" 8000 "integer maxdepth" 4 "float radius" .05 "string direct" "photons")",
         R"("dsppm" "integer photons" 8000 "integer maxdepth" 4 "float radius" .05 "string direct" "both")",
         R"("dsppm" "integer photons" 8000 "integer maxdepth" 4 "float radius" .05 "string emission" "power")",
         R"("vcm" "integer photons" 1000 "integer maxdepth" 4 "float radius" .03)"}) {
-    const Verdict verdict = agreement(rendered(room(integrator), 16, 16, 2), path, {0.01 / 4, 0.01});
+    const Verdict verdict = agreement(rendered(room(integrator), 8, 16, 2), path, {0.01 / 4, 0.01});
     EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
   }
 }

@@ -33,11 +33,11 @@ double from_lamp(double x, double y, double lamp_x) {
 }
 
 constexpr const char* kIntegrators[] = {
-    R"("sppm" "integer photons" 20000 "float radius" .04)",
-    R"("dsppm" "integer photons" 20000 "float radius" .04)",
-    R"("dsppm" "integer photons" 20000 "float radius" .04 "string emission" "power" "string estimator" "hj09")",
-    R"("dsppm" "integer photons" 20000 "float radius" .04 "string direct" "sampled")",
-    R"("photonmap" "integer photons" 1000 "integer causticphotons" 20000 "float causticradius" .04)",
+    R"("sppm" "integer photons" 10000 "float radius" .04)",
+    R"("dsppm" "integer photons" 10000 "float radius" .04)",
+    R"("dsppm" "integer photons" 10000 "float radius" .04 "string emission" "power" "string estimator" "hj09")",
+    R"("dsppm" "integer photons" 10000 "float radius" .04 "string direct" "sampled")",
+    R"("photonmap" "integer photons" 1000 "integer causticphotons" 10000 "float causticradius" .04)",
 };
 
 void expect_floor(const std::string& world, const Irradiance& irradiance) {

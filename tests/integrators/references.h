@@ -11,7 +11,6 @@
 
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
 #include "tests/integrators/light_tracer.h"
 #include "tests/support/temporary_directory.h"
 
@@ -31,7 +30,10 @@ class Reference {
 
   /// By the integrator that the options name.
   Tiles rendered(int iterations, int seeds) const {
-    return tiles(seeds, [&](TestScene& scene, std::uint64_t) { return scene.render_all(iterations).at(0); });
+    return tiles(seeds, [&](TestScene& scene, std::uint64_t seed) {
+      scene.set_seed(seed);
+      return scene.render_all(iterations).at(0);
+    });
   }
   Tiles light_traced(std::int64_t paths, int seeds) const {
     return tiles(seeds, [&](TestScene& scene, std::uint64_t seed) {
@@ -43,13 +45,9 @@ class Reference {
  private:
   template <class Render>
   Tiles tiles(int seeds, Render&& render) const {
+    TestScene scene(text_, file_);
     std::vector<std::vector<Image>> renders;
-    for (int seed = 1; seed <= seeds; ++seed) {
-      Choices options;
-      options.seed = static_cast<std::uint64_t>(seed);
-      TestScene scene(text_, options, file_);
-      renders.push_back({render(scene, *options.seed)});
-    }
+    for (int seed = 1; seed <= seeds; ++seed) renders.push_back({render(scene, static_cast<std::uint64_t>(seed))});
     return tiles_of(renders, kReferenceBlocks);
   }
 

@@ -127,11 +127,11 @@ constexpr int kQuarters = 2;
 class EveryWay : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryWay, AgreesWithPathTracing) {
-  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 32, seeds(16), kQuarters);
+  const Tiles path = rendered(scene_of(GetParam(), R"("path")"), 16, seeds(16), kQuarters);
   for (const Way& way : kWays) {
     const std::string vcm = fmt::format(R"("vcm" "integer photons" 700 {})", way.parameters);
     const Verdict verdict =
-        agreement(rendered(scene_of(GetParam(), vcm), 16, seeds(16), kQuarters), path, {kLevel, way.bias});
+        agreement(rendered(scene_of(GetParam(), vcm), 8, seeds(16), kQuarters), path, {kLevel, way.bias});
     EXPECT_TRUE(verdict.passed) << way.parameters << ": " << verdict.message;
   }
 }
@@ -150,7 +150,7 @@ LightSource "spot" "rgb I" [200 150 100] "point3 from" [0.2 0.5 0] "point3 to" [
       {R"("integer photons" 30000 "bool connect" false "bool merge" false)"},
       {R"("integer photons" 30000 "bool connect" false "bool lighttracing" false "float radius" 0.02)", 0.003},
   };
-  const Tiles path = rendered(scene_of(c, R"("path")"), 512, seeds(16), kQuarters);
+  const Tiles path = rendered(scene_of(c, R"("path")"), 128, seeds(16), kQuarters);
   for (const Way& way : kAlone) {
     const std::string vcm = fmt::format(R"("vcm" {})", way.parameters);
     const Verdict verdict = agreement(rendered(scene_of(c, vcm), 8, seeds(16), kQuarters), path, {0.003, way.bias});
@@ -176,7 +176,7 @@ Shape "sphere" "float radius" 0.35)",
 
 TEST(VcmFrames, EachIsWhatItIsAlone) {
   for (const char* ways : {"", R"("bool merge" false)", R"("bool connect" false)", R"("bool sharepaths" false)"})
-    for (unsigned seed = 0; seed < 12; ++seed) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
       const std::string text =
           RandomScene(seed, 5).text(fmt::format("Integrator \"vcm\" \"integer photons\" 600 {}", ways));
       SCOPED_TRACE(text);

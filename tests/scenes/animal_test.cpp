@@ -10,7 +10,7 @@ namespace {
 
 TEST(Animal, IsSoundAndOnTheGroundInEveryPose) {
   const Body body = make_body();
-  constexpr int kPoses = 32;
+  constexpr int kPoses = 16;
   bool stands = false;
   for (int i = 0; i < kPoses; ++i) {
     const MeshData mesh = posed(body, gallop(static_cast<float>(i) / kPoses));

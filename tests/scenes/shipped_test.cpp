@@ -62,7 +62,7 @@ TEST_F(ShippedScenes, AreNineOfFigure9) {
 }
 
 TEST_F(ShippedScenes, HorseGallopsInAnyNumberOfFrames) {
-  for (const int frames : {1, 8, 16, 24, 32, 64, 256})
+  for (const int frames : {1, 24, 256})
     expect_sound(scenes() / "horse/gallop.dsc",
                  {"frames=" + std::to_string(frames), "step=" + std::to_string(768 / frames), "estimator=hj09"});
 }

@@ -1,4 +1,5 @@
-// How many renders a statistical comparison takes the mean of: a few in every test run, more in ./dev soak.
+// How many renders a statistical comparison takes the mean of, or how many random scenes hold a promise: a few in every
+// test run, more in ./dev soak.
 #pragma once
 
 #include <algorithm>
