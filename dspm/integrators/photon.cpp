@@ -4,6 +4,7 @@
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/mixed_frames.h"
+#include "dspm/integrators/photon_energy.h"
 #include "dspm/integrators/photon_starts.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -25,16 +26,14 @@ unsigned kind_after(const PhotonPath& path, bool rough) {
   return rough || path.kind == kDiffusePhotons ? kDiffusePhotons : kCausticPhotons;
 }
 
-double sum(const Rgb& c) { return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b); }
-
 class PhotonTracer {
  public:
   PhotonTracer(const Scene& scene, const PhotonSettings& settings, const PhotonStarts& starts, PhotonTrace& out)
       : scene_(scene),
         settings_(settings),
         starts_(starts),
-        frames_(scene.frames()),
         out_(out),
+        energy_(scene.frame_count(), out),
         branches_(scene, out.paths) {}
 
   void trace(std::uint64_t path_index, std::uint64_t iteration) {
@@ -43,6 +42,8 @@ class PhotonTracer {
     branches_.count_path();
     if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size()});
   }
+  /// After the last path.
+  void finish() { energy_.finish(); }
 
  private:
   friend BranchingPath<PhotonPath>;
@@ -97,8 +98,8 @@ class PhotonTracer {
   StrandTable& strands() { return out_.strands; }
   void dimmed(const PhotonPath& before, const PhotonPath& after) {
     const auto add = [&](const PhotonPath& path, double sign) {
-      balance(path.strands, path.frames,
-              [&](EnergyBalance& e, const Rgb& weight) { e.absorbed += sign * sum(path.throughput * weight); });
+      energy_.change(path.strands, path.frames,
+                     [&](EnergyBalance& e, const Rgb& weight) { e.absorbed += sign * sum(path.throughput * weight); });
     };
     add(before, 1), add(after, -1);
   }
@@ -111,7 +112,7 @@ class PhotonTracer {
   }
 
   void wandered(const PhotonPath& before, const PhotonPath& after) {
-    balance(before.strands, after.frames, [&](EnergyBalance& e, const Rgb& weight) {
+    energy_.change(before.strands, after.frames, [&](EnergyBalance& e, const Rgb& weight) {
       e.absorbed += sum(before.throughput * weight) - sum(after.throughput * weight);
     });
   }
@@ -234,35 +235,21 @@ class PhotonTracer {
         change.absorbed = sum(before) - sum(after), change.roulette = sum(after) - sum(surviving);
       else
         change.terminated = sum(before);
-      balance(weights, frames, [&](EnergyBalance& e, const Rgb& grey) { e += change * static_cast<double>(grey.r); });
+      energy_.change(weights, frames,
+                     [&](EnergyBalance& e, const Rgb& grey) { e += change * static_cast<double>(grey.r); });
       return surviving;
     };
     return multiply(path, factors, out_.strands, ByRatio::yes, left);
   }
 
   void reject(FrameSet frames, const SceneElement& giver) { out_.rejections.add(giver, frames); }
-
-  /// Adds the path's flux in these frames.
   void balance(const PhotonPath& path, FrameSet frames, double EnergyBalance::*entry) {
-    balance(path.strands, frames,
-            [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(path.throughput * weight); });
-  }
-  /// Calls fn(balance, weight) for these frames. If all frames share a grey list of a light, the list has its own
-  /// balance, which is distributed to the frames in the end.
-  template <class Fn>
-  void balance(StrandList weights, FrameSet frames, Fn&& fn) {
-    const Strand* list = out_.strands.of(weights);
-    if (frames == frames_ && weights < out_.own_strands && (list == nullptr || list->grey))
-      return fn(out_.energy[static_cast<std::size_t>(scene_.frame_count()) + weights], Rgb(1));
-    for_each_strand(list, frames, [&](FrameSet alike, const Rgb& weight) {
-      alike.for_each([&](Frame f) { fn(out_.energy[static_cast<std::size_t>(f)], weight); });
-    });
+    energy_.add(path.strands, path.throughput, frames, entry);
   }
 
   const Scene& scene_;
   const PhotonSettings& settings_;
   const PhotonStarts& starts_;
-  FrameSet frames_;
   struct Started {
     const SceneLight& light;
     const Light& state;
@@ -271,28 +258,16 @@ class PhotonTracer {
   };
   std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;
+  PhotonEnergy energy_;
   BranchingPath<PhotonPath> branches_;
 };
 
-void clear(PhotonTrace& trace, const StrandTable& of_lights, int frames) {
+void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.photons.clear();
   trace.hidden.clear();
   trace.ends.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
-  trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
-}
-
-void finish_balance(PhotonTrace& trace, int frames) {
-  for (StrandList list = 0; list < trace.own_strands; ++list) {
-    const EnergyBalance shared = trace.energy[static_cast<std::size_t>(frames) + list];
-    if (shared == EnergyBalance{}) continue;
-    for_each_strand(trace.strands.of(list), FrameSet::first(frames), [&](FrameSet alike, const Rgb& grey) {
-      alike.for_each(
-          [&](Frame f) { trace.energy[static_cast<std::size_t>(f)] += shared * static_cast<double>(grey.r); });
-    });
-  }
-  trace.energy.resize(static_cast<std::size_t>(frames));
 }
 
 }  // namespace
@@ -303,11 +278,11 @@ std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings&
   reuse.resize(static_cast<std::size_t>(chunk_count(end - first, kPathsPerChunk)));
   parallel_chunks(end - first, kPathsPerChunk, [&](std::int64_t chunk, std::int64_t chunk_end) {
     PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / kPathsPerChunk)];
-    clear(trace, starts.strands(), scene.frame_count());
+    clear(trace, starts.strands());
     PhotonTracer tracer(scene, settings, starts, trace);
     for (std::int64_t i = first + chunk; i < first + chunk_end; ++i)
       tracer.trace(static_cast<std::uint64_t>(i), iteration);
-    finish_balance(trace, scene.frame_count());
+    tracer.finish();
   });
   return reuse;
 }

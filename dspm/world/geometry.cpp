@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <set>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
@@ -15,33 +13,13 @@
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
-#include "dspm/world/displacements.h"
+#include "dspm/world/geometry_source.h"
 #include "dspm/world/param_states.h"
 #include "dspm/world/same_in_all_frames.h"
-#include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
 namespace {
-
-Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
-                             const std::vector<bool>& present) {
-  return Timeline<Matrix4>::of_moments(
-      frames, present,
-      [&](Moment moment) {
-        const Matrix4 own = use.world_from_object.at(moment);
-        return instance ? instance->world_from_instance.at(moment) * own : own;
-      },
-      [](const Matrix4& a, const Matrix4& b) { return a == b; });
-}
-
-/// Its mesh file without folder and extension, else its type.
-std::string name_in_file(const ShapeUse& use) {
-  const Param* file = use.params.find("filename");
-  const auto* texts = file != nullptr ? std::get_if<std::vector<std::string>>(&file->values) : nullptr;
-  if (texts == nullptr || texts->empty()) return use.type;
-  return std::filesystem::path(texts->front()).stem().string();
-}
 
 /// In some frame.
 bool is_there(const WorldShape& shape) {
@@ -63,31 +41,6 @@ bool are_alike(const ShapeUse& a, const ShapeUse& b) {
 }
 
 }  // namespace
-
-/// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
-struct Geometry::Source {
-  Timeline<ParamList> params;
-  std::vector<MadeShapes> made;             // by state of `params`
-  std::vector<int> materials;               // by index of what was made
-  std::vector<const AreaLightUse*> lights;  // likewise; null: none
-  std::vector<int> alphas;                  // likewise, see WorldShape
-  bool caustics = true;                     // see PlacedShape
-  GeometryStates geometry;
-
-  /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
-  bool absorb(Source& next) {
-    const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
-    return is_one(*this) && is_one(next) && caustics == next.caustics &&
-           made.front().front().shape->absorb(*next.made.front().front().shape);
-  }
-};
-
-/// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
-/// holes, at one place.
-struct Geometry::Place {
-  int geometry, matrix, alpha;  // states
-  friend bool operator==(const Place&, const Place&) = default;
-};
 
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
     : description_(description),
@@ -187,8 +140,6 @@ const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& m
   return &light;
 }
 
-bool Geometry::is_seen(int material, FileFrame frame) const { return material < 0 || looks_.is_seen(material, frame); }
-
 /// As in pbrt: a surface that is not there emits nothing.
 void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
@@ -231,110 +182,6 @@ void Geometry::check(const ShapeUse& use, Source& source) {
                        : "\"bool repair\" true repairs orientation, duplicate vertices and small holes; \"bool open\" "
                          "true says that it is meant to be open");
   }
-}
-
-/// An instance is one object, and so are all dynamic blocks of one name; any other shape is an object of its own.
-int Geometry::object_of(const ShapeUse& use, const ObjectUse* instance) {
-  const auto once = [&](auto& known, const auto& key, const std::string& name) {
-    const auto [at, is_new] = known.try_emplace(key);
-    if (is_new) at->second = objects_.add(name);
-    return at->second;
-  };
-  if (instance) return once(object_of_use_, static_cast<const void*>(instance), instance->name);
-  if (use.name.empty() && use.dynamic_block >= 0) {
-    const std::string& block = description_.dynamic_blocks[static_cast<std::size_t>(use.dynamic_block)].name;
-    return once(object_of_block_, block, block);
-  }
-  return once(object_of_use_, static_cast<const void*>(&use), use.name.empty() ? name_in_file(use) : use.name);
-}
-
-Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeline<Matrix4>& matrices,
-                                              const std::vector<bool>& present, std::size_t made) const {
-  const int alpha = source.alphas[made];
-  return Timeline<Place>::of(
-      static_cast<int>(present.size()),
-      [&](FileFrame f) -> std::optional<Place> {
-        if (!present[f.slot()]) return std::nullopt;
-        return Place{source.geometry.states.at(f), matrices.at(f),
-                     alpha < 0 ? 0 : looks_.states_of_number(alpha)[f.slot()]};
-      },
-      [](const Place& a, const Place& b) { return a == b; });
-}
-
-/// How many matrices place each geometry.
-std::vector<int> Geometry::matrices_by_state(const Timeline<Place>& places, std::size_t geometries) {
-  std::set<std::pair<int, int>> pairs;
-  for (const Place& place : places.states) pairs.emplace(place.geometry, place.matrix);
-  std::vector<int> count(geometries, 0);
-  for (const auto& [geometry, matrix] : pairs) ++count[static_cast<std::size_t>(geometry)];
-  return count;
-}
-
-void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
-  std::vector<bool> present(source.params.state_of.size());
-  for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
-  if (instance && instance->dynamic_block >= 0) {
-    const std::vector<bool> there = presence(description_, instance->dynamic_block);
-    for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
-  }
-  const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
-  const int object = object_of(use, instance);
-  for (std::size_t i = 0; i < source.materials.size(); ++i) {
-    const Timeline<Place> places = places_of(source, matrices, present, i);
-    const std::vector<int> matrices_of_state = matrices_by_state(places, source.geometry.shapes.size());
-    std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
-    Emitter emitter{source.lights[i], {}};
-    const std::size_t first = shapes_.size();
-    ++placed_;
-    for (const Place& place : places.states) {
-      const auto state = static_cast<std::size_t>(place.geometry);
-      std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
-      Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
-      // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
-      // once.
-      if (alone && matrices_of_state[state] == 1 && shape->triangles()) {
-        std::shared_ptr<const Shape>& moved = in_world[place.geometry];
-        if (!moved && to_world.is_identity()) moved = shape;
-        if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
-        shape = moved, to_world = Transform();
-      }
-      WorldShape& world = shapes_.emplace_back();
-      owned_.push_back(shape);
-      world.use = &use;
-      world.placed.shape = shape.get();
-      world.placed.to_world = to_world;
-      world.placed.to_world_is_identity = to_world.is_identity();
-      world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
-      world.placed.caustics = source.caustics;
-      world.placed.material = source.materials[i];
-      world.placed.object = object;
-      world.placed.cutout_key = placed_;
-      world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
-      world.present.resize(present.size());
-      alphas_.set(world, source.alphas[i], place.alpha);
-      if (emitter.use) {
-        world.emitter = static_cast<int>(emitters_.size());
-        emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
-      }
-    }
-    for (FileFrame f(0); f.index() < static_cast<int>(present.size()); ++f)
-      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
-        shapes_[first + static_cast<std::size_t>(state)].present[f.slot()] = true;
-    if (emitter.use) add_emitter(std::move(emitter));
-  }
-}
-
-/// Its light is made for all frames at once, and so are its holes.
-void Geometry::add_emitter(Emitter emitter) {
-  const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
-  emitter.is_hidden = !emitter.shapes.empty() && std::all_of(emitter.shapes.begin(), emitter.shapes.end(),
-                                                             [&](int s) { return shape(s).nowhere; });
-  for (const int s : emitter.shapes) {
-    if (emitter.is_hidden || shape(s).alpha < 0) continue;
-    shape(s).cutout = std::make_shared<TextureCutout>(looks_.number(shape(s).alpha, shape(s).alpha_state));
-    shape(s).placed.cutout = shape(s).cutout.get();
-  }
-  emitters_.push_back(std::move(emitter));
 }
 
 }  // namespace dspm

@@ -1,0 +1,32 @@
+// What Geometry makes of a Shape directive before it places it.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/params/params.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/world/displacements.h"
+#include "dspm/world/geometry.h"
+
+namespace dspm {
+
+/// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
+struct Geometry::Source {
+  Timeline<ParamList> params;
+  std::vector<MadeShapes> made;             // by state of `params`
+  std::vector<int> materials;               // by index of what was made
+  std::vector<const AreaLightUse*> lights;  // likewise; null: none
+  std::vector<int> alphas;                  // likewise, see WorldShape
+  bool caustics = true;                     // see PlacedShape
+  GeometryStates geometry;
+
+  /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
+  bool absorb(Source& next) {
+    const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
+    return is_one(*this) && is_one(next) && caustics == next.caustics &&
+           made.front().front().shape->absorb(*next.made.front().front().shape);
+  }
+};
+
+}  // namespace dspm
