@@ -11,6 +11,7 @@
 #include "dspm/app/catalogue.h"
 #include "dspm/app/new_plugin.h"
 #include "dspm/app/options.h"
+#include "dspm/app/relight.h"
 #include "dspm/app/render.h"
 #include "dspm/app/signals.h"
 #include "dspm/modules/all_plugins.h"
@@ -37,6 +38,7 @@ int run(const Options& options) {
       return print_data(upgraded(options.scenes, options.lenient, messages)), 0;
     }
     case Task::list_variations: return print_data(variation_names(options.scenes, options)), 0;
+    case Task::relight: return relight_images(options);
     case Task::check: return check_scene(options);
     case Task::render: return render_scene(options);
   }

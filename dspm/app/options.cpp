@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "dspm/app/image_options.h"
 #include "dspm/app/option_values.h"
 #include "dspm/output/write_image.h"
 #include "dspm/params/errors.h"
@@ -111,17 +112,7 @@ void add_output(CLI::App& app, Options& o) {
       ->check(kNamesAFile)
       ->type_name("FILE");
   app.add_flag("--png", o.png, "also write tone mapped PNGs");
-  app.add_flag_callback("--half", [&] { o.half = true; })->description("16-bit EXR (the default)");
-  app.add_flag_callback("--float", [&] { o.half = false; })->description("32-bit EXR");
-  app.add_option_function<std::vector<std::string>>(
-         "--aov",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts)
-             for (std::string& name : parse_names("--aov", text)) o.outputs.push_back(std::move(name));
-         },
-         "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,radius,photons")
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+  add_image_options(app, o);
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
       ->check(kNamesAFile)
       ->type_name("FILE");
@@ -152,8 +143,7 @@ void add_output(CLI::App& app, Options& o) {
 
 std::string help_of(const CLI::App& app) {
   std::string help = app.help();
-  // CLI11 shows an optional value by its default.
-  if (const std::size_t at = help.find("{table}"); at != help.npos) help.replace(at, 7, "[=FILE]");
+  show_optional_values(help);
   return help;
 }
 

@@ -12,11 +12,11 @@
 
 namespace dspm {
 
-enum class Task { render, check, format, upgrade, list, describe, list_variations, new_plugin };
+enum class Task { render, check, format, upgrade, list, describe, list_variations, new_plugin, relight };
 
 struct Options : Choices, OutputSettings, CheckpointSettings {
   Task task = Task::render;
-  std::vector<std::string> scenes;   // "-": standard input
+  std::vector<std::string> scenes;   // "-": standard input; for Task::relight, images and factors
   std::vector<std::string> modules;  // files with plugins
   std::string sandbox;               // the directory outside of which no file is touched; empty: no sandbox
   std::string described;             // [kind:]name

@@ -32,6 +32,9 @@ class Camera {
   /// The film position whose ray(film, lens) passes through p. Nullopt if no ray does, or if the camera cannot compute
   /// it: light that is traced towards such a camera does not reach it.
   virtual std::optional<Sighting> sight(const Vec3& /*p*/, Vec2 /*lens*/) const { return std::nullopt; }
+  /// From camera space (x to the right, y up, z forward) to the full image: its x / w and y / w reach from -1 to 1, to
+  /// the right and up. Nullopt if no matrix does that.
+  virtual std::optional<Matrix4> image_from_camera() const { return std::nullopt; }
 };
 
 struct CameraContext {

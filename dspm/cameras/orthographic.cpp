@@ -47,6 +47,8 @@ class Orthographic final : public Camera {
                    1 / std::abs(size.x * size.y));
   }
 
+  std::optional<Matrix4> image_from_camera() const override { return image_from_screen(screen_); }
+
  private:
   Transform to_world_;
   Screen screen_;

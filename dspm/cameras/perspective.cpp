@@ -47,6 +47,15 @@ class Perspective final : public Camera {
     return carried(to_world_, screen_.film_at(s * (1 / scale_)), local, origin, 1 / std::abs(size.x * size.y));
   }
 
+  std::optional<Matrix4> image_from_camera() const override {
+    constexpr double kNear = 0.01;  // as in pbrt; z / w is 0 there and 1 infinitely far away
+    Matrix4 divide;
+    divide.m[2][3] = -kNear;
+    divide.m[3] = {0, 0, 1, 0};
+    const auto scale = static_cast<double>(scale_);
+    return image_from_screen(screen_) * (divide * Matrix4::scale(1 / scale, 1 / scale, 1));
+  }
+
  private:
   Transform to_world_;
   Screen screen_;

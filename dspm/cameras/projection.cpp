@@ -73,6 +73,13 @@ Projection read_projection(ParamReader& reader, const CameraContext& context) {
   return p;
 }
 
+Matrix4 image_from_screen(const Screen& screen) {
+  const auto left = static_cast<double>(screen.left), right = static_cast<double>(screen.right);
+  const auto bottom = static_cast<double>(screen.bottom), top = static_cast<double>(screen.top);
+  return Matrix4::scale(2 / (right - left), 2 / (top - bottom), 1) *
+         Matrix4::translate(-(left + right) / 2, -(bottom + top) / 2, 0);
+}
+
 Sighting carried_across(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels) {
   const Vec3 way = to_world.vector(origin - p), local = normalize(origin - p);
   const Vec3 x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});

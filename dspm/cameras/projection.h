@@ -55,6 +55,9 @@ inline Ray carried(const Transform& to_world, const Ray& ray) {
   return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
 }
 
+/// See Camera::image_from_camera; of what lies on the screen already.
+Matrix4 image_from_screen(const Screen& screen);
+
 /// Reads "shutteropen" and "shutterclose".
 void read_shutter(ParamReader& reader);
 

@@ -44,6 +44,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the choice of outputs (--aov)",
                    outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
   facts.push_back({"the estimate of the error (--until-error)", s.estimate_error ? "kept" : "not kept"});
+  if (s.transparent) facts.push_back({"the background", "transparent"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});
   facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));

@@ -81,6 +81,9 @@ void read_common(ParamReader& reader, FilmSettings& film) {
   film.max_component = reader.number("maxcomponentvalue", film.max_component, "",
                                      "colours with a brighter component are scaled down to it");
   film.save_half = reader.flag("savefp16", film.save_half, "half precision in the EXR file, else single");
+  film.transparent =
+      reader.flag("transparent", film.transparent,
+                  "an alpha channel: lights infinitely far away do not show behind the scene, though they light it");
   film.white_kelvin = reader.number("whitebalance", 0, "K", "daylight that becomes white; 0: colours stay as they are");
   read_sensor(reader, film);
   film.space = reader.space();

@@ -30,6 +30,7 @@ struct FilmSettings {
   float max_component = kInfinity;
   bool save_half = true;         // else single precision
   bool surface_outputs = false;  // next to radiance, what the camera sees first
+  bool transparent = false;      // with alpha, and without what lies behind all surfaces
   bool in_camera_space = false;  // positions and normals among them; else in world space
 };
 

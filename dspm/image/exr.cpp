@@ -10,6 +10,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
@@ -20,9 +21,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/image/decoders.h"
 #include "dspm/image/exr_check.h"
+#include "dspm/image/exr_compression.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
@@ -135,6 +138,26 @@ void convert_to_rec709(Image& image, const Imf::Header& header) {
   }
 }
 
+ExrFormat format_of(const Imf::Header& header) {
+  const int tile = header.hasTileDescription() ? static_cast<int>(header.tileDescription().xSize) : 0;
+  return {exr_compression(header.compression()), tile};
+}
+
+/// Of the spaces that we write the one with these primaries, else that of Rec. 709.
+ColourSpace space_of(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return ColourSpace::srgb;
+  const Imf::Chromaticities& is = Imf::chromaticities(header);
+  const auto near = [](const Imath::V2f& a, const Chromaticity& b) {
+    return std::abs(static_cast<double>(a.x) - b.x) < 1e-5 && std::abs(static_cast<double>(a.y) - b.y) < 1e-5;
+  };
+  for (const std::string& word : colour_space_words()) {
+    const Chromaticities& c = chromaticities(*colour_space(word));
+    if (near(is.red, c.red) && near(is.green, c.green) && near(is.blue, c.blue) && near(is.white, c.white))
+      return *colour_space(word);
+  }
+  return ColourSpace::srgb;
+}
+
 }  // namespace
 
 bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
@@ -164,7 +187,12 @@ ExrHeader read_exr_header(const std::filesystem::path& path) {
   const Imath::Box2i &display = from.displayWindow(), &data = from.dataWindow();
 
   ExrHeader header;
-  for (auto c = from.channels().begin(); c != from.channels().end(); ++c) header.channels.emplace_back(c.name());
+  for (auto c = from.channels().begin(); c != from.channels().end(); ++c) {
+    header.channels.emplace_back(c.name());
+    header.precisions.push_back(c.channel().type == Imf::HALF ? ExrPixels::half : ExrPixels::single);
+  }
+  header.format = format_of(from);
+  header.space = space_of(from);
   header.x = data.min.x - display.min.x, header.y = data.min.y - display.min.y;
   header.full_width = display.max.x - display.min.x + 1, header.full_height = display.max.y - display.min.y + 1;
   if (Imf::hasFramesPerSecond(from)) header.frames_per_second = Imf::framesPerSecond(from);
@@ -174,6 +202,8 @@ ExrHeader read_exr_header(const std::filesystem::path& path) {
       header.integers[a.name()] = integer->value();
     if (auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&a.attribute()))
       header.numbers[a.name()] = number->value();
+    if (auto* matrix = dynamic_cast<const Imf::M44fAttribute*>(&a.attribute()))
+      std::copy_n(matrix->value().getValue(), 16, header.matrices[a.name()].begin());
   }
   return header;
 }

@@ -1,8 +1,10 @@
 // OpenEXR files; the files named exr* are the only places that know the library.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,19 +15,33 @@
 
 namespace dspm {
 
+enum class ExrPixels { half, single };
+
+enum class ExrCompression { none, rle, zips, zip, piz, dwaa, dwab };
+/// OpenEXR's names. dwaa and dwab lose a little of channels named R, G, B or Y, in any layer; the others lose nothing.
+std::optional<ExrCompression> exr_compression(std::string_view name);
+
+/// How a file's pixels lie in it.
+struct ExrFormat {
+  ExrCompression compression = ExrCompression::zip;
+  int tile = 0;  // the side of tiles in pixels; 0: rows
+};
+
 /// The contents of an image file besides the pixels. The names must not be those of OpenEXR's own attributes.
 struct ExrHeader {
   std::map<std::string, std::string> texts;
   std::map<std::string, int> integers;
-  std::map<std::string, double> numbers;  // also for counts beyond 32 bits: exact up to 2^53
-  ColourSpace space = ColourSpace::srgb;  // of R, G and B, whose chromaticities are written
-  double frames_per_second = 0;           // 0: no animation
-  int x = 0, y = 0;                       // where the pixels (data window) begin in the full image (display window)
-  int full_width = 0, full_height = 0;    // 0: the pixels are the full image
-  std::vector<std::string> channels;      // of a file that was read, in alphabetical order
+  std::map<std::string, double> numbers;                  // also for counts beyond 32 bits: exact up to 2^53
+  std::map<std::string, std::array<float, 16>> matrices;  // row by row; points are rows: p' = p M
+  ColourSpace space = ColourSpace::srgb;                  // of R, G and B, whose chromaticities are written
+  double frames_per_second = 0;                           // 0: no animation
+  int x = 0, y = 0;                     // where the pixels (data window) begin in the full image (display window)
+  int full_width = 0, full_height = 0;  // 0: the pixels are the full image
+  // Of a file that was read: its channels in alphabetical order, and how they lie in it.
+  std::vector<std::string> channels;
+  std::vector<ExrPixels> precisions;  // whole numbers count as single
+  ExrFormat format;
 };
-
-enum class ExrPixels { half, single };
 
 /// One to three channels; the pixels' r, g and b are their values.
 struct ExrLayer {
@@ -39,9 +55,10 @@ bool is_exr(std::string_view bytes);
 /// other chromaticities become those of Rec. 709. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
-/// One part with the channels of all layers, compressed without loss. Halves end at 65504: brighter values are clamped
-/// to that. Layers of different sizes are an error.
-void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header);
+/// One part with the channels of all layers. Halves end at 65504: brighter values are clamped to that. Layers of
+/// different sizes are an error.
+void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header,
+               const ExrFormat& format = {});
 /// One layer: R, G and B.
 void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
                ExrPixels pixels = ExrPixels::half);

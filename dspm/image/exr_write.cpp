@@ -6,9 +6,11 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfTiledOutputFile.h>
 #include <half.h>
 
 #include <algorithm>
@@ -21,6 +23,7 @@
 #include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/image/exr.h"
+#include "dspm/image/exr_compression.h"
 #include "dspm/image/image.h"
 #include "dspm/system/atomic_file.h"
 
@@ -54,7 +57,7 @@ Imf::Chromaticities imf_chromaticities(ColourSpace space) {
   return {at(c.red), at(c.green), at(c.blue), at(c.white)};
 }
 
-Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header) {
+Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header, const ExrFormat& format) {
   const Image& image = *layers.front().image;
   const int width = header.full_width > 0 ? header.full_width : image.width;
   const int height = header.full_height > 0 ? header.full_height : image.height;
@@ -70,6 +73,14 @@ Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header
   for (const auto& [name, value] : header.texts) result.insert(name, Imf::StringAttribute(value));
   for (const auto& [name, value] : header.integers) result.insert(name, Imf::IntAttribute(value));
   for (const auto& [name, value] : header.numbers) result.insert(name, Imf::DoubleAttribute(value));
+  for (const auto& [name, value] : header.matrices) {
+    Imath::M44f matrix;
+    std::copy(value.begin(), value.end(), matrix.getValue());
+    result.insert(name, Imf::M44fAttribute(matrix));
+  }
+  result.compression() = imf_compression(format.compression);
+  const auto side = static_cast<unsigned>(format.tile);
+  if (side > 0) result.setTileDescription(Imf::TileDescription(side, side, Imf::ONE_LEVEL));
   return result;
 }
 
@@ -97,21 +108,27 @@ void insert(Imf::FrameBuffer& buffer, const ExrLayer& layer, const Imath::Box2i&
     buffer.insert(name, Imf::Slice::Make(type_of(layer), first++, window, kStride, kStride * width));
 }
 
-std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header) {
+std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header, const ExrFormat& format) {
+  const Imf::Header imf = imf_header(layers, header, format);
+  const Imath::Box2i& window = imf.dataWindow();
+  Imf::FrameBuffer buffer;
+  std::vector<std::vector<half>> halves;
+  for (const ExrLayer& layer : layers)
+    if (layer.pixels == ExrPixels::half)
+      insert(buffer, layer, window, halves.emplace_back(halves_of(*layer.image)).data());
+    else
+      insert(buffer, layer, window, &layer.image->pixels.front().r);
+
   MemoryOutput output;
-  {
-    Imf::OutputFile file(output, imf_header(layers, header));
-    const Imath::Box2i& window = file.header().dataWindow();
-    Imf::FrameBuffer buffer;
-    std::vector<std::vector<half>> halves;
-    for (const ExrLayer& layer : layers)
-      if (layer.pixels == ExrPixels::half)
-        insert(buffer, layer, window, halves.emplace_back(halves_of(*layer.image)).data());
-      else
-        insert(buffer, layer, window, &layer.image->pixels.front().r);
+  if (format.tile > 0) {
+    Imf::TiledOutputFile file(output, imf);
+    file.setFrameBuffer(buffer);
+    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+  } else {
+    Imf::OutputFile file(output, imf);
     file.setFrameBuffer(buffer);
     file.writePixels(window.max.y - window.min.y + 1);
-  }  // the file's destructor writes the table of rows
+  }  // the files' destructors write the table of rows or tiles
   return std::move(output.bytes);
 }
 
@@ -125,11 +142,12 @@ void check(std::span<const ExrLayer> layers) {
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header) {
+void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header,
+               const ExrFormat& format) {
   std::string bytes;
   try {
     check(layers);
-    bytes = encode(layers, header);
+    bytes = encode(layers, header, format);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -23,13 +23,13 @@ class HitPointWriter {
 
   PathCounts& paths() { return tile_.paths; }
 
-  /// `giver`: its source, blamed if it is not finite.
+  /// `giver`: its source, the light if it is finite; else the one to blame.
   template <class WhoGave>
   void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
       const Rgb seen = path.throughput * weight * radiance;
       if (!is_finite(seen)) return reject(path, alike, giver());
-      tile_.seen.push_back({path.pixel, alike, seen});
+      tile_.seen.push_back({path.pixel, alike, seen, light_of(giver())});
     });
   }
 

@@ -33,6 +33,7 @@ struct RenderSettings {
   int default_iterations = 256;      // if the integrator's parameters set none
   std::size_t memory = 0;            // bytes that the integrator may hold, or it throws NotEnoughMemory; 0: no bound
   std::vector<std::string> outputs;  // to be written next to radiance
+  bool transparent = false;          // no camera path sees lights infinitely far away before it meets a surface
   bool in_camera_space = false;      // outputs that are positions or normals; else in world space
   bool estimate_error = false;       // by frame, in the statistics
   std::shared_ptr<FileSample> file;  // for what an integrator learns; may be null

@@ -5,10 +5,8 @@
 #include <cstring>
 
 namespace dspm {
-namespace {
 
-/// MurmurHash3_x86_32 with seed 0. [Austin Appleby, public domain]
-std::uint32_t murmur3(const std::string& text) {
+std::uint32_t name_hash(const std::string& text) {
   constexpr std::uint32_t kC1 = 0xcc9e2d51, kC2 = 0x1b873593;
   std::uint32_t hash = 0;
   std::size_t at = 0;
@@ -27,10 +25,8 @@ std::uint32_t murmur3(const std::string& text) {
   return hash ^ hash >> 16;
 }
 
-}  // namespace
-
 float id_of(const std::string& name) {
-  std::uint32_t bits = murmur3(name);
+  std::uint32_t bits = name_hash(name);
   const std::uint32_t exponent = bits >> 23 & 255;
   if (exponent == 0 || exponent == 255) bits ^= 1U << 23;  // neither denormal nor infinite nor NaN
   return std::bit_cast<float>(bits);

@@ -17,6 +17,7 @@
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/summed_iterations.h"
@@ -71,6 +72,7 @@ class PixelTracer {
   }
 
   void escaped(const CameraPath& path, FrameSet frames) {
+    if (render_.transparent && path.bounces == 0) return;
     for_each_escape(scene_, frames, path.ray,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       add(path, lit, path.throughput * radiance * weight_of_escape(scene_, path, scene_light, light),
@@ -114,10 +116,10 @@ class PixelTracer {
       branches_.push(path);
   }
 
-  /// `giver`: its source, blamed if it is not finite.
+  /// `giver`: its source, the light if it is finite; else the one to blame.
   template <class WhoGave>
   void add(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance});
+    if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance, light_of(giver())});
     reject(path, frames, giver());
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
@@ -135,8 +137,12 @@ class PixelTracer {
 
 class Path final : public Integrator {
  public:
-  Path(int iterations, const Limits& limits, int frames, const RenderSettings& render)
-      : iterations_(iterations), limits_(limits), render_(render), done_(render.crop, frames, statistics_at_start()) {}
+  Path(int iterations, const Limits& limits, const Scene& scene, const RenderSettings& render)
+      : iterations_(iterations),
+        limits_(limits),
+        render_(render),
+        groups_(light_group_outputs(scene)),
+        done_(render.crop, scene.frame_count(), statistics_at_start(), LightGroups(scene, render.outputs)) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
@@ -150,7 +156,8 @@ class Path final : public Integrator {
     });
   }
 
-  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
+  std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
+  Image estimate(Frame frame, const std::string& output) const override { return done_.mean(frame, output); }
 
   Statistics statistics() const override { return done_.statistics(); }
 
@@ -182,6 +189,7 @@ class Path final : public Integrator {
   int iterations_;
   Limits limits_;
   RenderSettings render_;
+  std::vector<OutputInfo> groups_;
   SummedIterations done_;
 };
 
@@ -201,8 +209,9 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
-  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count())});
-  return std::make_unique<Path>(iterations, Limits{max_depth, indirect}, scene.frame_count(), render);
+  const int groups = LightGroups(scene, render.outputs).count();
+  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), groups)});
+  return std::make_unique<Path>(iterations, Limits{max_depth, indirect}, scene, render);
 }
 
 }  // namespace dspm

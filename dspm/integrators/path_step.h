@@ -141,6 +141,8 @@ void for_each_relief(const Vertex& vertex, Fn&& fn) {
   }
 }
 
+/// The light's index, or -1 if it is none.
+inline int light_of(const SceneElement& giver) { return giver.kind == SceneElement::Kind::light ? giver.index : -1; }
 inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
   return {SceneElement::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }

@@ -69,8 +69,11 @@ class PhotonTracer {
       }
       PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}});
       path.start = static_cast<int>(started_.size());
-      started_.push_back(
-          {light, *start.light, {emission->ray, emission->normal, emission->primitive}, emission->must_reach});
+      started_.push_back({light,
+                          *start.light,
+                          {emission->ray, emission->normal, emission->primitive},
+                          emission->must_reach,
+                          chosen.light});
       path.random = random, path.strands = start.strands, path.body = start.body;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
@@ -184,14 +187,14 @@ class PhotonTracer {
     }
     if (path.kind == kDirectPhotons && settings_.direct != nullptr) flux *= weight_of_direct(path, point);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    photons.push_back({point.p, wi, flux, frames, strands});
+    photons.push_back({point.p, wi, flux, frames, strands, started_[static_cast<std::size_t>(path.start)].index});
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
   }
 
   float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
-    const auto& [light, state, start, must_reach] = started_[static_cast<std::size_t>(path.start)];
-    return settings_.direct->weight_of_photon(light, state, start, {point.p, point.ng});
+    const Started& from = started_[static_cast<std::size_t>(path.start)];
+    return settings_.direct->weight_of_photon(from.light, from.state, from.start, {point.p, point.ng});
   }
 
   /// Calls fn(const BsdfSample&, rough, factor) unless these frames end.
@@ -255,6 +258,7 @@ class PhotonTracer {
     const Light& state;
     LightStart start;
     float must_reach;
+    int index;  // of the light
   };
   std::vector<Started> started_;  // of the path that is traced
   PhotonTrace& out_;

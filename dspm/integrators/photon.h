@@ -23,6 +23,7 @@ struct Photon {
   Rgb flux;  // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
+  int light = -1;          // that it comes from: into the scene's
 };
 
 /// Photons by their history before they are stored.

@@ -1,6 +1,7 @@
 #include "dspm/integrators/photon_batches.h"
 
 #include "dspm/integrators/found_photons.h"
+#include "dspm/integrators/group_estimators.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/scene/scene.h"
 
@@ -11,12 +12,14 @@ namespace {
 constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
 /// With several batches, iterations are long: the plan includes a copy of the state (session/revertible.h).
-std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render) {
+std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render,
+                        const LightGroups& groups) {
   const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
-  const std::size_t working = estimator.bytes(of) + found;
+  const auto held = [&] { return estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) + found; };
+  const std::size_t working = held();
   if (!of.batched) return working;
   of.batched = false;
-  return working + estimator.bytes(of) + found;
+  return working + held();
 }
 
 }  // namespace
@@ -31,7 +34,9 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
                                     std::size_t learning) {
   if (render.memory == 0) return {settings.photons, settings.photons};
   const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
-  const double a_path = bytes_a_photon_path(scene, settings.photon);
+  const LightGroups groups(scene, render.outputs);
+  const double maps = groups.count() > 0 ? 2 : 1;  // groups have a map of their own, one after the other
+  const double a_path = maps * bytes_a_photon_path(scene, settings.photon);
   MemoryNeeds needs, least;
   needs.learning = learning;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);
@@ -39,7 +44,8 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     const PhotonBatches batches{settings.photons, (settings.photons + count - 1) / count};
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
-    needs.pixels = pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render) + guides;
+    needs.pixels =
+        pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render, groups) + guides;
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

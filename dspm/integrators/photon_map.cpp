@@ -25,15 +25,16 @@ void for_each_trace(const std::vector<PhotonTrace>& traces, Fn&& fn) {
 }
 
 std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t frames,
-                          std::vector<Photon> PhotonTrace::*which) {
+                          std::vector<Photon> PhotonTrace::*which, const PhotonsOfGroup* only) {
   std::vector<Places> counts(traces.size());
   for_each_trace(traces, [&](std::size_t t) {
     counts[t].resize(frames + 2);
-    if (frames == 1) {
+    if (frames == 1 && only == nullptr) {
       counts[t][0] = (traces[t].*which).size();
       return;
     }
-    for (const Photon& photon : traces[t].*which) ++counts[t][class_of(photon, frames)];
+    for (const Photon& photon : traces[t].*which)
+      if (only == nullptr || only->hold(photon)) ++counts[t][frames == 1 ? 0 : class_of(photon, frames)];
   });
   return counts;
 }
@@ -48,9 +49,9 @@ bool mostly_common(const std::vector<Places>& counts) {
 }  // namespace
 
 void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size,
-                      std::vector<Photon> PhotonTrace::*which) {
+                      std::vector<Photon> PhotonTrace::*which, const PhotonsOfGroup* only) {
   const auto frames = static_cast<std::size_t>(frame_count);
-  std::vector<Places> places = count(traces, frames, which);
+  std::vector<Places> places = count(traces, frames, which, only);
   const bool by_frame = !mostly_common(places);
   if (!by_frame)
     for (Places& trace : places) {
@@ -64,6 +65,7 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
   refit(strands_, begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
     for (const Photon& photon : traces[t].*which) {
+      if (only != nullptr && !only->hold(photon)) continue;
       const std::size_t own = class_of(photon, frames), c = by_frame || own > frames ? own : 0;
       const std::size_t place = places[t][c]++;
       photons_[place] = &photon;

@@ -5,11 +5,19 @@
 #include <span>
 #include <vector>
 
+#include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon_grid.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
+
+/// The photons that lights of a group have sent.
+struct PhotonsOfGroup {
+  const LightGroups& groups;
+  int group;
+  bool hold(const Photon& photon) const { return groups.of_light(photon.light) == group; }
+};
 
 /// Photons shared by several frames are in one grid. Those of a single frame are in a grid of that frame, and again in
 /// a grid of all such photons, for hit points shared by many frames. If most photons are shared, all are in the first
@@ -17,9 +25,9 @@ namespace dspm {
 class PhotonMap {
  public:
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` should suit a typical search
-  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons.
+  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons. `only`: these; null: all.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
-             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
+             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons, const PhotonsOfGroup* only = nullptr);
 
   /// Whether it is a list of a light's strands, which many photons share.
   bool is_of_light(const Strand* strands) const {

@@ -7,6 +7,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/found_photons.h"
+#include "dspm/integrators/group_estimators.h"
 #include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
@@ -29,7 +30,8 @@ class Progressive final : public Integrator {
         render_(render),
         lights_(static_cast<int>(scene.lights.size())),
         found_(render.crop.count(), scene.frame_count(), render.outputs),
-        found_by_tile_(hit_point_tile_count(render.crop)) {
+        found_by_tile_(hit_point_tile_count(render.crop)),
+        group_outputs_(light_group_outputs(scene)) {
     statistics_.steps = {{"emission"}, {"hit points"}, {"photons"}, {"photon map"}, {"statistics"}};
     // How much memory photons take depends on where they start.
     if (render.memory > 0 || render.learn_at_once) learn(scene);
@@ -37,7 +39,10 @@ class Progressive final : public Integrator {
                                      learned_ != nullptr ? learned_->bytes_while_learning : 0);
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
-    pixel_bytes_ = estimator.bytes(of) + FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
+    const LightGroups groups(scene, render.outputs);
+    groups_.emplace(groups, estimator, of);
+    pixel_bytes_ = estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) +
+                   FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = batches_.count();
     statistics_.bytes = bytes();
@@ -56,11 +61,17 @@ class Progressive final : public Integrator {
     }
   }
 
-  std::vector<OutputInfo> outputs() const override { return {radiance_output(), kRadiusOutput, kPhotonsOutput}; }
+  std::vector<OutputInfo> outputs() const override {
+    std::vector<OutputInfo> all = {radiance_output(), kRadiusOutput, kPhotonsOutput};
+    all.insert(all.end(), group_outputs_.begin(), group_outputs_.end());
+    return all;
+  }
 
   Image estimate(Frame frame, const std::string& output) const override {
     if (output == kRadiusOutput.name) return image_of([&](int pixel) { return Rgb(radius(pixel, frame)); });
     if (output == kPhotonsOutput.name) return image_of([&](int pixel) { return Rgb(found_.photons(pixel, frame)); });
+    if (const int group = groups_->groups().of_output(output); group != LightGroups::kNone)
+      return image_of([&](int pixel) { return groups_->radiance(group, pixel, frame); });
     return image_of([&](int pixel) { return estimator_->radiance(pixel, frame); });
   }
 
@@ -68,8 +79,8 @@ class Progressive final : public Integrator {
 
   bool persist(StateStream& state) override {
     statistics_.persist(state);
-    estimator_->forget_iteration();
-    estimator_->persist(state);
+    estimator_->forget_iteration(), groups_->forget_iteration();
+    estimator_->persist(state), groups_->persist(state);
     shrinkage_.persist(state);
     found_.persist(state);
     found_by_tile_.persist(state);
@@ -90,8 +101,9 @@ class Progressive final : public Integrator {
       if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
       see_hidden_light();
       gather_photons();
+      part_by_groups(scene, cell_size, first == 0);
     }
-    estimator_->end_iteration();
+    estimator_->end_iteration(), groups_->end_iteration();
     shrinkage_.end_iteration(settings_.alpha);
     statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
     if (settings_.hit_point.go_on) statistics_.typical.photons = 0;  // few may be all that there are
@@ -213,6 +225,14 @@ class Progressive final : public Integrator {
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
+  void part_by_groups(const Scene& scene, float cell_size, bool first) {
+    if (groups_->groups().count() == 0) return;
+    const StepTimer timer(statistics_.steps[kStatistics]);
+    if (first) groups_->see(tiles_);
+    groups_->gather(tiles_, traces_, scene, cell_size, shrinkage_);
+    statistics_.bytes = std::max(statistics_.bytes, bytes());
+  }
+
   template <class Value>
   Image image_of(Value&& value) const {
     Image image(render_.crop.width(), render_.crop.height());
@@ -242,7 +262,8 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
+    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + groups_->map_bytes() + bytes_of(traces_) +
+           bytes_of(tiles_);
   }
 
   ProgressiveSettings settings_;
@@ -254,7 +275,9 @@ class Progressive final : public Integrator {
   FoundPhotons found_;
   FoundByTile found_by_tile_;
   std::vector<double> shrunk_;  // by tile: radius over initial radius
+  std::vector<OutputInfo> group_outputs_;
   std::unique_ptr<PixelEstimator> estimator_;
+  std::optional<GroupEstimators> groups_;  // of lights; made together with the estimator
   std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;

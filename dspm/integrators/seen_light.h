@@ -1,9 +1,11 @@
-// Sums of the light that camera paths saw, by pixel and frame.
+// Sums of the light that camera paths saw, by pixel and frame; and of its parts by groups of lights.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/state_stream.h"
 
@@ -14,24 +16,48 @@ struct SeenLight {
   int pixel;
   FrameSet frames;
   Rgb radiance;
+  int light = -1;  // where it comes from, into the scene's; -1: not known
 };
 
 class SeenLightSums {
  public:
-  SeenLightSums(int pixels, int frames) : frames_(frames), sums_(bytes(pixels, frames) / sizeof(Rgb)) {}
-  static std::size_t bytes(int pixels, int frames) {
-    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Rgb);
+  SeenLightSums(int pixels, int frames, LightGroups groups = {})
+      : frames_(frames),
+        sums_(bytes(pixels, frames) / sizeof(Rgb)),
+        groups_(std::move(groups)),
+        parts_(static_cast<std::size_t>(groups_.count()) * sums_.size()) {}
+  /// `groups`: how many.
+  static std::size_t bytes(int pixels, int frames, int groups = 0) {
+    return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Rgb) *
+           static_cast<std::size_t>(1 + groups);
   }
 
   void add(const SeenLight& light) {
     light.frames.for_each([&](Frame f) { sums_[index(light.pixel, f)] += light.radiance; });
+    if (has_parts()) add_to_part(light);
   }
-  /// Over all iterations, including those whose path saw nothing.
-  Rgb mean(int pixel, Frame frame, int iterations) const {
-    return iterations == 0 ? Rgb() : sums_[index(pixel, frame)] / static_cast<float>(iterations);
+  bool has_parts() const { return !parts_.empty(); }
+  /// Only to the light's group.
+  void add_to_part(const SeenLight& light) {
+    const int group = groups_.of_light(light.light);
+    if (group == LightGroups::kNone) return;
+    const std::size_t first = static_cast<std::size_t>(group) * sums_.size();
+    light.frames.for_each([&](Frame f) { parts_[first + index(light.pixel, f)] += light.radiance; });
   }
-  void persist(StateStream& state) { state.value(sums_); }
-  std::size_t bytes() const { return sums_.capacity() * sizeof(Rgb); }
+  /// Over all iterations, including those whose path saw nothing. `group`: of that part only.
+  Rgb mean(int pixel, Frame frame, int iterations, int group = LightGroups::kNone) const {
+    if (iterations == 0) return {};
+    const std::size_t at = index(pixel, frame);
+    const Rgb& sum =
+        group == LightGroups::kNone ? sums_[at] : parts_[static_cast<std::size_t>(group) * sums_.size() + at];
+    return sum / static_cast<float>(iterations);
+  }
+  const LightGroups& groups() const { return groups_; }
+  void persist(StateStream& state) {
+    state.value(sums_);
+    if (has_parts()) state.value(parts_);
+  }
+  std::size_t bytes() const { return (sums_.capacity() + parts_.capacity()) * sizeof(Rgb); }
 
  private:
   std::size_t index(int pixel, Frame frame) const {
@@ -40,6 +66,8 @@ class SeenLightSums {
 
   int frames_;
   std::vector<Rgb> sums_;
+  LightGroups groups_;
+  std::vector<Rgb> parts_;  // by group, pixel and frame
 };
 
 }  // namespace dspm

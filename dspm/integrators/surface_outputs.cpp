@@ -7,6 +7,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/coverage_ranks.h"
 #include "dspm/integrators/make_beside.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
@@ -17,14 +18,14 @@
 namespace dspm {
 namespace {
 
-/// In the order of surface_outputs().
-enum Kind { kNormal, kPosition, kDepth, kAlbedo, kTextureUv, kObject, kMaterial, kKinds };
+using Kind = SurfaceKind;
 
 constexpr int kTileSide = 16;
 constexpr int kNone = -1;          // no object, no material
 constexpr float kNoDepth = 1e10f;  // where no surface is, as in Blender
 
-bool is_id(Kind kind) { return kind == kObject || kind == kMaterial; }
+bool is_of_objects(Kind kind) { return kind == Kind::object || kind == Kind::crypto_object; }
+bool is_mean(Kind kind) { return !is_id(kind) && !is_crypto(kind) && kind != Kind::alpha; }
 
 /// The directional-hemispherical reflectance (and transmittance), or an estimate of it.
 Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
@@ -51,16 +52,27 @@ struct Majority {
   }
 };
 
-/// The sums of an output, or its votes, by pixel and frame.
+/// What is kept of a kind, by pixel and frame: sums, votes or ranks.
 struct Layer {
   Kind kind;
-  OutputInfo info;
+  std::vector<OutputInfo> outputs;
+  std::vector<float> ids;  // of things
   std::vector<Rgb> sums;
   std::vector<Majority> votes;
+  std::vector<CoverageRanks> ranks;
+
+  /// Its position among the outputs; none: outputs.size().
+  std::size_t find(const std::string& name) const {
+    const auto at = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == name; });
+    return static_cast<std::size_t>(at - outputs.begin());
+  }
 };
 
 /// Bytes of a layer, a pixel and frame.
-std::size_t bytes_of(Kind kind) { return is_id(kind) ? sizeof(Majority) : sizeof(Rgb); }
+std::size_t bytes_of(Kind kind) {
+  if (is_mean(kind)) return sizeof(Rgb);
+  return is_id(kind) ? sizeof(Majority) : is_crypto(kind) ? sizeof(CoverageRanks) : 0;
+}
 
 class SurfaceOutputs final : public Integrator {
  public:
@@ -73,10 +85,11 @@ class SurfaceOutputs final : public Integrator {
     const std::size_t size = static_cast<std::size_t>(render.crop.count()) * frames_;
     met_.resize(size);
     for (const Kind kind : kinds) {
-      Layer& layer = layers_.emplace_back(Layer{kind, surface_outputs()[kind], {}, {}});
-      is_id(kind) ? layer.votes.resize(size) : layer.sums.resize(size);
-      if (kind == kObject) layer.info.names = scene.object_names;
-      if (kind == kMaterial) layer.info.names = scene.material_names;
+      Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}});
+      if (is_mean(kind)) layer.sums.resize(size);
+      if (is_id(kind)) layer.votes.resize(size);
+      if (is_crypto(kind)) layer.ranks.resize(size);
+      if (is_id(kind) || is_crypto(kind)) name(layer, is_of_objects(kind) ? scene.object_names : scene.material_names);
     }
   }
   static std::size_t bytes(const std::vector<Kind>& kinds, int pixels, int frames) {
@@ -90,6 +103,7 @@ class SurfaceOutputs final : public Integrator {
 
   void iterate(int iteration, const Scene& scene) override {
     inner_->iterate(iteration, scene);
+    ++iterations_;
     const StepTimer timer(step_);
     parallel_for(tile_count(render_.crop, kTileSide), 1, [&](std::int64_t t) {
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
@@ -99,13 +113,16 @@ class SurfaceOutputs final : public Integrator {
 
   std::vector<OutputInfo> outputs() const override {
     std::vector<OutputInfo> all = inner_->outputs();
-    for (const Layer& layer : layers_) all.push_back(layer.info);
+    for (const Layer& layer : layers_) all.insert(all.end(), layer.outputs.begin(), layer.outputs.end());
     return all;
   }
 
   Image estimate(Frame frame, const std::string& output) const override {
-    for (const Layer& layer : layers_)
-      if (layer.info.name == output) return is_id(layer.kind) ? ids(layer, frame) : means(layer, frame);
+    for (const Layer& layer : layers_) {
+      const std::size_t number = layer.find(output);
+      if (number == layer.outputs.size()) continue;
+      return image_of([&](int pixel) { return value(layer, number, index(pixel, frame)); });
+    }
     return inner_->estimate(frame, output);
   }
 
@@ -120,11 +137,17 @@ class SurfaceOutputs final : public Integrator {
     if (!inner_->persist(state)) return false;
     state.value(step_.seconds);
     state.value(met_);
-    for (Layer& layer : layers_) state.value(layer.sums), state.value(layer.votes);
+    for (Layer& layer : layers_) state.value(layer.sums), state.value(layer.votes), state.value(layer.ranks);
+    state.value(iterations_);
     return true;
   }
 
  private:
+  static void name(Layer& layer, std::span<const std::string> names) {
+    for (OutputInfo& output : layer.outputs) output.names = names;
+    for (const std::string& name : names) layer.ids.push_back(id_of(name));
+  }
+
   /// Follows one camera ray in all frames.
   void look(const Scene& scene, int x, int y, std::uint64_t iteration) {
     const auto meet = [&](const CameraPath& path) {
@@ -147,26 +170,30 @@ class SurfaceOutputs final : public Integrator {
         if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums[index(path.pixel, f)] += value; });
       };
       switch (layer.kind) {
-        case kNormal: sum(vertex.frames, normal(scene, vertex)); break;
-        case kPosition: sum(vertex.frames, position(scene, vertex)); break;
-        case kDepth: sum(vertex.frames, Rgb(depth(scene, vertex))); break;
-        case kTextureUv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
-        case kAlbedo:
+        case Kind::normal: sum(vertex.frames, normal(scene, vertex)); break;
+        case Kind::position: sum(vertex.frames, position(scene, vertex)); break;
+        case Kind::depth: sum(vertex.frames, Rgb(depth(scene, vertex))); break;
+        case Kind::uv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
+        case Kind::albedo:
           for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) { sum(frames, albedo(bsdf, vertex, path)); });
           break;
         default: break;
       }
     }
     vote(path.pixel, vertex.frames,
-         [&](Kind kind) { return kind == kObject ? vertex.shape.object : vertex.shape.material; });
+         [&](Kind kind) { return is_of_objects(kind) ? vertex.shape.object : vertex.shape.material; });
   }
 
   /// Counts candidate(Kind) of the layers of ids.
   template <class Candidate>
   void vote(int pixel, FrameSet frames, Candidate&& candidate) {
-    for (Layer& layer : layers_)
+    for (Layer& layer : layers_) {
       if (is_id(layer.kind))
         frames.for_each([&](Frame f) { layer.votes[index(pixel, f)].vote(candidate(layer.kind)); });
+      if (!is_crypto(layer.kind)) continue;
+      if (const int thing = candidate(layer.kind); thing != kNone)
+        frames.for_each([&](Frame f) { layer.ranks[index(pixel, f)].add(thing); });
+    }
   }
 
   /// The same for all frames of a vertex, since a path has one camera.
@@ -193,24 +220,28 @@ class SurfaceOutputs final : public Integrator {
     return dot(vertex.point.p - to_world.point({}), normalize(to_world.vector({0, 0, 1})));
   }
 
-  Image means(const Layer& layer, Frame frame) const {
-    Image image(render_.crop.width(), render_.crop.height());
-    for (int pixel = 0; pixel < render_.crop.count(); ++pixel) {
-      const std::size_t at = index(pixel, frame);
-      const Rgb none = layer.kind == kDepth ? Rgb(kNoDepth) : Rgb();
-      image.pixels[static_cast<std::size_t>(pixel)] =
-          met_[at] == 0 ? none : layer.sums[at] / static_cast<float>(met_[at]);
+  /// Of an output of the layer.
+  Rgb value(const Layer& layer, std::size_t number, std::size_t at) const {
+    if (layer.kind == Kind::alpha) return Rgb(share(met_[at]));
+    if (is_crypto(layer.kind)) {
+      const CoverageRanks::Share of = layer.ranks[at].sorted()[number];
+      return of.paths == 0 ? Rgb() : Rgb(layer.ids[static_cast<std::size_t>(of.thing)], share(of.paths), 0);
     }
-    return image;
+    if (is_id(layer.kind)) {
+      const auto choice = static_cast<std::size_t>(layer.votes[at].choice);
+      return choice < layer.ids.size() ? Rgb(layer.ids[choice]) : Rgb();
+    }
+    if (met_[at] == 0) return layer.kind == Kind::depth ? Rgb(kNoDepth) : Rgb();
+    return layer.sums[at] / static_cast<float>(met_[at]);
   }
+  /// Of the pixel's camera paths.
+  float share(std::uint32_t paths) const { return static_cast<float>(paths) / static_cast<float>(iterations_); }
 
-  Image ids(const Layer& layer, Frame frame) const {
-    std::vector<float> id;
-    for (const std::string& name : layer.info.names) id.push_back(id_of(name));
+  template <class Value>
+  Image image_of(Value&& value) const {
     Image image(render_.crop.width(), render_.crop.height());
     for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      if (const auto choice = static_cast<std::size_t>(layer.votes[index(pixel, frame)].choice); choice < id.size())
-        image.pixels[static_cast<std::size_t>(pixel)] = Rgb(id[choice]);
+      image.pixels[static_cast<std::size_t>(pixel)] = value(pixel);
     return image;
   }
 
@@ -223,31 +254,24 @@ class SurfaceOutputs final : public Integrator {
   std::size_t frames_, bytes_;
   std::vector<std::uint32_t> met_;  // camera paths that met a surface, by pixel and frame
   std::vector<Layer> layers_;
+  int iterations_ = 0;
   StepTime step_{"surface outputs"};
 };
 
+/// Those of which some output has such a name.
 std::vector<Kind> kinds_in(const std::vector<std::string>& names) {
   std::vector<Kind> kinds;
-  for (int kind = 0; kind < kKinds; ++kind)
-    if (std::find(names.begin(), names.end(), surface_outputs()[static_cast<std::size_t>(kind)].name) != names.end())
-      kinds.push_back(static_cast<Kind>(kind));
+  for (int number = 0; number < kSurfaceKinds; ++number) {
+    const auto kind = static_cast<Kind>(number);
+    const bool asked = std::any_of(outputs_of(kind).begin(), outputs_of(kind).end(), [&](const OutputInfo& output) {
+      return std::find(names.begin(), names.end(), output.name) != names.end();
+    });
+    if (asked) kinds.push_back(kind);
+  }
   return kinds;
 }
 
 }  // namespace
-
-const std::vector<OutputInfo>& surface_outputs() {
-  static const std::vector<OutputInfo> all = {
-      {"N", {"N.X", "N.Y", "N.Z"}, "shading normal of the first surface, on the side that is seen"},
-      {"P", {"P.X", "P.Y", "P.Z"}, "its position", true},
-      {"Z", {"Z"}, "its depth along the camera's axis, in world units; 1e10: no surface", true},
-      {"albedo", {"Albedo.R", "Albedo.G", "Albedo.B"}, "the share of light that it scatters"},
-      {"uv", {"u", "v"}, "its texture coordinates", true},
-      {"object", {"object.X"}, "the id of the object that most of the pixel shows", true, true},
-      {"material", {"material.X"}, "the id of the material that most of the pixel shows", true, true},
-  };
-  return all;
-}
 
 // A bound on memory has room for a copy of the outputs: iterations that are cancelled are reverted to one.
 std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const Scene& scene,
@@ -260,7 +284,7 @@ std::unique_ptr<Integrator> with_surface_outputs(const MakeWithin& make, const S
   std::vector<Kind> kinds;
   const std::vector<OutputInfo> own = inner->outputs();
   for (const Kind kind : asked)
-    if (std::none_of(own.begin(), own.end(), [&](const auto& o) { return o.name == surface_outputs()[kind].name; }))
+    if (std::none_of(own.begin(), own.end(), [&](const auto& o) { return o.name == outputs_of(kind).front().name; }))
       kinds.push_back(kind);
   if (kinds.empty()) return inner;
   return std::make_unique<SurfaceOutputs>(std::move(inner), kinds, scene, render);

@@ -1,5 +1,5 @@
 // What the camera sees first, for any integrator: position, depth, normal, albedo, texture coordinates, object and
-// material. Camera rays of their own find it, through the same film and lens points as the integrator's paths, so that
+// material, and whether it sees anything. Camera rays of their own find it, through the same film and lens points as the integrator's paths, so that
 // it is filtered like the image.
 #pragma once
 
@@ -7,12 +7,10 @@
 
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/make_beside.h"
+#include "dspm/integrators/surface_output_list.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
-
-/// All of them, for every scene; those of ids without names.
-const std::vector<OutputInfo>& surface_outputs();
 
 /// The integrator that `make` returns (null if it failed), together with those of the surface outputs in
 /// `render.outputs` that it does not declare itself. `memory`: bytes for both; 0: no bound. Throws NotEnoughMemory.

@@ -12,6 +12,7 @@
 #include "dspm/film/pixel_filter.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/lights/light.h"
+#include "dspm/lights/light_group.h"
 #include "dspm/lights/photon_controls.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/relief.h"
@@ -85,7 +86,10 @@ std::vector<CatalogueEntry> all_plugins() {
   add_common(
       entries, material_plugins().kind(), [](ParamReader& params) { read_relief(params, texture); }, has_relief);
   for (const auto* lights : {&light_plugins(), &area_light_plugins()})
-    add_common(entries, lights->kind(), [](ParamReader& params) { read_photon_controls(params); });
+    add_common(entries, lights->kind(), [](ParamReader& params) {
+      read_photon_controls(params);
+      read_light_group(params);
+    });
   return entries;
 }
 

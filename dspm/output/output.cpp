@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <bit>
+#include <algorithm>
 #include <exception>
-#include <set>
+#include <list>
+#include <map>
 #include <utility>
 
 #include "dspm/colour/rgb.h"
@@ -12,12 +13,13 @@
 #include "dspm/image/png.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/image_name.h"
-#include "dspm/output/json.h"
+#include "dspm/output/manifests.h"
 #include "dspm/output/trial_writes.h"
 #include "dspm/output/write_image.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/version.h"
+#include "dspm/world/output_choice.h"
 
 namespace dspm {
 namespace {
@@ -39,25 +41,19 @@ std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files)
   return paths;
 }
 
-/// Which id of the image stands for which name: {"ball": "3fa2c014"}, in hexadecimal digits as in Cryptomatte's
-/// manifests.
-std::string manifest_of(const OutputLayer& layer) {
-  std::set<float> shown;
-  for (const Rgb& pixel : layer.image.pixels) shown.insert(pixel.r);
-  JsonWriter json;
-  json.begin_object();
-  for (const std::string& name : layer.info.names)
-    if (const float id = id_of(name); shown.contains(id))
-      json.member(name, fmt::format("{:08x}", std::bit_cast<std::uint32_t>(id)));
-  json.end_object();
-  return json.text();
+/// EXR's matrices act on points as rows.
+std::array<float, 16> for_rows(const Matrix4& matrix) {
+  std::array<float, 16> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<float>(matrix.m[i % 4][i / 4]);
+  return all;
 }
 
 }  // namespace
 
 Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
                Video::EndWanted end_wanted)
-    : job_(job), png_(settings.png), sheet_path_(settings.contact_sheet), sheet_places_(job) {
+    : job_(job), png_(settings.png), layers_(settings), sheet_path_(settings.contact_sheet), sheet_places_(job) {
+  layers_.check(job.settings.outputs);
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
   try_writes(paths_of(written));
@@ -80,6 +76,9 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
     const char* what = "image";
     for (const std::filesystem::path& path : image_files(frame))
       files.push_back({path, whose + std::exchange(what, "PNG")});
+    if (!layers_.aov_files) continue;
+    for (const std::string& label : file_labels(job_.settings.outputs))
+      files.push_back({layer_file(frame, label), whose + "\"" + label + "\""});
   }
   if (settings.stats_in_file()) files.push_back({settings.stats, "the statistics"});
   if (!settings.contact_sheet.empty()) files.push_back({settings.contact_sheet, "the contact sheet"});
@@ -92,6 +91,12 @@ std::vector<std::filesystem::path> Output::image_files(FileFrame frame) const {
   png.replace_extension(".png");
   if (png_ && png != image) return {image, png};
   return {image};
+}
+
+std::filesystem::path Output::layer_file(FileFrame frame, const std::string& label) const {
+  const std::string& variation = job_.variation(frame);
+  return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
+                    variation.empty() ? label : fmt::format("{}.{}", variation, label));
 }
 
 std::uint64_t Output::bytes_on_disk() const {
@@ -121,7 +126,7 @@ std::size_t Output::bytes_while_writing() const {
   return (images * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
 }
 
-ExrHeader Output::header(FileFrame frame) const {
+ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
   ExrHeader header;
   header.texts = {
       {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", fmt::format("dspm {}", kVersion)}};
@@ -132,42 +137,76 @@ ExrHeader Output::header(FileFrame frame) const {
     const Variation& chosen = axis.variations[static_cast<std::size_t>(job_.description->frames.choice(frame, i))];
     if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;
   }
+  const std::vector<std::string> groups = light_group_outputs(*job_.description);
+  const std::vector<std::string>& outputs = job_.settings.outputs;
+  if (std::find(outputs.begin(), outputs.end(), groups.front()) != outputs.end())
+    header.texts[kLightGroupsText] = fmt::format("{}", fmt::join(groups, ","));
   header.numbers = {{"seed", static_cast<double>(job_.settings.seed)}};
   header.frames_per_second = job_.fps;
-  return header;
-}
-
-Image Output::developed(Image image) const {
-  const std::optional<ColourMatrix> balance = white_balance(job_.film);
-  for (Rgb& pixel : image.pixels) {
-    pixel *= job_.exposure;
-    pixel = limited(balance ? *balance * pixel : pixel, job_.film.max_component);
-  }
-  return image;
-}
-
-void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
-                   const FrameFigures& figures) {
-  const Image image = developed(std::move(radiance));
-  ExrHeader header = this->header(frame);
   header.integers["iterations"] = figures.iterations;
   header.numbers["photons"] = static_cast<double>(figures.photons);
   header.numbers["seconds"] = figures.seconds;
   if (figures.error) header.numbers["error"] = *figures.error;
   if (figures.error && figures.radius_in_pixels > 0) header.numbers["radius in pixels"] = figures.radius_in_pixels;
-  std::vector<ExrLayer> more;
-  for (const OutputLayer& layer : layers) {
-    more.push_back({layer.info.channels, &layer.image, layer.info.single ? ExrPixels::single : pixels_of(job_.film)});
-    if (layer.info.is_id) header.texts[layer.info.name + " manifest"] = manifest_of(layer);
+  header.matrices["worldToCamera"] = for_rows(figures.camera.camera_from_world);
+  if (figures.camera.image_from_world) header.matrices["worldToNDC"] = for_rows(*figures.camera.image_from_world);
+  return header;
+}
+
+Image Output::exposed(Image image) const {
+  const std::optional<ColourMatrix> balance = white_balance(job_.film);
+  for (Rgb& pixel : image.pixels) {
+    pixel *= job_.exposure;
+    if (balance) pixel = *balance * pixel;
   }
+  return image;
+}
+
+Image Output::developed(Image image) const {
+  image = exposed(std::move(image));
+  for (Rgb& pixel : image.pixels) pixel = limited(pixel, job_.film.max_component);
+  return image;
+}
+
+std::vector<ExrLayer> Output::exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const {
+  std::vector<ExrLayer> all;
+  for (const OutputLayer* layer : layers)
+    all.push_back({layer->info.channels, &layer->image, layers_.pixels_of(layer->info, job_.film)});
+  add_manifests(layers, header);
+  return all;
+}
+
+void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
+                   const FrameFigures& figures) {
+  const Image image = developed(std::move(radiance));
+  std::list<OutputLayer> parts;  // of radiance
+  std::vector<const OutputLayer*> all;
+  for (const OutputLayer& layer : layers)
+    all.push_back(layer.info.is_radiance
+                      ? &parts.emplace_back(OutputLayer{layer.info, in_film_space(exposed(layer.image), job_.film)})
+                      : &layer);
+  ExrHeader header = this->header(frame, figures);
+  if (layers_.aov_files) write_apart(frame, all, header), all.clear();
+  const std::vector<ExrLayer> more = exr_layers(all, header);
   if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
   std::exception_ptr failure;
   for (const std::filesystem::path& file : image_files(frame)) try {
-      write_image(file, image, job_.film, header, kToneMap, more);
+      write_image(file, image, job_.film, header, kToneMap, more, layers_.exr);
     } catch (const WriteError&) {
       failure = std::current_exception();
     }
   if (failure) std::rethrow_exception(failure);
+}
+
+void Output::write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers,
+                         const ExrHeader& header) const {
+  std::map<std::string, std::vector<const OutputLayer*>, std::less<>> files;
+  for (const OutputLayer* layer : layers) files[std::string(file_label(layer->info.name))].push_back(layer);
+  for (const auto& [label, own] : files) {
+    ExrHeader with_manifest = header;
+    const std::vector<ExrLayer> all = exr_layers(own, with_manifest);
+    write_layers(layer_file(frame, label), all, job_.film, with_manifest, layers_.exr);
+  }
 }
 
 void Output::write_contact_sheet() const {

@@ -8,26 +8,23 @@
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
+#include "dspm/output/layer_settings.h"
+#include "dspm/output/output_layer.h"
 #include "dspm/output/sheet_places.h"
 #include "dspm/output/video.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/messages.h"
 #include "dspm/world/job.h"
+#include "dspm/world/world.h"
 
 namespace dspm {
 
 /// Files besides the images that the Film names.
-struct OutputSettings {
+struct OutputSettings : LayerSettings {
   bool png = false;                  // of every image
   std::string contact_sheet, video;  // files; empty: none
   std::string stats;                 // "table", or a file for JSON ("-": standard output); empty: no statistics
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
-};
-
-/// Another output of an integrator, in one frame.
-struct OutputLayer {
-  OutputInfo info;
-  Image image;
 };
 
 /// How an image came about, for its header.
@@ -37,6 +34,7 @@ struct FrameFigures {
   double seconds = 0;
   std::optional<double> error = {};  // estimated
   double radius_in_pixels = 0;       // within which photons are gathered; 0: none are
+  CameraMatrices camera = {};
 };
 
 /// The other files of a run, which Output must not replace.
@@ -70,14 +68,23 @@ class Output {
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
   /// A frame's image, and its PNG if that is another file.
   std::vector<std::filesystem::path> image_files(FileFrame frame) const;
+  /// Of an output that has a file of its own.
+  std::filesystem::path layer_file(FileFrame frame, const std::string& label) const;
   /// Of all images, uncompressed.
   std::uint64_t bytes_on_disk() const;
-  ExrHeader header(FileFrame frame) const;
-  /// From radiance to the values in files: exposed, then limited as the film says.
+  ExrHeader header(FileFrame frame, const FrameFigures& figures) const;
+  /// As a file holds them, with what its header has to say of them.
+  std::vector<ExrLayer> exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const;
+  /// Each output in a file of its own.
+  void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
+  /// From radiance to the values in files, but for the film's limit.
+  Image exposed(Image image) const;
+  /// With that limit.
   Image developed(Image image) const;
 
   const Job& job_;
   bool png_;
+  LayerSettings layers_;
   std::filesystem::path sheet_path_;
   SheetPlaces sheet_places_;
   std::optional<ContactSheet> sheet_;

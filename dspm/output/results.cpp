@@ -73,8 +73,12 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
       black_out_invalid(*image, kRadiance, frame, job_, messages_);
       if (images == Images::last) output_.add_to_video(*image);
     };
-    FrameFigures figures{statistics.iterations, statistics.photon.paths, seconds, std::nullopt,
-                         statistics.typical.radius_in_pixels};
+    FrameFigures figures{statistics.iterations,
+                         statistics.photon.paths,
+                         seconds,
+                         std::nullopt,
+                         statistics.typical.radius_in_pixels,
+                         world_.camera_matrices(frame)};
     if (j < statistics.errors.size()) figures.error = statistics.errors[j];
     const auto write_image = [this, frame, image, layers, figures] { output_.write(frame, *image, *layers, figures); };
     // Later no integrator is left to ask for the last images.

@@ -12,21 +12,31 @@
 
 namespace dspm {
 
-void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
-                 const ToneMap& tone, const std::vector<ExrLayer>& more) {
-  if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
-  if (path.extension() == ".pfm") return write_pfm(path, image);
-  if (path.extension() == ".hdr") return write_hdr(path, image);
-  if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
+Image in_film_space(Image image, const FilmSettings& film) {
   if (const auto matrix = to_film_space(film))
     for (Rgb& pixel : image.pixels) pixel = *matrix * pixel;
+  return image;
+}
+
+void write_layers(const std::filesystem::path& path, const std::vector<ExrLayer>& layers, const FilmSettings& film,
+                  ExrHeader header, const ExrFormat& format) {
   header.space = film.space;
   const PixelRect crop = crop_of(film);
   header.x = crop.x0, header.y = crop.y0;
   header.full_width = film.width, header.full_height = film.height;
+  write_exr(path, layers, header, format);
+}
+
+void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
+                 const ToneMap& tone, const std::vector<ExrLayer>& more, const ExrFormat& format) {
+  if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
+  if (path.extension() == ".pfm") return write_pfm(path, image);
+  if (path.extension() == ".hdr") return write_hdr(path, image);
+  if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
+  image = in_film_space(std::move(image), film);
   std::vector<ExrLayer> layers = {{{"R", "G", "B"}, &image, pixels_of(film)}};
   layers.insert(layers.end(), more.begin(), more.end());
-  write_exr(path, layers, header);
+  write_layers(path, layers, film, std::move(header), format);
 }
 
 }  // namespace dspm

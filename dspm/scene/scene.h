@@ -66,6 +66,7 @@ struct SceneLight {
   /// By Scene::light_choices: the shares of the file's frames with this light; they add up to 1. Weights take the
   /// density of a photon's start as the mean with these.
   std::vector<float> choice_shares;
+  int group = 0;  // into Scene::light_groups
 };
 
 struct ChosenLight {
@@ -107,11 +108,12 @@ class Scene {
   std::span<const std::string> material_names;  // distinct
   bool absorbs = false;                         // a body of some material absorbs light
   std::vector<SceneLight> lights;
-  std::vector<LightChoice> light_choices;    // of the file; their frames here are disjoint, and all frames in the end
-  std::span<const std::string> light_names;  // distinct
-  std::vector<int> infinite_lights;          // those that implement escaped()
+  std::vector<LightChoice> light_choices;     // of the file; their frames here are disjoint, and all frames in the end
+  std::span<const std::string> light_names;   // distinct
+  std::span<const std::string> light_groups;  // distinct; the first is that of lights without a group of their own
+  std::vector<int> infinite_lights;           // those that implement escaped()
   FrameStates<Camera> camera;
-  std::vector<Transform> camera_to_world;  // by frame
+  std::vector<Transform> camera_to_world;              // by frame
   std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
 

@@ -14,6 +14,7 @@
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/integrator_choice.h"
+#include "dspm/world/output_choice.h"
 
 namespace dspm {
 namespace {
@@ -147,41 +148,6 @@ void check_integrator(const Job& job, Diagnostics& diagnostics) {
   check(*job.plugin, reader, Scene{}, job.settings);
 }
 
-/// Those of the Film, then the chosen ones.
-std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices) {
-  std::vector<std::string> names;
-  if (film.surface_outputs)
-    for (const OutputInfo& output : surface_outputs()) names.push_back(output.name);
-  for (const std::string& name : choices.outputs)
-    if (name != kRadiance && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  return names;
-}
-
-/// What an integrator declares must suit a file.
-void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
-                   const std::string& integrator, Diagnostics& diagnostics) {
-  std::set<std::string> channels = {"R", "G", "B"};
-  for (const std::string& name : asked) {
-    const auto found = std::find_if(declared.begin(), declared.end(), [&](const auto& o) { return o.name == name; });
-    if (found == declared.end()) {
-      std::vector<std::string> names;
-      for (const OutputInfo& output : declared) names.push_back(output.name);
-      for (const OutputInfo& output : surface_outputs())
-        if (std::find(names.begin(), names.end(), output.name) == names.end()) names.push_back(output.name);
-      const std::string guess = did_you_mean(name, names);
-      diagnostics.error({}, fmt::format("integrator \"{}\" has no output \"{}\"", integrator, name),
-                        guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess);
-      continue;
-    }
-    bool good = !found->channels.empty() && found->channels.size() <= 3;
-    for (const std::string& channel : found->channels)
-      good = good && !channel.empty() && channels.insert(channel).second;
-    if (!good)
-      diagnostics.error({}, fmt::format("output \"{}\" of integrator \"{}\" needs one to three channels of its own",
-                                        name, integrator));
-  }
-}
-
 }  // namespace
 
 std::string Job::frames_in_words() const {
@@ -240,11 +206,12 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
-  settings.outputs = outputs_of(job.film, choices), settings.in_camera_space = job.film.in_camera_space;
+  settings.outputs = outputs_of(job.film, choices, description), settings.in_camera_space = job.film.in_camera_space;
   if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
     throw UsageError(
         fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
                     job.film.filename, settings.outputs.front()));
+  settings.transparent = job.film.transparent;
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.filter_textures = !description.options.disable_texture_filtering;
   settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));

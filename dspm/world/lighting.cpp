@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/world/same_in_all_frames.h"
@@ -84,7 +85,8 @@ class LightMaker {
     light.name = std::move(name), light.use = &use;
     light.states.state_of = states.state_of;
     const int errors = diagnostics_.error_count();
-    for (const char* each : {kPhotonsParam, kCausticsParam}) expect_same_in_all_frames(use, each, diagnostics_);
+    for (const char* each : {kPhotonsParam, kCausticsParam, kGroupParam})
+      expect_same_in_all_frames(use, each, diagnostics_);
     for (const LightState& state : states.states) {
       LightContext context;
       context.to_world = Transform(state.placement);
@@ -93,6 +95,7 @@ class LightMaker {
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
       ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
       light.controls = read_photon_controls(reader);
+      light.group = read_light_group(reader);
       light.states.states.emplace_back(plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
       light.powers.push_back(luminance(light.states.states.back()->power()));

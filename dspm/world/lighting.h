@@ -17,6 +17,7 @@ struct WorldLight {
   std::vector<float> powers;  // by state: luminance
   float probability = 0;      // in proportion to the mean power over all frames
   PhotonControls controls;
+  std::string group;
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's
   bool infinite = false;
   bool is_delta = false;   // neither infinite nor of a shape that can be seen

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/world/distinct_names.h"
@@ -99,6 +102,11 @@ struct World::Impl {
     lights = make_lights(text, geometry, sphere, diagnostics);
     if (diagnostics.error_count() == 0) light_choices = make_light_choices(lights, text.frames.count());
     for (const WorldLight& light : lights) light_names.add(light.short_name);
+    for (const WorldLight& light : lights)
+      if (light.group != kOtherLights) light_groups.push_back(light.group);
+    std::sort(light_groups.begin(), light_groups.end());
+    light_groups.erase(std::unique(light_groups.begin(), light_groups.end()), light_groups.end());
+    light_groups.insert(light_groups.begin(), kOtherLights);
     camera = make_camera(text, options, diagnostics);
     const std::string name = options.accel.empty() ? "two-level" : options.accel;
     accel = accel_plugins().find(name, text.accelerator ? text.accelerator->type_where : SourceLocation{}, diagnostics);
@@ -111,6 +119,11 @@ struct World::Impl {
   ParamReader accel_reader(Diagnostics& diagnostics) const {
     return {accel_params, fmt::format("accelerator \"{}\"", accel->name),
             description.accelerator ? description.accelerator->where : SourceLocation{}, diagnostics};
+  }
+
+  int group_of(const WorldLight& light) const {
+    const auto group = std::find(light_groups.begin(), light_groups.end(), light.group);
+    return static_cast<int>(group - light_groups.begin());
   }
 
   std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames) const {
@@ -149,6 +162,7 @@ struct World::Impl {
   std::vector<WorldLight> lights;
   LightChoices light_choices;
   DistinctNames light_names;
+  std::vector<std::string> light_groups;
   Timeline<std::shared_ptr<const Camera>> camera;
   const AccelPlugin* accel = nullptr;
   ParamList accel_params;
@@ -175,10 +189,11 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
-                             light.controls.caustics, impl_->light_choices.shares(light)});
+                             light.controls.caustics, impl_->light_choices.shares(light), impl_->group_of(light)});
   }
   scene->light_choices = impl_->light_choices.in(scene->file_frames);
   scene->light_names = impl_->light_names.all();
+  scene->light_groups = impl_->light_groups;
   scene->camera = cut(impl_->camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
   Diagnostics ignored;
@@ -198,6 +213,13 @@ const PluginUse& World::use_of(const SceneElement& element, std::span<const File
       return *impl_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(element.index)]->use;
   }
   return camera_use(impl_->description);
+}
+
+CameraMatrices World::camera_matrices(FileFrame frame) const {
+  const Matrix4 placed = camera_use(impl_->description).camera_from_world.at(impl_->description.frames.moment(frame));
+  const int state = impl_->camera.at(frame);
+  const auto image_from_camera = impl_->camera.states[static_cast<std::size_t>(state)]->image_from_camera();
+  return {placed, image_from_camera ? std::optional(*image_from_camera * placed) : std::nullopt};
 }
 
 int World::pictures_held() const { return impl_->looks.pictures_held(); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ struct WorldOptions {
   float film_diagonal = CameraContext().film_diagonal;
 };
 
+/// Where the camera of a frame stands, and what it does to points.
+struct CameraMatrices {
+  Matrix4 camera_from_world;
+  std::optional<Matrix4> image_from_world;  // see Camera::image_from_camera
+};
+
 class World {
  public:
   /// Errors and warnings go to `diagnostics`; after an error, scenes cannot be made. `description` must outlive the
@@ -36,6 +43,7 @@ class World {
   std::vector<FileFrame> sample_frames() const;
   /// The directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
+  CameraMatrices camera_matrices(FileFrame frame) const;
   /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
   /// An upper estimate of the bytes that the trees of that scene take while it is made, without making it.

@@ -17,6 +17,7 @@ namespace dspm {
 namespace {
 
 constexpr int kTileSide = 16;
+constexpr int kManyLights = -1;  // already in their groups' sums
 
 struct CameraSubpath : CameraPath {
   SubpathWeights weights;  // beyond the last vertex
@@ -61,6 +62,7 @@ class CameraSubpathTracer {
   StrandTable& strands() { return strands_; }
 
   void escaped(const CameraSubpath& path, FrameSet frames) {
+    if (pass_.render.transparent && path.bounces == 0) return;
     const Vec3& w = path.ray.direction;
     for_each_escape(scene_, frames, path.ray,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
@@ -68,7 +70,9 @@ class CameraSubpathTracer {
                       const LightStart start{{path.ray.origin, -w}, {}, -1};
                       // Nothing else finds a light that the camera sees.
                       const float emission = path.bounces > 0 ? emission_density(pass_, scene_light, light, start) : 0;
-                      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
+                      add(path,
+                          {lit, radiance * weight_of_hit(path, next_event, emission), nullptr,
+                           light_element(scene_, scene_light).index},
                           [&] { return light_element(scene_, scene_light); });
                     });
   }
@@ -130,7 +134,7 @@ class CameraSubpathTracer {
       const float next_event =
           path.pdf_w > 0 ? light_samples(scene_, scene_light) * light.pdf_w(path.from, point, primitive) : 0;
       const float emission = emission_density(pass_, scene_light, light, {{point.p, vertex.wo}, point.ng, primitive});
-      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr},
+      add(path, {lit, radiance * weight_of_hit(path, next_event, emission), nullptr, vertex.shape.light},
           [&] { return vertex.emitter_element(); });
     });
   }
@@ -149,7 +153,7 @@ class CameraSubpathTracer {
     };
     sample_direct_light(scene_, path, vertex, frames, counts_, scattered,
                         [&](FrameSet lit, const Rgb& radiance, auto&& giver) {
-                          add(path, {lit, radiance, nullptr}, giver);
+                          add(path, {lit, radiance, nullptr, light_of(giver())}, giver);
                         });
   }
 
@@ -176,12 +180,15 @@ class CameraSubpathTracer {
               pass_.ways, {light.weights, bsdf.pdf_w(vertex.wo, light.wi, Transport::radiance, lobes)},
               {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
           const Rgb radiance = light.flux * f * (weight / pass_.ways.merging);
-          if (common == frames && strands == nullptr && is_finite(radiance))
+          const Brought brought{common, radiance, strands, light.light};
+          if (common == frames && strands == nullptr && is_finite(radiance)) {
             shared += radiance;
-          else
-            add(path, {common, radiance, strands}, giver);
+            if (sums_.has_parts()) add_to_part(path, brought);
+          } else {
+            add(path, brought, giver);
+          }
         });
-    if (!is_black(shared)) add(path, {frames, shared, nullptr}, giver);
+    if (!is_black(shared)) add(path, {frames, shared, nullptr, kManyLights}, giver);
   }
 
   void extend(const CameraSubpath& path, const Vertex& vertex, const SubpathScattering& scattering,
@@ -214,8 +221,15 @@ class CameraSubpathTracer {
       for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
         const Rgb seen = path.throughput * own * brought.radiance * weight;
         if (!is_finite(seen)) return reject(path, frames, giver());
-        sums_.add({path.pixel, frames, seen});
+        sums_.add({path.pixel, frames, seen, brought.light});
       });
+    });
+  }
+  /// Of light without strands that is summed up before it is added.
+  void add_to_part(const CameraSubpath& path, const Brought& brought) {
+    for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
+      const Rgb seen = path.throughput * own * brought.radiance;
+      if (is_finite(seen)) sums_.add_to_part({path.pixel, alike, seen, brought.light});
     });
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -42,7 +42,7 @@ FrameSet LightSubpath::join(const VcmPass& pass, const CameraVertex& camera, con
           pass.ways, {end.vertex->weights, light_reverse_pdf_w, pdf_w * area_of_light, end.vertex->merging},
           {camera.weights, reverse_pdf_w, light_pdf_w * area, merging_after(camera.ways, light_pdf_w)});
       const Rgb radiance = end.vertex->flux * sent * f * (area_of_light * std::abs(dot(w, point.ns)) * weight);
-      parts.add({common, radiance, end.strands});
+      parts.add({common, radiance, end.strands, end.vertex->light});
       joined |= common;
     }
   }

@@ -40,6 +40,7 @@ struct Brought {
   FrameSet frames;
   Rgb radiance;
   const Strand* strands;
+  int light;  // into the scene's
 };
 
 class LightSubpath {
@@ -64,7 +65,7 @@ class LightSubpath {
       for_each_open(pass.scene, segment, body, joined, [&](FrameSet open, const Rgb& transmittance) {
         for (const Brought& part : parts)
           if (const FrameSet lit = part.frames & open; !lit.empty())
-            fn(Brought{lit, part.radiance * transmittance, part.strands});
+            fn(Brought{lit, part.radiance * transmittance, part.strands, part.light});
       });
     }
   }

@@ -60,7 +60,7 @@ class LightPathTracer {
     const Rgb flux = emission->flux * start.factor / chosen.density;
     if (!is_finite(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
-    light_ = start.light, scene_light_ = &scene_light, emission_ = *emission;
+    light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
     path.random = random, path.strands = start.strands, path.body = start.body,
     path.merging = merging_after(pass_.ways, 0);
@@ -134,8 +134,8 @@ class LightPathTracer {
     if (!(geometric * shading > 0)) return;
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const LightVertex stored{point.p,      vertex.wo, flux,         frames,    strands,
-                             path.bounces, weights,   path.merging, vertex.hit};
+    const LightVertex stored{point.p, vertex.wo,    flux,    light_index_, frames,
+                             strands, path.bounces, weights, path.merging, vertex.hit};
     if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
     if (!pass_.settings.connect && stored.merging == 0) return;
     out_.vertices.push_back(stored);
@@ -173,15 +173,15 @@ class LightPathTracer {
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), body, sent,
-                  [&](FrameSet open, const Rgb& transmittance) {
-                    for (const FrameFactor& part : parts)
-                      for_each_strand(
-                          out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
-                            if (!frames.empty())
-                              out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance});
-                          });
-                  });
+    for_each_open(
+        scene_, vertex.point.spawn(sight.w, sight.distance), body, sent, [&](FrameSet open, const Rgb& transmittance) {
+          for (const FrameFactor& part : parts)
+            for_each_strand(
+                out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                  if (!frames.empty())
+                    out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance, light_index_});
+                });
+        });
   }
 
   const VcmPass& pass_;
@@ -192,6 +192,7 @@ class LightPathTracer {
   // Of the path that is being followed.
   const Light* light_ = nullptr;
   const SceneLight* scene_light_ = nullptr;
+  int light_index_ = 0;
   Emission emission_;
 };
 

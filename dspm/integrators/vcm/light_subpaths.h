@@ -21,6 +21,7 @@ namespace dspm {
 struct LightVertex {
   Vec3 p, wi;  // towards where the flux came from
   Rgb flux;    // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
+  int light;   // that it comes from: into the scene's
   FrameSet frames;
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before

@@ -16,6 +16,7 @@ struct Splat {
   Vec2 film;  // in pixels of the full image
   FrameSet frames;
   Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
+  int light;     // that it comes from: into the scene's
 };
 
 /// Whether a pixel of the crop sees the place.

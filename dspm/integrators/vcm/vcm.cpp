@@ -106,7 +106,8 @@ class Vcm final : public Integrator {
       : settings_(settings),
         render_(render),
         sample_(std::move(sample)),
-        done_(render.crop, scene.frame_count(), statistics_at_start()) {}
+        groups_(light_group_outputs(scene)),
+        done_(render.crop, scene.frame_count(), statistics_at_start(), LightGroups(scene, render.outputs)) {}
 
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override {
@@ -130,7 +131,8 @@ class Vcm final : public Integrator {
     radius_.end_iteration(settings_.alpha);
   }
 
-  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
+  std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
+  Image estimate(Frame frame, const std::string& output) const override { return done_.mean(frame, output); }
 
   Statistics statistics() const override { return done_.statistics(); }
 
@@ -172,6 +174,7 @@ class Vcm final : public Integrator {
   VcmSettings settings_;
   RenderSettings render_;
   std::shared_ptr<const Scene> sample_;  // until learn(), which would make it again
+  std::vector<OutputInfo> groups_;
   SummedIterations done_;
   IterationRadius radius_;
   std::shared_ptr<const LearnedEmission> learned_;  // null before the first iteration
@@ -225,7 +228,8 @@ std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, co
     settings.radius = usual_radius(sample != nullptr ? *sample : scene, render, settings.max_depth);
   }
   if (render.memory > 0)
-    expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count()),
+    expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(),
+                                                                    LightGroups(scene, render.outputs).count()),
                                   .photons = light_path_bytes(settings, scene, render)});
   return std::make_unique<Vcm>(settings, scene, render, std::move(sample));
 }

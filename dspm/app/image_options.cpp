@@ -1,0 +1,58 @@
+#include "dspm/app/image_options.h"
+
+#include <string_view>
+#include <vector>
+
+#include "dspm/app/option_values.h"
+
+namespace dspm {
+namespace {
+
+constexpr int kMaxTile = 4096;
+constexpr std::string_view kAll = "all";  // that has no precision of its own
+
+void add_precision(CLI::App& app, const char* name, bool half, std::vector<std::string>& outputs, Options& o,
+                   const char* sentence) {
+  app.add_flag(name, sentence)->each([&o, &outputs, half](const std::string& text) {
+    if (text == kAll)
+      o.half = half;
+    else
+      for (std::string& output : parse_names(half ? "--half" : "--float", text)) outputs.push_back(std::move(output));
+  });
+}
+
+void replace(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from)) text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+void add_image_options(CLI::App& app, Options& o) {
+  add_precision(app, "--half{all}", true, o.halves, o, "16-bit EXR (the default), or only these outputs");
+  add_precision(app, "--float{all}", false, o.singles, o, "32-bit EXR, or only these outputs");
+  app.add_option_function<std::string>(
+         "--compression", [&o](const std::string& name) { o.compress(name); },
+         "of EXR files: zip (the default), zips, piz, rle, none; with a little loss dwaa, dwab")
+      ->type_name("NAME");
+  app.add_option("--tiles", o.exr.tile, "EXR files in tiles of N x N pixels; 0: in rows (the default)")
+      ->check(CLI::Range(0, kMaxTile).description(""))
+      ->type_name("N");
+  app.add_option_function<std::vector<std::string>>(
+         "--aov",
+         [&o](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts)
+             for (std::string& name : parse_names("--aov", text)) o.outputs.push_back(std::move(name));
+         },
+         "also write these outputs as layers of the EXR: N,P,Z,albedo,uv,object,material,alpha,cryptoobject,"
+         "cryptomaterial,lights,radius,photons")
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+  app.add_flag("--aov-files", o.aov_files, "them in files of their own: ball.N.0001.exr");
+}
+
+void show_optional_values(std::string& help) {
+  replace(help, "{table}", "[=FILE]");
+  replace(help, "{all}", "[=NAMES]");
+}
+
+}  // namespace dspm

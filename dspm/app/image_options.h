@@ -1,0 +1,14 @@
+// The options that say how images and their layers are kept in files.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "dspm/app/options.h"
+
+namespace dspm {
+
+void add_image_options(CLI::App& app, Options& options);
+/// CLI11 shows an optional value by its default.
+void show_optional_values(std::string& help);
+
+}  // namespace dspm

@@ -1,0 +1,53 @@
+#include "dspm/app/relight.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/output/group_factor.h"
+#include "dspm/output/image_name.h"
+#include "dspm/output/relight.h"
+#include "dspm/params/errors.h"
+#include "dspm/session/distinct_files.h"
+#include "dspm/session/messages.h"
+
+namespace dspm {
+namespace {
+
+bool is_image(const std::string& argument) { return std::filesystem::path(argument).extension() == ".exr"; }
+
+}  // namespace
+
+int relight_images(const Options& options) {
+  std::vector<std::filesystem::path> images;
+  std::vector<GroupFactor> factors;
+  for (const std::string& argument : options.scenes)
+    if (is_image(argument))
+      images.emplace_back(argument);
+    else
+      factors.push_back(parse_group_factor(argument));
+  if (images.empty()) throw UsageError("--relight: which images? They end with .exr");
+  if (factors.empty())
+    throw UsageError("--relight: how? \"key 0.5 [1 .8 .6]\" makes the lights of the group key darker");
+  if (!is_image(options.outfile)) throw UsageError("--relight: -o names the new images, which end with .exr");
+
+  const std::filesystem::path pattern = options.outfile;
+  std::vector<NamedFile> read, written;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const auto number = images.size() > 1 ? std::optional(Moment::numbered(static_cast<int>(i) + 1)) : std::nullopt;
+    read.push_back({images[i], "an image"});
+    written.push_back({image_name(pattern, number), "its new mix"});
+  }
+  expect_distinct(read, written);
+  Messages messages(options.quiet);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    relight(images[i], factors, written[i].path);
+    messages.say("{}", written[i].path.string());
+  }
+  return 0;
+}
+
+}  // namespace dspm

@@ -1,0 +1,41 @@
+// How much of a pixel each of a few things covers, by counts of camera paths: what Cryptomatte calls ranks.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace dspm {
+
+/// In constant memory: if more things show than there is room for, the one with fewest paths makes room for a new one,
+/// which begins with one path. So no share is too large, and large ones lose nothing unless many things are larger.
+class CoverageRanks {
+ public:
+  static constexpr std::size_t kRanks = 6;
+  struct Share {
+    int thing = 0;
+    std::uint32_t paths = 0;  // 0: no thing
+  };
+
+  void add(int thing) {
+    Share* least = &shares_.front();
+    for (Share& share : shares_) {
+      if (share.paths > 0 && share.thing == thing) return static_cast<void>(++share.paths);
+      if (share.paths < least->paths) least = &share;
+    }
+    *least = {thing, 1};
+  }
+  /// The largest share first.
+  std::array<Share, kRanks> sorted() const {
+    std::array<Share, kRanks> shares = shares_;
+    std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+      return a.paths != b.paths ? a.paths > b.paths : a.thing < b.thing;
+    });
+    return shares;
+  }
+
+ private:
+  std::array<Share, kRanks> shares_;
+};
+
+}  // namespace dspm

@@ -1,0 +1,41 @@
+// The outputs of what the camera sees first, by name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/output_info.h"
+
+namespace dspm {
+
+/// Each is an output, but a Cryptomatte is as many as it has ranks.
+enum class SurfaceKind {
+  normal,
+  position,
+  depth,
+  albedo,
+  uv,
+  object,
+  material,
+  alpha,
+  crypto_object,
+  crypto_material,
+};
+inline constexpr int kSurfaceKinds = 10;
+inline bool is_id(SurfaceKind kind) { return kind == SurfaceKind::object || kind == SurfaceKind::material; }
+inline bool is_crypto(SurfaceKind kind) {
+  return kind == SurfaceKind::crypto_object || kind == SurfaceKind::crypto_material;
+}
+
+inline constexpr const char* kAlphaOutput = "alpha";
+
+/// Those of ids without names.
+const std::vector<OutputInfo>& outputs_of(SurfaceKind kind);
+/// Of all kinds.
+const std::vector<OutputInfo>& surface_outputs();
+/// Those of Film "gbuffer", which are pbrt's.
+std::vector<std::string> gbuffer_outputs();
+/// The outputs that together are "cryptoobject" or "cryptomaterial"; none for other names.
+std::vector<std::string> cryptomatte_outputs(const std::string& name);
+
+}  // namespace dspm

@@ -1,0 +1,19 @@
+// What --relight is told of a group of lights.
+#pragma once
+
+#include <string>
+
+#include "dspm/colour/rgb.h"
+
+namespace dspm {
+
+/// How much brighter, and of which colour, a group of lights is to be.
+struct GroupFactor {
+  std::string group;
+  Rgb factor;
+};
+
+/// "key 0.5", "key [1 .8 .6]" or both: "key 0.5 [1 .8 .6]". Throws UsageError.
+GroupFactor parse_group_factor(const std::string& text);
+
+}  // namespace dspm

@@ -1,0 +1,35 @@
+// How outputs besides radiance are kept: as layers of the image's file or in files of their own, and how precisely.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/film/film.h"
+#include "dspm/image/exr.h"
+#include "dspm/integrators/output_info.h"
+
+namespace dspm {
+
+/// The header's text with all outputs of light groups, if the file has them.
+inline constexpr const char* kLightGroupsText = "light groups";
+
+struct LayerSettings {
+  bool aov_files = false;                         // a file for each output
+  ExrFormat exr;                                  // of all EXR files
+  std::vector<std::string> halves, singles = {};  // outputs of another precision than usual
+
+  /// Sets the compression by its name. Throws UsageError.
+  void compress(const std::string& name);
+  /// Throws UsageError if they do not fit these outputs.
+  void check(const std::vector<std::string>& outputs) const;
+  /// Ids are single, whatever is asked for: halves would be others.
+  ExrPixels pixels_of(const OutputInfo& output, const FilmSettings& film) const;
+};
+
+/// Outputs with the same one share a file of their own: what comes before the first dot of their names.
+std::string_view file_label(std::string_view output);
+/// The labels of all, in order.
+std::vector<std::string> file_labels(const std::vector<std::string>& outputs);
+
+}  // namespace dspm

@@ -1,0 +1,92 @@
+#include "dspm/world/output_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <variant>
+
+#include "dspm/integrators/surface_outputs.h"
+#include "dspm/lights/light_group.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+namespace {
+
+constexpr const char* kAllLightGroups = "lights";  // in --aov
+
+/// The names of outputs that one in --aov stands for.
+std::vector<std::string> expanded(const std::string& name, const SceneDescription& description) {
+  if (name == kAllLightGroups) return light_group_outputs(description);
+  std::vector<std::string> parts = cryptomatte_outputs(name);
+  return parts.empty() ? std::vector{name} : parts;
+}
+
+/// The names that --aov takes, given what an integrator declares.
+std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) {
+  std::vector<std::string> names, groups;
+  const auto add = [&](const OutputInfo& output) {
+    std::vector<std::string>& to = output.is_radiance ? groups : names;
+    const std::string name = output.cryptomatte.empty() ? output.name : output.name.substr(0, output.name.find('.'));
+    if (std::find(to.begin(), to.end(), name) == to.end()) to.push_back(name);
+  };
+  for (const OutputInfo& output : declared) add(output);
+  for (const OutputInfo& output : surface_outputs()) add(output);
+  if (!groups.empty()) names.push_back(kAllLightGroups);
+  names.insert(names.end(), groups.begin(), groups.end());
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices,
+                                    const SceneDescription& description) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (name != kRadiance && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (film.surface_outputs)
+    for (const std::string& name : gbuffer_outputs()) add(name);
+  if (film.transparent) add(kAlphaOutput);
+  for (const std::string& name : choices.outputs)
+    for (const std::string& part : expanded(name, description)) add(part);
+  return names;
+}
+
+std::vector<std::string> light_group_outputs(const SceneDescription& description) {
+  std::set<std::string> groups;
+  const auto add = [&](const PluginUse& use) {
+    const Param* param = use.params.find(kGroupParam);
+    const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
+    if (texts != nullptr && texts->size() == 1) groups.insert(texts->front());
+  };
+  for (const LightUse& use : description.lights) add(use);
+  for (const AreaLightUse& use : description.area_lights) add(use);
+  groups.erase(kOtherLights);
+  std::vector<std::string> outputs = {light_group_output(kOtherLights)};
+  for (const std::string& group : groups) outputs.push_back(light_group_output(group));
+  return outputs;
+}
+
+void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
+                   const std::string& integrator, Diagnostics& diagnostics) {
+  std::set<std::string> channels = {"R", "G", "B"};
+  for (const std::string& name : asked) {
+    const auto found = std::find_if(declared.begin(), declared.end(), [&](const auto& o) { return o.name == name; });
+    if (found == declared.end()) {
+      const std::vector<std::string> names = names_for_aov(declared);
+      const std::string guess = did_you_mean(name, names);
+      diagnostics.error({}, fmt::format("integrator \"{}\" has no output \"{}\"", integrator, name),
+                        guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess);
+      continue;
+    }
+    bool good = !found->channels.empty() && found->channels.size() <= 3;
+    for (const std::string& channel : found->channels)
+      good = good && !channel.empty() && channels.insert(channel).second;
+    if (!good)
+      diagnostics.error({}, fmt::format("output \"{}\" of integrator \"{}\" needs one to three channels of its own",
+                                        name, integrator));
+  }
+}
+
+}  // namespace dspm

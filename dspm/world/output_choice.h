@@ -1,0 +1,25 @@
+// Which outputs a run writes next to radiance.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/film/film.h"
+#include "dspm/integrators/output_info.h"
+#include "dspm/lang/description.h"
+#include "dspm/params/errors.h"
+#include "dspm/world/choices.h"
+
+namespace dspm {
+
+/// Those of the Film, then the chosen ones. Names that stand for several outputs ("lights", "cryptoobject") become them.
+std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices,
+                                    const SceneDescription& description);
+/// The outputs of all light groups that the text names, in the order of Scene::light_groups.
+std::vector<std::string> light_group_outputs(const SceneDescription& description);
+
+/// What an integrator declares must suit a file.
+void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
+                   const std::string& integrator, Diagnostics& diagnostics);
+
+}  // namespace dspm
