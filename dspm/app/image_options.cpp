@@ -12,7 +12,7 @@ constexpr int kMaxTile = 4096;
 constexpr std::string_view kAll = "all";  // that has no precision of its own
 
 void add_precision(CLI::App& app, const char* name, bool half, std::vector<std::string>& outputs, Options& o,
-                   const char* sentence) {
+                   const std::string& sentence) {
   app.add_flag(name, sentence)->each([&o, &outputs, half](const std::string& text) {
     if (text == kAll)
       o.half = half;
