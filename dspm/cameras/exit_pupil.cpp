@@ -6,7 +6,7 @@
 namespace dspm {
 namespace {
 
-constexpr int kRings = 32;
+constexpr int kRings = 16;
 constexpr int kCoarse = 32, kFine = 64, kFinest = 512;  // columns of grids
 // The plane of the samples touches the rear surface, so rays through its edge cross the plane further out; as in pbrt.
 constexpr float kWholeOverRear = 1.5f;
@@ -52,11 +52,13 @@ ExitPupil::Box ExitPupil::found_anywhere(const LensSystem& lens, float film_x, i
 
 /// `neighbour`: null for the first place. Beside a place that no light reaches there is hardly one.
 ExitPupil::Box ExitPupil::bound(const LensSystem& lens, float film_x, const Box* neighbour) {
-  Box found;
-  if (neighbour != nullptr && !neighbour->empty()) found = found_beside(lens, film_x, *neighbour);
-  if (found.empty()) found = found_anywhere(lens, film_x, neighbour != nullptr && neighbour->empty() ? kFine : kFinest);
-  for (int i = 0; i < 2 && !found.empty(); ++i) found = found_within(lens, film_x, found, kFine);
-  return found;
+  const bool beside_none = neighbour != nullptr && neighbour->empty();
+  Box found = neighbour != nullptr && !beside_none ? found_beside(lens, film_x, *neighbour) : Box();
+  if (found.empty()) {
+    found = found_anywhere(lens, film_x, beside_none ? kFine : kFinest);
+    if (!found.empty()) found = found_within(lens, film_x, found, kFine);
+  }
+  return found.empty() ? found : found_within(lens, film_x, found, kFine);
 }
 
 ExitPupil::ExitPupil(const LensSystem& shaped, float film_radius)
