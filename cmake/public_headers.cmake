@@ -14,7 +14,7 @@ set(public_headers
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
-  math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
+  math/bins.h math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
   modules/module.h modules/stamp.h
   params/errors.h params/params.h params/registry.h
   scene/scene.h

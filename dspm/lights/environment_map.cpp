@@ -24,6 +24,7 @@ Distribution1D EnvironmentMap::distribution_of_rows(const Image& image) {
     const Distribution1D columns(weights);
     for (int x = 0; x < width_; ++x) pixels_.push_back({columns.bins()[static_cast<std::size_t>(x)], image.at(x, y)});
     pixels_.push_back({columns.bins().back(), Rgb()});
+    add_cutpoints(row(y), cutpoints_);
     totals.push_back(columns.total() * solid_angle(y));
   }
   return Distribution1D(totals);
@@ -76,7 +77,7 @@ Vec3 EnvironmentMap::direction_in(int x, int y, Vec2 u) const {
 
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   const auto [y, row_probability, rest_y] = rows_.choose(u.y);
-  const auto [x, column_probability, rest_x] = choose_bin(row(y), u.x);
+  const auto [x, column_probability, rest_x] = choose_bin(row(y), cutpoints_of_row(y), u.x);
   return {direction_in(x, y, {rest_x, rest_y}), radiance(x, y), row_probability * column_probability / solid_angle(y)};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,7 +48,7 @@ class EnvironmentMap {
   float illuminance() const;
 
  private:
-  /// A row's pixels are the bins of its luminance. What a sample needs of one lies together: memory is what it waits for.
+  /// A row's pixels are the bins of its luminance. What a sample needs lies together: memory is what it waits for.
   struct Pixel : Bin {
     Rgb radiance;
   };
@@ -68,9 +69,15 @@ class EnvironmentMap {
     return std::span(pixels_).subspan(static_cast<std::size_t>(y) * length, length);
   }
 
+  std::span<const std::uint16_t> cutpoints_of_row(int y) const {
+    const std::size_t length = cutpoint_count(static_cast<std::size_t>(width_));
+    return std::span(cutpoints_).subspan(static_cast<std::size_t>(y) * length, length);
+  }
+
   int width_, height_;
   SphereMapping mapping_;
   std::vector<Pixel> pixels_;  // row by row
+  std::vector<std::uint16_t> cutpoints_;
   Distribution1D rows_;
 };
 

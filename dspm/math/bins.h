@@ -1,34 +1,40 @@
-// Bins that cover [0, 1), of any widths: which one holds a number? Found in about one step from a place that is looked
-// up, the bin that begins where that of a slightly smaller number may be: "cutpoints" [Chen and Asau 1974, On Generating
-// Random Variates from an Empirical Distribution]. A bin's width is its probability.
+// Bins that cover [0, 1), of any widths, which are their probabilities: which one holds a number? A few steps from a
+// place that is looked up find it: "cutpoints" [Chen and Asau 1974, On Generating Random Variates from an Empirical
+// Distribution]. There is one for several bins, so that they stay in the cache where the bins do not.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <span>
+#include <vector>
 
 namespace dspm {
 
+/// Bins come in ascending order from 0, and then one more, which begins at 1. T below: a Bin, perhaps with more in it.
 struct Bin {
   float begin = 0;
-  /// Of bin i of n: where to begin the search for numbers near i / n. As weights mostly vary slowly, that is close by.
-  std::uint32_t first = 0;
 };
 
+inline std::size_t cutpoint_count(std::size_t bins) {
+  constexpr std::size_t kBinsOfOne = 4;
+  return (bins + kBinsOfOne - 1) / kBinsOfOne;
+}
+
+/// The cutpoint for u, of so many.
 inline std::size_t cutpoint_of(float u, std::size_t count) {
   return std::min(static_cast<std::size_t>(u * static_cast<float>(count)), count - 1);
 }
 
-/// Sets Bin::first. The bins are given by where they begin, in ascending order from 0; then comes one more, at 1.
-/// T: a Bin, perhaps with more in it.
-template <class T>
-void set_cutpoints(std::span<T> bins) {
-  const std::size_t count = bins.size() - 1;
-  std::uint32_t first = 0;
+/// Cutpoint i of n is where to begin the search for numbers near i / n: the last bin that begins before all of them, or
+/// an earlier one if Index counts no further.
+template <class Index, class T>
+void add_cutpoints(std::span<const T> bins, std::vector<Index>& cutpoints) {
+  const std::size_t last = bins.size() - 2, count = cutpoint_count(bins.size() - 1);
+  std::size_t bin = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    while (first + 1 < count && cutpoint_of(bins[first + 1].begin, count) < i) ++first;
-    bins[i].first = first;
+    while (bin < last && cutpoint_of(bins[bin + 1].begin, count) < i) ++bin;
+    cutpoints.push_back(static_cast<Index>(std::min<std::size_t>(bin, std::numeric_limits<Index>::max())));
   }
 }
 
@@ -39,11 +45,11 @@ struct BinChoice {
 };
 
 /// The last bin that begins at or below u. An empty bin begins where the next one does, so it is never the last.
-template <class T>
-BinChoice choose_bin(std::span<const T> bins, float u) {
+template <class T, class Index>
+BinChoice choose_bin(std::span<const T> bins, std::span<const Index> cutpoints, float u) {
   constexpr float kBelowOne = 0x1.fffffep-1f;  // the largest float below 1
   u = std::min(u, kBelowOne);
-  std::size_t i = bins[cutpoint_of(u, bins.size() - 1)].first;
+  std::size_t i = cutpoints[cutpoint_of(u, cutpoints.size())];
   while (bins[i + 1].begin <= u) ++i;
   const float begin = bins[i].begin, width = bins[i + 1].begin - begin;
   return {static_cast<int>(i), width, std::min((u - begin) / width, kBelowOne)};

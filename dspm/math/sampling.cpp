@@ -89,7 +89,7 @@ Distribution1D::Distribution1D(std::span<const float> weights) {
   // Rounding may leave the last steps short of 1; bins of zero weight at the end must stay empty.
   const float end = bins_.back().begin;
   for (std::size_t i = weights.size(); i > 0 && bins_[i].begin == end; --i) bins_[i].begin = 1;
-  set_cutpoints(std::span(bins_));
+  add_cutpoints(bins(), cutpoints_);
 }
 
 }  // namespace dspm

@@ -2,6 +2,7 @@
 // distributions. Directions are around +z.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,7 @@ class Distribution1D {
   /// At least one weight, all finite and non-negative. If all are zero, they count as equal.
   explicit Distribution1D(std::span<const float> weights);
 
-  Choice choose(float u) const { return choose_bin(bins(), u); }
+  Choice choose(float u) const { return choose_bin(bins(), std::span<const std::uint32_t>(cutpoints_), u); }
   float probability(int index) const { return probability_of(bins(), index); }
   /// The u for which choose(u) returns that index and rest.
   float number(int index, float rest) const { return bin_number(bins(), index, rest); }
@@ -59,6 +60,7 @@ class Distribution1D {
 
  private:
   std::vector<Bin> bins_;
+  std::vector<std::uint32_t> cutpoints_;
   float total_;
 };
 

@@ -13,16 +13,19 @@ using Controls = std::array<DoubleVec3, 4>;
 
 DoubleVec3 between(const DoubleVec3& a, const DoubleVec3& b, double t) { return a * (1 - t) + b * t; }
 
-/// The blossom of the segment: its control points for (a, a, a), (a, a, b), (a, b, b) and (b, b, b) are those of the
-/// part from a to b. [Ramshaw 1987, Blossoming]
-DoubleVec3 blossom(const Controls& c, double u, double v, double w) {
-  const DoubleVec3 a = between(c[0], c[1], u), b = between(c[1], c[2], u), d = between(c[2], c[3], u);
-  return between(between(a, b, v), between(b, d, v), w);
-}
-
+/// The control points of the part from a to b: the blossom of the segment for (a, a, a), (a, a, b), (a, b, b) and (b, b, b).
+/// [Ramshaw 1987, Blossoming]
 Controls controls_of(const CurveSegment& s, double a, double b) {
+  using Step = std::array<DoubleVec3, 3>;
   const Controls c{s.control(0), s.control(1), s.control(2), s.control(3)};
-  return {blossom(c, a, a, a), blossom(c, a, a, b), blossom(c, a, b, b), blossom(c, b, b, b)};
+  const auto first = [&](double u) {
+    return Step{between(c[0], c[1], u), between(c[1], c[2], u), between(c[2], c[3], u)};
+  };
+  const auto rest = [](const Step& p, double v, double w) {
+    return between(between(p[0], p[1], v), between(p[1], p[2], v), w);
+  };
+  const Step at_a = first(a);
+  return {rest(at_a, a, a), rest(at_a, a, b), rest(at_a, b, b), rest(first(b), b, b)};
 }
 
 double angle_between(const DoubleVec3& a, const DoubleVec3& b) {
