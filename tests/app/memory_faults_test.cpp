@@ -69,7 +69,7 @@ TEST_P(AddressSpace, ALimitIsNoSignal) {
         << outcome.err;
     for (const Image& image : directory.images()) EXPECT_EQ(image.width, 192);
   }
-  EXPECT_GT(failed, 4);
+  EXPECT_GT(failed, 1);
   EXPECT_GT(done, 4);
 }
 

@@ -19,7 +19,7 @@ constexpr const char* kScene = R"(
 Frames 2
 LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 45
-Film "rgb" "integer xresolution" 96 "integer yresolution" 72
+Film "rgb" "integer xresolution" 160 "integer yresolution" 120
 WorldBegin
 LightSource "point" "point3 from" [0 2 -1] "rgb I" [8 8 8]
 AttributeBegin
@@ -63,7 +63,7 @@ TEST_P(Cancellation, ChangesNothing) {
     int cancelled = 0;
     for (int i = 0; i < 15; ++i) {
       const std::string before = state_of(*given_up);
-      if (!iterate_for(std::chrono::microseconds(700 * i), *given_up, iteration, *scene)) break;
+      if (!iterate_for(std::chrono::microseconds(500 * i), *given_up, iteration, *scene)) break;
       ++cancelled;
       ASSERT_EQ(state_of(*given_up), before);
     }

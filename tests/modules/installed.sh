@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What an author of plugins does, from an installed dspm: installs it into a scratch prefix, then builds and renders with
-# it. usage: installed.sh <source directory> <build directory> headers|headers_alone|examples|projects|moved <compiler>
+# it. usage: installed.sh <source directory> <build directory> headers|examples|projects|moved <compiler>
 set -euo pipefail
 source_dir=$1 build_dir=$2 task=$3 compiler=$4
 work=$(mktemp -d)
@@ -36,12 +36,12 @@ stable_headers() {
   done
 }
 
-# Every header stands alone, with these words of its command, and shows no library's types.
-headers_with() {
+# Every header stands alone, and shows no library's types.
+headers() {
   local forbidden='#include *[<"](oneapi|tbb|embree|OpenEXR|Imath|Imf|CGAL|fmt|CLI)'
   if grep -rnE "$forbidden" "$include"; then fail "the header of a library is in a public one"; fi
   find "$include" -name '*.h' -printf '%P\n' >"$work/headers"
-  xargs -P "$(nproc)" -I {} sh -c "echo '#include <dspm/{}>' | $compiler $flags -fsyntax-only $* -" <"$work/headers" ||
+  xargs -P "$(nproc)" -I {} sh -c "echo '#include <dspm/{}>' | $compiler $flags -fsyntax-only -" <"$work/headers" ||
     fail "a header does not compile alone"
   stable_headers
   (($(wc -l <"$work/headers") > 40)) || fail "too few headers are installed"
@@ -60,20 +60,6 @@ example() {
   build "$work/$1"
   image=$(find "$work/$1/build" -name "$1*.png" | head -n 1)
   [[ -s $image ]] || fail "$1 has rendered nothing"
-}
-
-headers_alone() { headers_with; }
-
-# Those of the standard library have been read before, once for all: four times as fast.
-headers() {
-  local each
-  for each in algorithm array atomic bit cmath compare concepts cstddef cstdint cstring filesystem functional iterator \
-    limits list map memory mutex numbers numeric optional random set span sstream stdexcept string string_view thread \
-    tuple type_traits unordered_map utility variant vector immintrin.h; do
-    echo "#include <$each>"
-  done >"$work/standard.h"
-  $compiler $flags -x c++-header "$work/standard.h" -o "$work/standard.h.gch"
-  headers_with -include "$work/standard.h"
 }
 
 examples() { each example ambient lighttracer velvet roundbox; }
