@@ -13,6 +13,7 @@ namespace dspm {
 struct FinalGatherSettings {
   int rays = 0;  // per hit point
   float least_alpha = 0.25f;
+  int max_depth = 5;  // scatterings of a gather ray before its estimate: in hair, all lobes are followed
 };
 
 /// The gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&).
@@ -58,8 +59,6 @@ class FinalGather {
   };
   friend BranchingPath<GatherPath>;
 
-  static constexpr int kMostBounces = 4;  // off smooth lobes
-
   bool postpones(const GatherPath&, const HitPartition&) { return false; }
   void escaped(const GatherPath&, FrameSet) {}
   void lost(const GatherPath& path, FrameSet frames, const SceneElement& giver) {
@@ -74,7 +73,7 @@ class FinalGather {
       branch.throughput *= 1 / choice.chance;
       if (choice.rough)
         end(branch, vertex, bsdf, choice.lobes);
-      else if (branch.bounces < kMostBounces)
+      else if (branch.bounces < settings_.max_depth)
         scatter(branch, vertex, bsdf, choice.lobes);
     });
   }

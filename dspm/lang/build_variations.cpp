@@ -182,6 +182,13 @@ void SceneBuilder::check_replacements() {
   std::set<std::string> lights, blocks;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
   for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
+  const auto add_glowing = [&](const std::vector<MaterialUse>& uses) {
+    for (const MaterialUse& use : uses)
+      if (use.params.find("emission") != nullptr) lights.insert(use.name);
+  };
+  add_glowing(scene_.materials);
+  for (const VariationAxis& axis : scene_.axes)
+    for (const Variation& variation : axis.variations) add_glowing(variation.materials);
   lights.erase("");
   // A geometry file may bring materials, and lights that are named like them; the world, which reads it, checks these.
   const bool reads_geometry = std::any_of(scene_.shapes.begin(), scene_.shapes.end(), brings_materials) ||

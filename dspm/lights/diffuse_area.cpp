@@ -14,6 +14,8 @@
 //
 // A picture keeps its luminances as ratios under "power". (pbrt-v4 gives "power" to each triangle of a mesh.)
 //
+// A shape whose material emits ("principled") gets a light of this kind, with the material's texture as a factor.
+//
 // Where the shape lets a part of the rays through ("alpha"), it emits as much less. A shape that is a hole everywhere,
 // in all frames, emits all of its light, and no ray can hit it.
 //
@@ -22,6 +24,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/emission_picture.h"
 #include "dspm/lights/emitter_points.h"
 #include "dspm/lights/light.h"
@@ -37,7 +40,10 @@ namespace {
 /// What a diffuse area light says of itself.
 struct Glow {
   Rgb radiance;
-  std::optional<EmissionPicture> picture;  // multiplies the radiance
+  std::optional<EmissionPicture> picture;                    // multiplies the radiance
+  std::shared_ptr<const EmissionPattern> pattern = nullptr;  // likewise
+
+  bool varies() const { return picture || pattern; }
   bool two_sided = false;
   bool hidden = false;  // no ray can hit it
 };
@@ -110,7 +116,7 @@ class DiffuseArea final : public Light {
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const DiffuseArea*>(&other);
     if (o == nullptr || &placed_ != &o->placed_ || glow_.two_sided != o->glow_.two_sided ||
-        !(glow_.picture == o->glow_.picture))
+        glow_.pattern != o->glow_.pattern || !(glow_.picture == o->glow_.picture))
       return std::nullopt;
     return ratio(glow_.radiance, o->glow_.radiance);
   }
@@ -123,7 +129,11 @@ class DiffuseArea final : public Light {
     return (cosine > 0 || (glow_.two_sided && cosine < 0)) && !is_black(glow_.radiance);
   }
   Rgb radiance_at(const SurfacePoint& point) const {
-    return glow_.picture ? glow_.radiance * glow_.picture->at(point.uv) : glow_.radiance;
+    return glow_.varies() ? glow_.radiance * relative_at(point) : glow_.radiance;
+  }
+  Rgb relative_at(const SurfacePoint& point) const {
+    const Rgb picture = glow_.picture ? glow_.picture->at(point.uv) : Rgb(1);
+    return glow_.pattern ? picture * glow_.pattern->at(point) : picture;
   }
   /// The fraction of the surface that is there. Rays that hit it have passed that test.
   float present_at(const SurfacePoint& point) const {
@@ -131,10 +141,8 @@ class DiffuseArea final : public Light {
     return std::clamp(placed_.cutout->alpha(point.p, point.uv), 0.f, 1.f);
   }
   EmitterPoints::Brightness brightness() const {
-    if (!glow_.picture && (glow_.hidden || placed_.cutout == nullptr)) return nullptr;
-    return [this](const SurfacePoint& point) {
-      return (glow_.picture ? glow_.picture->at(point.uv) : Rgb(1)) * present_at(point);
-    };
+    if (!glow_.varies() && (glow_.hidden || placed_.cutout == nullptr)) return nullptr;
+    return [this](const SurfacePoint& point) { return relative_at(point) * present_at(point); };
   }
 
   /// `cosine` of the direction to the normal.
@@ -164,12 +172,18 @@ std::optional<EmissionPicture> read_picture(ParamReader& reader, const std::file
 }  // namespace
 
 std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext& context) {
+  return make_diffuse_area(reader, context, nullptr);
+}
+
+std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext& context,
+                                         std::shared_ptr<const EmissionPattern> pattern) {
   Glow glow;
   glow.radiance = reader.rgb("L", Rgb(1), SpectrumRole::illuminant, "radiance in all directions");
   const std::filesystem::path path =
       reader.optional_file("filename", "instead of L: a picture of the radiance, placed by texture coordinates");
   glow.two_sided = reader.flag("twosided", false, "shines on both sides");
   glow.hidden = context.hidden;
+  glow.pattern = std::move(pattern);
   const Strength strength = read_power(reader);
   if (reader.has("L") && reader.has("filename"))
     reader.error("filename", "the radiance is either \"L\" or a picture, not both", "\"scale\" multiplies a picture");

@@ -11,7 +11,11 @@
 // frames share it, and where an amount is keyed, points change one by one. pbrt also makes it a function of the viewing
 // direction, so that a point is not the same for light that arrives and light that leaves. Each material keeps its own
 // relief, which a sum of both scattering functions could not have; but photons around a point count by the mean of both.
+// A body has one inside: where both materials are glass, they must absorb alike, and rust on coloured glass leaves the
+// body its colour.
 #include "dspm/materials/mix.h"
+
+#include <fmt/format.h>
 
 #include <bit>
 
@@ -67,6 +71,11 @@ std::unique_ptr<Material> make_mix(ParamReader& reader, const MaterialContext& c
   }
   Parts parts = find_parts(reader, names, context);
   if (parts[0] == nullptr || parts[1] == nullptr) return nullptr;
+  if (parts[0]->bounds_a_body() && parts[1]->bounds_a_body() && parts[0]->absorption() != parts[1]->absorption())
+    reader.error(
+        "materials",
+        fmt::format("\"{}\" and \"{}\" absorb light differently, but a body has one inside", names[0], names[1]),
+        "give both the same \"attenuationcolor\" and \"attenuationdistance\"");
   return std::make_unique<MixMaterial>(std::move(parts), texture_of(amount, context.textures, reader.diagnostics()));
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/materials/material.h"
 #include "dspm/textures/texture.h"
 
@@ -17,6 +18,8 @@ class MixMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override { return at(point).bsdf(point, slot); }
   bool bounds_a_body() const override { return parts_[0]->bounds_a_body() || parts_[1]->bounds_a_body(); }
+  /// Of the part that bounds a body; if both do, they absorb alike.
+  Rgb absorption() const override { return parts_[parts_[0]->bounds_a_body() ? 0 : 1]->absorption(); }
   const Material* chosen(const SurfacePoint& point, int depth) const override;
   const Parts& parts() const { return parts_; }
 

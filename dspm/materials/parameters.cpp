@@ -79,6 +79,19 @@ MetalIndex MetalLook::index(const SurfacePoint& point) const {
   return index;
 }
 
+ValueOrTexture<float> read_opacity(ParamReader& reader) {
+  return reader.number_or_texture("alpha", 1, "", "the fraction of rays that the surface stops; 0: a hole");
+}
+
+EmissionLook read_emission_look(ParamReader& reader) {
+  const EmissionLook look{reader.rgb_or_texture("emission", Rgb(0), SpectrumRole::illuminant,
+                                                "colour of the light that both sides of the surface emit"),
+                          reader.number("emissionstrength", 1, "", "times emission: radiance")};
+  if (!(look.strength >= 0))
+    reader.error("emissionstrength", "parameter \"emissionstrength\" of " + reader.subject() + " must not be negative");
+  return look;
+}
+
 Rgb read_absorption(ParamReader& reader) {
   constexpr float kDarkest = 1e-30f;
   const Rgb colour = clamped_albedo(reader.rgb("attenuationcolor", Rgb(1), SpectrumRole::albedo,

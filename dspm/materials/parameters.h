@@ -58,6 +58,20 @@ class MetalLook {
   TexturePtr<Rgb> eta_or_reflectance_, k_;
 };
 
+/// Whether a material of that type has "alpha", "emission" and "emissionstrength", which scatter nothing: world makes
+/// holes of the first and area lights of the others.
+inline bool has_holes_and_light(std::string_view material) { return material == "principled"; }
+
+/// 1 where the surface is, 0 where it has a hole.
+ValueOrTexture<float> read_opacity(ParamReader& reader);
+
+/// The radiance that leaves both sides of a surface.
+struct EmissionLook {
+  ValueOrTexture<Rgb> colour;
+  float strength = 1;
+};
+EmissionLook read_emission_look(ParamReader& reader);
+
 /// "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume: white light that has gone that far
 /// through the body, in world units, has this colour. As Material::absorption().
 Rgb read_absorption(ParamReader& reader);

@@ -6,16 +6,24 @@
 //                                                    passes a boundary of glass
 //   metallic              float texture       0      share of metal; the rest is dielectric
 //   transmission          float texture       0      share of glass in the dielectric; the rest is opaque
+//   thin                  bool                false  a wall without a body: what passes is not bent, and not absorbed
+//   diffusetransmission   float texture       0      share of the diffuse ground's light that leaves on the other side
+//   diffusetransmissioncolor   spectrum texture   basecolor   of that light
 //   roughness             float texture       0.5    GGX alpha is its square
 //   anisotropy            float texture       0      0 to 1: highlights are longer along the first tangent
+//   anisotropyrotation    float texture       0      degrees, from the first tangent towards the second
 //   eta (or ior)          float or spectrum   1.5    index of refraction of the dielectric, at least 1
 //   specular              float texture       1      times what the opaque dielectric mirrors
+//   specularcolor         spectrum texture    1      of that, straight on; at grazing angles it is white
 //   coat                  float texture       0      share of the surface under a clear coat of index 1.5
 //   coatroughness         float texture       0      as roughness
 //   sheen                 spectrum texture    0      colour of fibres that reflect at grazing angles
 //   sheenroughness        float texture       0.5    as roughness
 //   attenuationcolor      spectrum            1      of white light after attenuationdistance in a body of glass
 //   attenuationdistance   float               1      in world units
+//   alpha                 float texture       1      as of shapes: the fraction of rays that the surface stops
+//   emission              spectrum texture    0      colour of the light that both sides emit
+//   emissionstrength      float               1      times emission: radiance
 //
 // From the top: sheen s, coat c, and a base. With E the directional albedo of a layer by the cosine to the normal, a
 // layer leaves 1 - s E_s and 1 - c E_c to what is below. The base is
@@ -23,13 +31,19 @@
 //             F' (1 - E(o)) (1 - E(i)) / (pi (1 - mean E)) [Kulla and Conty 2017];
 //   glass:    GGX, both ways, with the same lobe (F' = 1) for what its facets lose;
 //   opaque:   GGX over a diffuse ground, which gets what all layers leave, on the way in and out:
-//             f = basecolor X(o) X(i) / (pi mean X), X = (1 - specular E) (1 - c E_c) (1 - s E_s).
+//             f = basecolor X(o) X(i) / (pi mean X), X = (1 - specular E) (1 - c E_c) (1 - s E_s); of that,
+//             1 - diffusetransmission on this side, and the rest, with its own colour, on the other.
 // Light that is mirrored below coat or sheen keeps the lesser of what they leave for o and for i. So f is reciprocal,
 // and a white base gives back all light: with no coat over metal or glass, to within the 0.3% of the tables of E.
-// Both sides scatter alike; through a share of glass, the inside is the side away from the geometric normal.
-// Not there: thin walls, subsurface scattering, a tint of the dielectric's reflection, iridescence. Light that comes
-// from the surface itself is an AreaLightSource of its shape.
-// [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_clearcoat, _ior, _sheen, _specular, _transmission, _volume;
+// Both sides scatter alike; through a share of glass, the inside is the side away from the geometric normal. A thin wall
+// of glass is seen from outside on both sides: light that passes leaves as if a facet had mirrored it and the wall had
+// mirrored it again, times basecolor, which it crosses once, whatever its thickness.
+// Alpha makes holes for camera paths, shadow rays and photons, times the alpha of the shape, and emission makes each
+// shape of the material an area light, which nothing above it dims; a shape's AreaLightSource takes its place. A `mix`
+// passes neither of them on.
+// Not there: subsurface scattering, iridescence, a relief of the coat alone.
+// [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_anisotropy, _clearcoat, _diffuse_transmission,
+// _emissive_strength, _ior, _sheen, _specular, _transmission, _volume;
 // Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF]
 #include <algorithm>
 #include <cmath>
@@ -60,6 +74,9 @@ struct Reader {
       params.error(name, "parameter \"" + std::string(name) + "\" of " + params.subject() + " must lie in [0, 1]");
     return texture_of(value, context.textures, params.diagnostics());
   }
+  TexturePtr<float> number(std::string_view name, std::string_view unit, std::string_view sentence) {
+    return texture_of(params.number_or_texture(name, 0, unit, sentence), context.textures, params.diagnostics());
+  }
   TexturePtr<Rgb> colour(std::string_view name, float fallback, std::string_view sentence) {
     const auto value = params.rgb_or_texture(name, Rgb(fallback), SpectrumRole::albedo, sentence);
     return texture_of(value, context.textures, params.diagnostics());
@@ -75,21 +92,33 @@ class PrincipledMaterial final : public Material {
     metallic_ = read.share("metallic", 0, "share of metal; the rest is dielectric");
     transmission_ = read.share("transmission", 0, "share of glass in the dielectric; the rest is opaque");
     roughness_ = read.share("roughness", 0.5f, "GGX alpha is its square");
+    thin_ = reader.flag("thin", false, "a wall without a body: what passes is not bent, and not absorbed");
+    beyond_ = read.share("diffusetransmission", 0, "share of the diffuse ground's light that leaves on the other side");
+    beyond_colour_ = read.colour("diffusetransmissioncolor", 0.8f, "of that light; basecolor if not given");
+    if (!reader.has("diffusetransmissioncolor")) beyond_colour_ = base_;
     anisotropy_ = read.share("anisotropy", 0, "0 to 1: highlights are longer along the first tangent");
+    rotation_ = read.number("anisotropyrotation", "degrees", "of that tangent, towards the second");
     reader.alias("ior", "eta");
     const float eta = read_eta(reader);
     if (eta < 1) reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be at least 1");
     specular_ = read.share("specular", 1, "times what the opaque dielectric mirrors");
+    specular_colour_ = read.colour("specularcolor", 1, "of that, straight on; at grazing angles it is white");
     coat_ = read.share("coat", 0, "share of the surface under a clear coat of index 1.5");
     coat_roughness_ = read.share("coatroughness", 0, "as roughness");
     sheen_ = read.colour("sheen", 0, "of fibres that reflect at grazing angles");
     sheen_roughness_ = read.share("sheenroughness", 0.5f, "as roughness");
     absorption_ = read_absorption(reader);
+    if (thin_ && !is_black(absorption_))
+      reader.error("attenuationcolor", reader.subject() + " is thin, so it has no inside that absorbs light",
+                   "\"basecolor\" colours what passes a thin wall");
+    // World makes use of them.
+    texture_of(read_opacity(reader), context.textures, reader.diagnostics());
+    texture_of(read_emission_look(reader).colour, context.textures, reader.diagnostics());
     eta_ = std::max(eta, kLeastEta);
   }
 
   /// After the parameters have been checked.
-  void make_tables() { tables_ = principled_tables(eta_); }
+  void make_tables() { tables_ = principled_tables(eta_, thin_); }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
@@ -99,21 +128,33 @@ class PrincipledMaterial final : public Material {
     const PrincipledLook look{clamped_albedo(base_->evaluate(at)),
                               number(metallic_),
                               number(specular_),
+                              clamped_albedo(specular_colour_->evaluate(at)),
                               number(transmission_),
+                              number(beyond_),
+                              clamped_albedo(beyond_colour_->evaluate(at)),
                               {std::min(1.f, alpha / aspect), alpha * aspect},
                               number(coat_),
                               square(number(coat_roughness_)),
                               clamped_albedo(sheen_->evaluate(at)),
                               square(number(sheen_roughness_))};
-    return slot.emplace<Principled>(ShadingFrame(point), *tables_, look);
+    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), *tables_, look);
   }
-  bool bounds_a_body() const override { return transmission_->constant() != 0.f; }
+  bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
   Rgb absorption() const override { return absorption_; }
 
  private:
-  TexturePtr<Rgb> base_, sheen_;
-  TexturePtr<float> metallic_, transmission_, roughness_, anisotropy_, specular_, coat_, coat_roughness_,
-      sheen_roughness_;
+  static ShadingFrame frame(const SurfacePoint& point, float degrees) {
+    if (degrees == 0) return ShadingFrame(point);
+    const Basis basis = Basis::around(point.ns, point.dpdu);
+    SurfacePoint turned = point;
+    turned.dpdu = basis.x * std::cos(degrees * kPi / 180) + basis.y * std::sin(degrees * kPi / 180);
+    return ShadingFrame(turned);
+  }
+
+  TexturePtr<Rgb> base_, beyond_colour_, specular_colour_, sheen_;
+  TexturePtr<float> metallic_, transmission_, beyond_, roughness_, anisotropy_, rotation_, specular_, coat_,
+      coat_roughness_, sheen_roughness_;
+  bool thin_;
   float eta_;
   Rgb absorption_;
   std::shared_ptr<const PrincipledTables> tables_;
@@ -123,7 +164,6 @@ class PrincipledMaterial final : public Material {
 
 std::unique_ptr<Material> make_principled(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<PrincipledMaterial>(reader, context);
-  reader.unsupported("emission", "light comes from the AreaLightSource of a shape");
   reader.finish();
   material->make_tables();
   return material;

@@ -13,20 +13,23 @@
 namespace dspm {
 
 Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look)
-    : frame_(frame),
-      tables_(&tables),
+    : tables_(&tables),
+      frame_(frame),
       base_(look.base),
       sheen_(look.sheen),
+      specular_colour_(look.specular_colour),
+      beyond_colour_(look.beyond_colour),
       metallic_(look.metallic),
       specular_(look.specular),
       transmission_(look.transmission),
+      beyond_(look.beyond),
       alpha_x_(look.alpha.x),
       alpha_y_(look.alpha.y),
       coat_(look.coat),
       coat_alpha_(look.coat_alpha),
       sheen_alpha_(look.sheen_alpha),
       diffuse_norm_(0) {
-  diffuse_norm_ = PrincipledLayers(*this, 1).diffuse_norm();
+  diffuse_norm_ = SmallNumber(PrincipledLayers(*this, 1).diffuse_norm());
 }
 
 LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*this, 1).lobes(least_alpha); }
@@ -54,7 +57,7 @@ std::optional<BsdfSample> Principled::sample(const Vec3& wo, const Vec3& u, Tran
   if (!drawn) return std::nullopt;
   const std::optional<Vec3> wi = frame_.leave(drawn->i, side);
   if (!wi) return std::nullopt;
-  const float scale = drawn->i.z < 0 ? transport_scale(transport, layers.eta()) : 1;
+  const float scale = drawn->refracted ? transport_scale(transport, layers.eta()) : 1;
   if (drawn->specular) return BsdfSample{*wi, drawn->weight * scale, 0, true, scale};
   const float pdf_w = layers.density(o, drawn->i, chances);
   if (!(pdf_w > 0)) return std::nullopt;
@@ -69,9 +72,10 @@ float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
 }
 
 bool Principled::differs_in_base_from(const Principled& o) const {
-  return tables_ == o.tables_ && sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ &&
-         transmission_ == o.transmission_ && alpha_x_ == o.alpha_x_ && alpha_y_ == o.alpha_y_ && coat_ == o.coat_ &&
-         coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
+  return tables_ == o.tables_ && frame_ == o.frame_ && sheen_ == o.sheen_ && metallic_ == o.metallic_ &&
+         specular_ == o.specular_ && specular_colour_ == o.specular_colour_ && transmission_ == o.transmission_ &&
+         beyond_ == o.beyond_ && (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ &&
+         alpha_y_ == o.alpha_y_ && coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
 }
 
 std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {
@@ -83,7 +87,7 @@ std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const 
   const bool one_colour = known == kThrough || (known == kDiffuse && PrincipledLayers(*this, 1).only_diffuse());
   if (!one_colour) return std::nullopt;
   const auto of_base = ratio(base_, o.base_);
-  if (!of_base || known == kDiffuse) return of_base;
+  if (!of_base || known == kDiffuse || tables_->thin) return of_base;
   return Rgb(std::sqrt(of_base->r), std::sqrt(of_base->g), std::sqrt(of_base->b));
 }
 

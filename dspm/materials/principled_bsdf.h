@@ -13,7 +13,11 @@ namespace dspm {
 /// The parameters at a point; all lie in [0, 1].
 struct PrincipledLook {
   Rgb base;
-  float metallic, specular, transmission;
+  float metallic, specular;
+  Rgb specular_colour;
+  float transmission;
+  float beyond;  // share of the ground's light that leaves on the other side
+  Rgb beyond_colour;
   Vec2 alpha;
   float coat, coat_alpha;
   Rgb sheen;
@@ -34,20 +38,23 @@ class Principled final : public Bsdf {
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override;
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override;
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
-  bool transmits(LobeSet lobes) const override { return (lobes & this->lobes(0) & kThrough) != 0; }
+  bool transmits(LobeSet lobes) const override {
+    return (lobes & this->lobes(0) & (diffuses_beyond() ? kThrough | kDiffuse : kThrough)) != 0;
+  }
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override;
 
  private:
   friend PrincipledLayers;
 
+  bool diffuses_beyond() const { return beyond_ > 0 && transmission_ < 1 && metallic_ < 1; }
   /// Whether the other differs in the base colour only.
   bool differs_in_base_from(const Principled& other) const;
 
-  ShadingFrame frame_;
   const PrincipledTables* tables_;
-  SmallRgb base_, sheen_;
-  SmallNumber metallic_, specular_, transmission_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
-  float diffuse_norm_;  // 2 times the integral over the cosine of what reaches the diffuse base and leaves it again
+  ShadingFrame frame_;
+  SmallRgb base_, sheen_, specular_colour_, beyond_colour_;
+  SmallNumber metallic_, specular_, transmission_, beyond_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
+  SmallNumber diffuse_norm_;  // 2 times the integral over the cosine of what reaches the diffuse base
 };
 
 }  // namespace dspm

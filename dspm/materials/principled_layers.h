@@ -1,6 +1,7 @@
 // The layers of the principled material as formulas, for light from one side. Directions are in the shading frame, wo
 // above. From the top: sheen, coat, and a base of three shares: metal, glass (which transmits) and an opaque dielectric
-// over a diffuse ground. From inside, glass has no layers over it, as it has them on its other side.
+// over a diffuse ground. From inside, glass has no layers over it, as it has them on its other side. A thin wall is seen
+// from outside on both sides.
 #pragma once
 
 #include <array>
@@ -15,9 +16,12 @@
 
 namespace dspm {
 
+inline Vec3 other_side(const Vec3& w) { return {w.x, w.y, -w.z}; }
+
 /// With which probability each lobe is sampled, in the order of their bits.
 struct PrincipledChances {
   std::array<float, 4> chance{};
+  float beyond = 0;  // of the diffuse lobe: that it leaves on the other side
   float operator[](int lobe) const { return chance[static_cast<std::size_t>(lobe)]; }
   float of(LobeSet lobes) const {
     float sum = 0;
@@ -47,6 +51,7 @@ class PrincipledLayers {
     Vec3 i;
     bool specular;
     Rgb weight = {};  // if it is; without the factor of refraction on radiance
+    bool refracted = false;
   };
   std::optional<Drawn> draw(const Vec3& o, const Vec3& u, const PrincipledChances& chances) const;
 
@@ -54,6 +59,8 @@ class PrincipledLayers {
   float diffuse_norm() const;
 
  private:
+  /// Of glass.
+  const AlbedoTable& all_by_facets() const { return thin_ ? tables_.common.metal : boundary().reflected_or_refracted; }
   float albedo(const AlbedoTable& table, float cos) const;
   float made_up(const AlbedoTable& table, float cos_o, float cos_i) const;
   const BoundaryAlbedos& boundary() const { return outside_ ? tables_.boundary->outside : tables_.boundary->inside; }
@@ -69,16 +76,21 @@ class PrincipledLayers {
   float mirrored_by_dielectric(float cos) const;  // its directional albedo
   Rgb mirrored_by_facet(float cos, float cos_o, float cos_i) const;
   Rgb through_facet(float cos_facet, float cos_o, float cos_i) const;
+  Rgb through(const Vec3& o, const Vec3& i, Transport transport) const;
+  Rgb ground(float cos_o, float cos_i) const;
   Rgb diffuse(const Vec3& o, const Vec3& i) const;
-  std::array<float, 4> weights(float cos_o) const;
+  PrincipledChances weights(float cos_o) const;
+  float density_through(const Vec3& o, const Vec3& i) const;
   std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, float chance) const;
   std::optional<Drawn> draw_through(const Vec3& o, const Vec3& u, float chance) const;
+  std::optional<Drawn> draw_diffuse(const Vec3& u, float of_lobe, float beyond) const;
   std::optional<Drawn> draw_coat(const Vec3& o, const Vec3& u, float chance) const;
 
   const PrincipledTables& tables_;
-  bool outside_;
-  Rgb base_, sheen_;
+  bool thin_, outside_;
+  Rgb base_, sheen_, specular_colour_, beyond_colour_;
   float metal_, glass_, opaque_;     // shares of the base
+  float beyond_;                     // share of the ground's light
   float specular_, coat_, covered_;  // covered: the share that has layers on this side
   Ggx facets_, coat_facets_;
   bool smooth_, smooth_coat_, is_isotropic_;

@@ -36,9 +36,11 @@ const CommonAlbedos& common_albedos() {
 
 }  // namespace
 
-std::shared_ptr<const PrincipledTables> principled_tables(float eta) {
-  static MadeOnce<PrincipledTables> tables;
-  return tables.of(eta, [](float index) { return PrincipledTables{index, boundary_tables(index), common_albedos()}; });
+std::shared_ptr<const PrincipledTables> principled_tables(float eta, bool thin) {
+  static MadeOnce<PrincipledTables> of_bodies, of_walls;
+  return (thin ? of_walls : of_bodies).of(eta, [&](float index) {
+    return PrincipledTables{index, thin, boundary_tables(index), common_albedos()};
+  });
 }
 
 }  // namespace dspm

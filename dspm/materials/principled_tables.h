@@ -17,13 +17,15 @@ struct CommonAlbedos {
 
 inline constexpr float kCoatEta = 1.5f;
 
+/// What all points of a material share.
 struct PrincipledTables {
   float eta;  // index of refraction inside over outside
+  bool thin;  // a wall without a body
   std::shared_ptr<const BoundaryTables> boundary;
   const CommonAlbedos& common;
 };
 
 /// Made once for each index, as long as somebody holds it; for many threads.
-std::shared_ptr<const PrincipledTables> principled_tables(float eta);
+std::shared_ptr<const PrincipledTables> principled_tables(float eta, bool thin);
 
 }  // namespace dspm

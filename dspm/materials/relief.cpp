@@ -4,6 +4,7 @@
 //   Material "diffuse" "texture displacement" "waves"
 //
 //   normalmap      file            none   a picture of normals: 2 rgb - 1 is a normal whose z is along the shape's own
+//   normalscale    float           1      times the slopes of those normals
 //   displacement   float texture   none   a height above the surface, in scene units, from which normals are computed
 //
 // As in pbrt, x of a normal map is along the u tangent, y across it; the picture is read as linear, is repeated outside
@@ -23,17 +24,18 @@ namespace {
 
 class NormalMap final : public Relief {
  public:
-  explicit NormalMap(TexturePtr<Rgb> picture) : picture_(std::move(picture)) {}
+  NormalMap(TexturePtr<Rgb> picture, float scale) : picture_(std::move(picture)), scale_(scale) {}
 
   Vec3 normal(const SurfacePoint& point, const PlacedShape&, int, Vec2) const override {
     const Rgb c = picture_->evaluate(texture_point(point));
-    const Vec3 n{2 * c.r - 1, 2 * c.g - 1, 2 * c.b - 1};
+    const Vec3 n{scale_ * (2 * c.r - 1), scale_ * (2 * c.g - 1), 2 * c.b - 1};
     if (n.x == 0 && n.y == 0 && n.z > 0) return point.ns;
     return Basis::around(point.ns, point.dpdu).to_world(n);
   }
 
  private:
   TexturePtr<Rgb> picture_;
+  float scale_;
 };
 
 /// How the surface changes along one of the primitive's parameters.
@@ -105,10 +107,11 @@ SurfacePoint Relief::bent(const SurfacePoint& point, const PlacedShape& shape, i
 std::shared_ptr<const Relief> read_relief(ParamReader& reader, const TextureContext& context) {
   const std::filesystem::path file =
       reader.optional_file("normalmap", "a picture of normals, which replace those of the shape");
+  const float scale = reader.number("normalscale", 1, "", "times the slopes of those normals");
   const auto height = reader.number_or_texture("displacement", 0, "scene units",
                                                "a height above the surface, from which normals are computed");
   if (!file.empty())
-    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context));
+    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context), scale);
   if (height.texture.empty()) return nullptr;
   const TexturePtr<float> texture = texture_of(height, context.textures, reader.diagnostics());
   return texture->constant() ? nullptr : std::make_shared<Bump>(texture);

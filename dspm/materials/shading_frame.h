@@ -12,13 +12,14 @@ namespace dspm {
 
 class ShadingFrame {
  public:
-  explicit ShadingFrame(const SurfacePoint& point) : basis_(Basis::around(point.ns, point.dpdu)), ng_(point.ng) {}
+  explicit ShadingFrame(const SurfacePoint& point)
+      : x_(Basis::around(point.ns, point.dpdu).x), z_(point.ns), ng_(point.ng) {}
 
   /// +1 outside, -1 inside, by the geometric normal.
   float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
   /// In the shading frame, which is mirrored if `side` is -1.
-  Vec3 local(const Vec3& w, float side) const { return {dot(w, basis_.x), dot(w, basis_.y), side * dot(w, basis_.z)}; }
-  Vec3 world(const Vec3& w, float side) const { return basis_.x * w.x + basis_.y * w.y + basis_.z * (side * w.z); }
+  Vec3 local(const Vec3& w, float side) const { return {dot(w, x_), dot(w, cross(z_, x_)), side * dot(w, z_)}; }
+  Vec3 world(const Vec3& w, float side) const { return x_ * w.x + cross(z_, x_) * w.y + z_ * (side * w.z); }
 
   /// The world direction of a sampled local one; nullopt if the geometric normal puts it on the other side.
   std::optional<Vec3> leave(const Vec3& local_wi, float side) const {
@@ -28,8 +29,10 @@ class ShadingFrame {
     return wi;
   }
 
+  friend bool operator==(const ShadingFrame&, const ShadingFrame&) = default;
+
  private:
-  Basis basis_;
+  Vec3 x_, z_;  // y is known from them: a Bsdf has little room
   Vec3 ng_;
 };
 

@@ -73,7 +73,7 @@ class BilinearMesh final : public Shape {
       s.ns = length2(n) > 0 && dot(n, s.ng) > 0 ? normalize(n) : s.ng;
     }
     s.uv = mesh_.uvs.empty() ? uv : interpolated(mesh_.uvs, corners(primitive), uv);
-    s.dpdu = tangent(p, corners(primitive), uv, s.ng);
+    set_tangents(s, p, corners(primitive), uv);
     return s;
   }
 
@@ -110,16 +110,23 @@ class BilinearMesh final : public Shape {
   }
 
   /// dp/ds along the first texture coordinate s; any tangent if there is none.
-  Vec3 tangent(const BilinearPatch& p, const Corners& c, Vec2 uv, const Vec3& ng) const {
-    Vec3 dpds = narrow(p.along_u(uv.y));
+  /// The derivatives by texture coordinates: those by u and v times the inverse of the coordinates' own.
+  void set_tangents(SurfacePoint& s, const BilinearPatch& p, const Corners& c, Vec2 uv) const {
+    const Vec3 by_u = narrow(p.along_u(uv.y)), by_v = narrow(p.along_v(uv.x));
+    s.dpdu = by_u, s.dpdv = by_v;
     if (!mesh_.uvs.empty()) {
       const auto st = [&](std::size_t i) { return mesh_.uvs[static_cast<std::size_t>(c[i])]; };
-      const Vec2 by_u = (st(1) - st(0)) * (1 - uv.y) + (st(3) - st(2)) * uv.y;
-      const Vec2 by_v = (st(2) - st(0)) * (1 - uv.x) + (st(3) - st(1)) * uv.x;
-      const float determinant = by_u.x * by_v.y - by_v.x * by_u.y;
-      dpds = (dpds * by_v.y - narrow(p.along_v(uv.x)) * by_u.y) / determinant;
+      const Vec2 st_by_u = (st(1) - st(0)) * (1 - uv.y) + (st(3) - st(2)) * uv.y;
+      const Vec2 st_by_v = (st(2) - st(0)) * (1 - uv.x) + (st(3) - st(1)) * uv.x;
+      const float determinant = st_by_u.x * st_by_v.y - st_by_v.x * st_by_u.y;
+      s.dpdu = (by_u * st_by_v.y - by_v * st_by_u.y) / determinant;
+      s.dpdv = (by_v * st_by_u.x - by_u * st_by_v.x) / determinant;
     }
-    return is_finite(dpds) && length2(cross(ng, dpds)) > 0 ? dpds : Basis::around(ng).x;
+    if (is_finite(s.dpdu) && length2(cross(s.ng, s.dpdu)) > 0) {
+      if (!is_finite(s.dpdv)) s.dpdv = {};
+      return;
+    }
+    s.dpdu = Basis::around(s.ng).x, s.dpdv = {};
   }
 
   PatchMesh mesh_;

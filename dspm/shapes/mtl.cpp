@@ -26,7 +26,9 @@ bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0],
 
 /// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass; 1 is without highlights.
 bool is_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
-bool has_highlights(const tinyobj::material_t& m) { return m.illum != 1 && is_positive(m.specular); }
+bool has_highlights(const tinyobj::material_t& m) {
+  return m.illum != 1 && (is_positive(m.specular) || !m.specular_texname.empty());
+}
 
 /// Statements of the extension for physically based rendering.
 bool is_physically_based(const tinyobj::material_t& m) {
@@ -39,6 +41,13 @@ bool is_physically_based(const tinyobj::material_t& m) {
 /// Roughness is the root of alpha.
 float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
+/// A picture and the statement that names it.
+struct Picture {
+  const char* statement;
+  std::string file;
+  const tinyobj::texture_option_t& options;
+};
+
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::vector<std::string>& complaints, MtlLeftOut& left_out)
@@ -46,29 +55,34 @@ class Reader {
 
   FileMaterial material(const tinyobj::material_t& m) {
     made_ = {path_, trimmed(m.name), {}, {}, {}, {}};
+    const bool shines = is_positive(m.emission) || !m.emissive_texname.empty(),
+               has_holes = !m.alpha_texname.empty() || (m.dissolve < 1 && !is_glass(m.illum));
     if (is_glass(m.illum))
-      glass(m);
+      glass(m, shines || has_holes);
+    else if (is_physically_based(m) || has_highlights(m))
+      principled(m);
     else
-      opaque(m);
-    if (is_positive(m.emission)) made_.radiance = Rgb(m.emission[0], m.emission[1], m.emission[2]);
-    leave_out("map_Ke", !m.emissive_texname.empty());
-    leave_out("map_Bump", !m.bump_texname.empty());
-    leave_out("norm", !m.normal_texname.empty());
-    leave_out("disp", !m.displacement_texname.empty());
-    if (const auto picture = picture_of(m.alpha_texname)) made_.alpha = *picture;
+      matte(m, shines || has_holes);
+    if (shines) emission(m);
+    if (has_holes) alpha(m);
+    relief(m);
     leave_out("refl", !m.reflection_texname.empty());
+    for (const auto& [statement, value] : m.unknown_parameter) leave_out(statement, true);
     return std::move(made_);
   }
 
  private:
-  void glass(const tinyobj::material_t& m) {
+  /// `rich`: it has parameters that only "principled" knows.
+  void glass(const tinyobj::material_t& m, bool rich) {
     const bool is_coloured =
         is_positive(m.transmittance) && *std::min_element(m.transmittance, m.transmittance + 3) < 1;
-    made_.type = is_coloured ? "principled" : "dielectric";
+    rich |= is_coloured;
+    made_.type = rich ? "principled" : "dielectric";
     add(number("eta", m.ior > 1 ? m.ior : kUsualEta));
-    if (is_coloured) {
+    if (rich) {
+      constexpr tinyobj::real_t kClear[3] = {1, 1, 1};
       add(number("transmission", 1));
-      add(colour("basecolor", m.transmittance));
+      add(colour("basecolor", is_coloured ? m.transmittance : kClear));
       add(number("roughness", in_unit(m.roughness)));
     } else if (m.roughness > 0) {
       add(number("roughness", m.roughness * m.roughness));  // of Burley's parametrization, [Burley 2012]
@@ -76,17 +90,11 @@ class Reader {
     }
   }
 
-  void opaque(const tinyobj::material_t& m) {
-    if (is_physically_based(m) || has_highlights(m)) {
-      principled(m);
-    } else {
-      made_.type = "diffuse";
-      colour_or_picture("reflectance", m.diffuse, m.diffuse_texname, "map_Kd");
-    }
-    leave_out("d", m.dissolve < 1);
-    leave_out("map_Ks", !m.specular_texname.empty());
+  void matte(const tinyobj::material_t& m, bool rich) {
+    made_.type = rich ? "principled" : "diffuse";
+    colour_or_picture(rich ? "basecolor" : "reflectance", m.diffuse, diffuse_picture(m));
+    if (rich) add(number("specular", 0));
     leave_out("map_Ns", !m.specular_highlight_texname.empty());
-    leave_out("anisor", m.anisotropy_rotation != 0);
   }
 
   void principled(const tinyobj::material_t& m) {
@@ -94,39 +102,89 @@ class Reader {
     const bool is_modern = is_physically_based(m);
     // Metal of the days before Pm.
     const bool is_metal = !is_modern && !is_positive(m.diffuse) && m.diffuse_texname.empty();
+    const Picture specular{"map_Ks", m.specular_texname, m.specular_texopt};
     if (is_metal)
-      add(colour("basecolor", m.specular));
+      colour_or_picture("basecolor", m.specular, specular);
     else
-      colour_or_picture("basecolor", m.diffuse, m.diffuse_texname, "map_Kd");
+      colour_or_picture("basecolor", m.diffuse, diffuse_picture(m));
     const bool by_exponent = m.roughness == 0 && m.shininess > 1;
     number_or_picture("roughness", is_modern && !by_exponent ? m.roughness : roughness_of_exponent(m.shininess),
-                      m.roughness_texname, "map_Pr");
-    number_or_picture("metallic", is_metal ? 1 : m.metallic, m.metallic_texname, "map_Pm");
-    // As Blender writes it: a half for what the index of refraction mirrors.
-    if (!is_modern && !is_metal)
-      add(number("specular", in_unit(2 * (m.specular[0] + m.specular[1] + m.specular[2]) / 3)));
+                      {"map_Pr", m.roughness_texname, m.roughness_texopt});
+    number_or_picture("metallic", is_metal ? 1 : m.metallic, {"map_Pm", m.metallic_texname, m.metallic_texopt});
+    if (!is_modern && !is_metal) highlight(m, specular);
+    leave_out("map_Ks", is_modern && !m.specular_texname.empty());
+    leave_out("map_Ns", !m.specular_highlight_texname.empty());
     if (m.ior > 1) add(number("eta", m.ior));
+    layers(m);
+  }
+
+  /// As Blender writes it: a half for what the index of refraction mirrors. A picture may be alone.
+  void highlight(const tinyobj::material_t& m, const Picture& picture) {
+    const float brightest = std::max({m.specular[0], m.specular[1], m.specular[2]});
+    tinyobj::real_t hue[3] = {1, 1, 1};
+    for (int c = 0; c < 3; ++c)
+      if (brightest > 0) hue[c] = m.specular[c] / brightest;
+    add(number("specular", brightest > 0 ? in_unit(2 * brightest) : 1));
+    if (!picture.file.empty() || *std::min_element(hue, hue + 3) < 1) colour_or_picture("specularcolor", hue, picture);
+  }
+
+  void layers(const tinyobj::material_t& m) {
     if (m.anisotropy != 0) add(number("anisotropy", in_unit(m.anisotropy)));
+    if (m.anisotropy_rotation != 0) add(number("anisotropyrotation", 360 * m.anisotropy_rotation));
     if (m.clearcoat_thickness > 0) {
       add(number("coat", in_unit(m.clearcoat_thickness)));
       add(number("coatroughness", in_unit(m.clearcoat_roughness)));
     }
     const float sheen = in_unit(m.sheen);
     if (sheen > 0 || !m.sheen_texname.empty())
-      colour_or_picture("sheen", {sheen, sheen, sheen}, m.sheen_texname, "map_Ps");
+      colour_or_picture("sheen", {sheen, sheen, sheen}, {"map_Ps", m.sheen_texname, m.sheen_texopt});
   }
 
+  void emission(const tinyobj::material_t& m) {
+    if (const auto picture = texture({"map_Ke", m.emissive_texname, m.emissive_texopt}, true)) {
+      const auto [least, most] = std::minmax({m.emission[0], m.emission[1], m.emission[2]});
+      add(param_of(ParamType::texture, "emission", std::vector<std::string>{*picture}, {}));
+      if (most > 0) add(number("emissionstrength", most));
+      leave_out("the hue of Ke with map_Ke", least < most);
+    } else if (is_positive(m.emission)) {
+      made_.radiance = Rgb(m.emission[0], m.emission[1], m.emission[2]);
+    }
+  }
+
+  void alpha(const tinyobj::material_t& m) {
+    if (const auto picture = picture_of({"map_d", m.alpha_texname, m.alpha_texopt}))
+      made_.alpha = *picture;
+    else if (!is_glass(m.illum))
+      add(number("alpha", in_unit(m.dissolve)));
+  }
+
+  /// Heights of a bump map are in the units of the scene. World takes pictures of normals, which many files have there,
+  /// for what they are, and "bumpscale" for the scale of the picture.
+  void relief(const tinyobj::material_t& m) {
+    if (const auto picture = picture_of({"norm", m.normal_texname, m.normal_texopt}))
+      return add(param_of(ParamType::text, "normalmap", std::vector{picture->string()}, {}));
+    const bool is_bump = !m.bump_texname.empty();
+    const Picture heights = is_bump ? Picture{"map_Bump", m.bump_texname, m.bump_texopt}
+                                    : Picture{"disp", m.displacement_texname, m.displacement_texopt};
+    const auto picture = texture(heights, false);
+    if (!picture) return;
+    add(param_of(ParamType::texture, "displacement", std::vector<std::string>{*picture}, {}));
+    add(number(kBumpScale, heights.options.bump_multiplier));
+  }
+
+  static Picture diffuse_picture(const tinyobj::material_t& m) {
+    return {"map_Kd", m.diffuse_texname, m.diffuse_texopt};
+  }
   static float in_unit(float value) { return std::clamp(value, 0.f, 1.f); }
 
-  void colour_or_picture(const char* name, const tinyobj::real_t (&value)[3], const std::string& file,
-                         const char* statement) {
-    if (const auto picture = texture(file, statement, true))
+  void colour_or_picture(const char* name, const tinyobj::real_t (&value)[3], const Picture& file) {
+    if (const auto picture = texture(file, true))
       add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
     else
       add(colour(name, value));
   }
-  void number_or_picture(const char* name, float value, const std::string& file, const char* statement) {
-    if (const auto picture = texture(file, statement, false))
+  void number_or_picture(const char* name, float value, const Picture& file) {
+    if (const auto picture = texture(file, false))
       add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
     else
       add(number(name, in_unit(value)));
@@ -135,8 +193,16 @@ class Reader {
   void add(Param param) { made_.params.params.push_back(std::move(param)); }
 
   /// Where that picture is, if it is there.
-  std::optional<std::filesystem::path> picture_of(std::string file) {
+  std::optional<std::filesystem::path> picture_of(const Picture& picture) {
+    std::string file = picture.file;
     if (file.empty()) return std::nullopt;
+    const auto& options = picture.options;
+    const auto without = [&](const char* option, bool is_there) {
+      leave_out(fmt::format("{} of {}", option, picture.statement), is_there);
+    };
+    without("-s", options.scale[0] != 1 || options.scale[1] != 1);
+    without("-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0);
+    without("-clamp", options.clamp);
     std::replace(file.begin(), file.end(), '\\', '/');
     const std::filesystem::path path = path_.parent_path() / file;
     if (seems_to_exist(path)) return std::filesystem::absolute(path);
@@ -145,15 +211,15 @@ class Reader {
   }
 
   /// The name of an imagemap of that file, if it is there.
-  std::optional<std::string> texture(const std::string& file, const char* statement, bool is_spectrum) {
-    const auto picture = picture_of(file);
-    if (!picture) return std::nullopt;
-    std::string name = fmt::format("{} of {} in {}", statement, made_.name, path_.string());
-    made_.textures.push_back({name, *picture, is_spectrum});
+  std::optional<std::string> texture(const Picture& picture, bool is_spectrum) {
+    const auto file = picture_of(picture);
+    if (!file) return std::nullopt;
+    std::string name = fmt::format("{} of {} in {}", picture.statement, made_.name, path_.string());
+    made_.textures.push_back({name, *file, is_spectrum});
     return name;
   }
 
-  void leave_out(const char* statement, bool is_there) {
+  void leave_out(const std::string& statement, bool is_there) {
     if (is_there) left_out_[statement].push_back(made_.name);
   }
 

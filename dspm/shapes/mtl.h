@@ -14,6 +14,9 @@ namespace dspm {
 /// What was left out, and of which materials: statements of MTL by name.
 using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
 
+/// A parameter beside "displacement": what multiplies its picture.
+inline constexpr const char* kBumpScale = "bumpscale";
+
 /// A name as OBJ and MTL files end them: with the line.
 std::string trimmed(std::string_view text);
 

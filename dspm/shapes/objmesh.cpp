@@ -12,10 +12,12 @@
 //
 // Materials of MTL files: illum 4, 6, 7 and 9 are "dielectric" with Ni as eta (1.5 if there is none) and Pr^2 as GGX
 // alpha, or with a Tf below 1 "principled" with transmission 1. Others are "principled" if they have Pr, Pm, Ps, Pc or
-// aniso (with their pictures, and Pcr), or a Ks and no illum 1: Ns is Phong's exponent, a Ks of a half mirrors as Ni
-// says, and without Kd it is the colour of metal. The rest is "diffuse" of Kd or map_Kd. Ke is the radiance of an area light on both sides, unless the scene
-// gives the shape an AreaLightSource. Everything else is left out, with one warning for each kind of statement. The
-// scene may use these materials by their names (NamedMaterial, in later shapes), variations may replace them and dim
+// aniso (with their pictures, Pcr and anisor), or a Ks and no illum 1: Ns is Phong's exponent, a Ks of a half mirrors as
+// Ni says, map_Ks is its colour, and without Kd both are those of metal. The rest is "diffuse" of Kd or map_Kd. Ke and
+// map_Ke are "emission", d (but of glass) and map_d are "alpha", and take "principled" as well. norm is a normal map, and
+// so is map_Bump (bump) if it is a picture of normals; else its heights, times -bm, are in scene units, and so are those
+// of disp. Everything else is left out, with one warning for each kind of statement.
+// The scene may use these materials by their names (NamedMaterial, in later shapes), variations may replace them and dim
 // their lights, and a MakeNamedMaterial of the scene with the same name takes their place.
 #include <algorithm>
 #include <stdexcept>

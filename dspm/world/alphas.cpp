@@ -36,16 +36,6 @@ int Alphas::of(const ShapeUse& use) {
   return looks_.add_number(std::move(alpha), use.where);
 }
 
-int Alphas::of(const FileMaterial& material, const SourceLocation& where) {
-  if (material.alpha.empty()) return -1;
-  const auto [known, is_new] = of_files_.try_emplace(material.alpha);
-  if (is_new) {
-    const Param file = param_of(ParamType::text, "filename", std::vector{material.alpha.string()}, where);
-    known->second = looks_.add_number("imagemap", {{file}}, where);
-  }
-  return known->second;
-}
-
 void Alphas::set(WorldShape& shape, int alpha, int state) const {
   const std::optional<float> constant = alpha < 0 ? 1.f : looks_.constant(alpha, state);
   if (constant && *constant >= 1) return;

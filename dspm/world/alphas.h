@@ -1,8 +1,5 @@
-// "alpha" of shapes and of the materials in geometry files: which texture of Looks it is, and what it makes of a shape.
+// "alpha" of shapes: which texture of Looks it is, and what it makes of a shape.
 #pragma once
-
-#include <filesystem>
-#include <map>
 
 #include "dspm/lang/description.h"
 #include "dspm/params/params.h"
@@ -22,7 +19,6 @@ class Alphas {
 
   /// A number of Looks; -1 if there is none.
   int of(const ShapeUse& use);
-  int of(const FileMaterial& material, const SourceLocation& where);
   /// Sets what the shape says of its holes, for that number in that state.
   void set(WorldShape& shape, int alpha, int state) const;
 
@@ -30,7 +26,6 @@ class Alphas {
   const SceneDescription& description_;
   Looks& looks_;
   Diagnostics& diagnostics_;
-  std::map<std::filesystem::path, int> of_files_;
 };
 
 }  // namespace dspm

@@ -107,11 +107,13 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   const int alpha = alphas_.of(use);
   for (const MadeShape& shape : source.made.front()) {
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
-    source.lights.push_back(area_light(use, shape));
-    source.alphas.push_back(alpha < 0 && shape.material ? alphas_.of(*shape.material, use.where) : alpha);
+    const int material = source.materials.back();
+    source.lights.push_back(emission(use, *shape.shape, material));
+    source.alphas.push_back(looks_.opacity(material, alpha));
   }
   if (diagnostics_.error_count() > errors) return;
   leave_out_lights_of_unseen(use, source);
+  warn_of_relief(use, source);
   for (const MadeShapes& made : source.made)
     if (made.size() != source.materials.size())
       return diagnostics_.error(use.where, "the files of this sequence hold different numbers of groups or materials");
@@ -122,34 +124,24 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
 }
 
-/// The scene's, else that of the material in the geometry file.
-const AreaLightUse* Geometry::area_light(const ShapeUse& use, const MadeShape& made) {
-  if (use.area_light >= 0 && made.shape->turns())
-    diagnostics_.unsupported(
-        use.where, fmt::format("an area light on {} is not supported by dspm", subject_of(use)),
-        "it turns to each ray, so it has no area that could emit light; with --lenient, it emits none");
-  else if (use.area_light >= 0)
-    return &description_.area_lights[static_cast<std::size_t>(use.area_light)];
-  if (!made.material || !made.material->radiance) return nullptr;
-  const Rgb& radiance = *made.material->radiance;
-  AreaLightUse& light = lights_of_files_.emplace_back();
-  light.type = "diffuse", light.name = made.material->name;
-  light.where = light.type_where = use.where;
-  light.params.params = {param_of(ParamType::rgb, "L", std::vector{radiance.r, radiance.g, radiance.b}, use.where),
-                         param_of(ParamType::boolean, "twosided", std::vector{true}, use.where)};
-  return &light;
-}
-
 /// As in pbrt: a surface that is not there emits nothing.
 void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
-    if (source.lights[i] == nullptr) continue;
+    if (source.lights[i].use == nullptr) continue;
     bool seen = false;
     for (FileFrame f(0); f.index() < description_.frames.count(); ++f) seen |= is_seen(source.materials[i], f);
     if (seen) continue;
-    source.lights[i] = nullptr;
+    source.lights[i] = {};
     diagnostics_.warning(use.where, fmt::format("{} is an interface, so its area light is left out", subject_of(use)));
   }
+}
+
+/// Normals of curves are those of the ray.
+void Geometry::warn_of_relief(const ShapeUse& use, const Source& source) {
+  for (std::size_t i = 0; i < source.materials.size(); ++i)
+    if (source.made.front()[i].shape->turns() && source.materials[i] >= 0 && looks_.bends_normals(source.materials[i]))
+      diagnostics_.warning(use.where, fmt::format("{} does not show the relief of {}", subject_of(use),
+                                                  looks_.name_of(source.materials[i])));
 }
 
 /// A mesh that bounds a body should be closed. Faults are reported once for the whole sequence, and repaired in all of

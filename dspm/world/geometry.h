@@ -30,9 +30,14 @@ struct WorldShape {
   std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames
 };
 
-/// An emitter: all places of one MadeShape, with its AreaLightSource.
-struct Emitter {
-  const AreaLightUse* use;
+/// Why a shape emits light: its AreaLightSource, or its material. Null: it does not.
+struct EmissionUse {
+  const AreaLightUse* use = nullptr;
+  int of_material = -1;  // whose light it is, in Looks; -1: the directive's
+};
+
+/// An emitter: all places of one MadeShape.
+struct Emitter : EmissionUse {
   std::vector<int> shapes;  // into Geometry::shapes, disjoint in frames
   bool is_hidden = false;   // a hole everywhere, in all frames: its light is there, but cannot be seen
 };
@@ -63,7 +68,8 @@ class Geometry {
   bool is_seen(int material, FileFrame frame) const;
   void leave_out_lights_of_unseen(const ShapeUse& use, Source& source);
   int object_of(const ShapeUse& use, const ObjectUse* instance);
-  const AreaLightUse* area_light(const ShapeUse& use, const MadeShape& made);
+  void warn_of_relief(const ShapeUse& use, const Source& source);
+  EmissionUse emission(const ShapeUse& use, const Shape& shape, int material);
 
   const SceneDescription& description_;
   Looks& looks_;
@@ -73,7 +79,7 @@ class Geometry {
   std::deque<WorldShape> shapes_;
   std::vector<std::shared_ptr<const Shape>> owned_;
   std::vector<Emitter> emitters_;
-  std::deque<AreaLightUse> lights_of_files_;  // addresses are stable
+  std::deque<AreaLightUse> lights_of_materials_;  // addresses are stable
   Bounds3 bounds_;
   DistinctNames objects_;
   std::uint64_t placed_ = 0;                    // shapes so far, each counted once for all of its states

@@ -14,11 +14,11 @@ namespace dspm {
 /// One Shape directive: its geometry in its own space, state by state, and the materials of what was made.
 struct Geometry::Source {
   Timeline<ParamList> params;
-  std::vector<MadeShapes> made;             // by state of `params`
-  std::vector<int> materials;               // by index of what was made
-  std::vector<const AreaLightUse*> lights;  // likewise; null: none
-  std::vector<int> alphas;                  // likewise, see WorldShape
-  bool caustics = true;                     // see PlacedShape
+  std::vector<MadeShapes> made;     // by state of `params`
+  std::vector<int> materials;       // by index of what was made
+  std::vector<EmissionUse> lights;  // likewise
+  std::vector<int> alphas;          // likewise, see WorldShape
+  bool caustics = true;             // see PlacedShape
   GeometryStates geometry;
 
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.

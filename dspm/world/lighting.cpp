@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/lights/emission_pattern.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -21,17 +22,18 @@ struct LightState {
   Matrix4 placement;
   int shape = -1;       // of an emitter, into Geometry::shapes
   bool hidden = false;  // see Emitter; the same in all frames
+  std::shared_ptr<const EmissionPattern> pattern = nullptr;
 
   friend bool operator==(const LightState& a, const LightState& b) {
-    return a.shape == b.shape && a.placement == b.placement && a.params.same_values(b.params);
+    return a.shape == b.shape && a.placement == b.placement && a.pattern == b.pattern && a.params.same_values(b.params);
   }
 };
 
 class LightMaker {
  public:
-  LightMaker(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
-             Diagnostics& diagnostics)
-      : description_(description), geometry_(geometry), sphere_(sphere), diagnostics_(diagnostics) {}
+  LightMaker(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
+             const BoundingSphere& sphere, Diagnostics& diagnostics)
+      : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {}
 
   std::optional<WorldLight> make(const LightUse& use) {
     const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
@@ -57,7 +59,9 @@ class LightMaker {
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
       for (const int shape : emitter.shapes)
         if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[f.slot()])
-          return LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden};
+          return emitter.of_material < 0
+                     ? LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden}
+                     : of_material(emitter, shape, f);
       return std::nullopt;
     });
     auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
@@ -67,6 +71,17 @@ class LightMaker {
   }
 
  private:
+  /// Where the surface has no holes only: a hole has no material.
+  std::optional<LightState> of_material(const Emitter& emitter, int shape, FileFrame f) const {
+    const MaterialLight& light = looks_.light(emitter.of_material, f);
+    if (light.is_dark() || emitter.is_hidden) return std::nullopt;
+    const AreaLightUse& use = *emitter.use;
+    LightState state{light_params(description_, use, use.name, f), {}, shape, false, light.pattern};
+    const Rgb& L = light.radiance;
+    state.params.params.push_back(param_of(ParamType::rgb, "L", std::vector{L.r, L.g, L.b}, use.where));
+    return state;
+  }
+
   std::string object_of(const Emitter& emitter) const {
     if (emitter.shapes.empty()) return emitter.use->type;
     const WorldShape& shape = geometry_.shapes()[static_cast<std::size_t>(emitter.shapes.front())];
@@ -96,7 +111,8 @@ class LightMaker {
       ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
       light.controls = read_photon_controls(reader);
       light.group = read_light_group(reader);
-      light.states.states.emplace_back(plugin.make(reader, context));
+      light.states.states.emplace_back(state.pattern ? make_diffuse_area(reader, context, state.pattern)
+                                                     : plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
       light.powers.push_back(luminance(light.states.states.back()->power()));
     }
@@ -105,6 +121,7 @@ class LightMaker {
 
   const SceneDescription& description_;
   const Geometry& geometry_;
+  const Looks& looks_;
   BoundingSphere sphere_;
   Diagnostics& diagnostics_;
 };
@@ -179,9 +196,9 @@ void share_out(std::vector<WorldLight>& lights, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
                                     const BoundingSphere& sphere, Diagnostics& diagnostics) {
-  LightMaker maker(description, geometry, sphere, diagnostics);
+  LightMaker maker(description, geometry, looks, sphere, diagnostics);
   std::vector<WorldLight> lights;
   // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
   for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));

@@ -33,7 +33,7 @@ struct WorldLight {
 };
 
 /// The directives' lights, then the geometry's emitters in their order.
-std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry,
+std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
                                     const BoundingSphere& sphere, Diagnostics& diagnostics);
 
 /// See SceneLight::alike; of a light that exists in these frames of the file.

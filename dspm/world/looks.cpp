@@ -91,6 +91,7 @@ int Looks::add_with_parts(std::size_t use_index, int depth) {
       diagnostics_.error(param.values_where, fmt::format("mixes are nested more than {} deep", kDeepestMix));
     } else {
       add_with_parts(found->second, depth + 1);
+      refuse_in_mix(definition_of(description_, description_.materials[found->second]), name, diagnostics_);
     }
   };
   for (const Definition::Use& each : definition_of(description_, use).uses)
@@ -181,6 +182,11 @@ void Looks::add_texture_of(const TextureUse& own) {
 template <class T>
 void Looks::look_at_texture(Look<Texture<T>>& look, const TextureUse& own) {
   look.recipes = recipes_of(definition_of(description_, own));
+  make_states(look, own);
+}
+
+template <class T>
+void Looks::make_states(Look<Texture<T>>& look, const TextureUse& own) {
   for (const Recipe& recipe : look.recipes.states) look.lookups.push_back(lookups_for(recipe));
   if (*std::max_element(look.lookups.begin(), look.lookups.end()) == kMostLookups)
     diagnostics_.error(own.where,
@@ -198,22 +204,9 @@ int Looks::add_number(std::string type, ParamList params, const SourceLocation& 
   return static_cast<int>(numbers_.size()) - 1;
 }
 
-TexturePtr<float> Looks::number(int number, int state) const {
-  Diagnostics diagnostics(true);
-  TexturePtr<float> texture = made(Ingredient<FloatTexture>{{}, &numbers_[slot(number)], state}, diagnostics);
-  diagnostics.throw_if_errors();
-  return texture;
-}
-
-std::optional<float> Looks::constant(int number, int state) const {
-  const Look<FloatTexture>& look = numbers_[slot(number)];
-  const bool cheap = look.recipes.states[slot(state)].numbers.empty() || is_kept(look.recipes.state_of, state);
-  return cheap ? this->number(number, state)->constant() : std::nullopt;
-}
-
 int Looks::add_material(const MaterialUse& own, std::string name, const std::string& public_name) {
   MaterialLook look;
-  look.name = std::move(name);
+  look.name = std::move(name), look.own_name = own.name;
   look.recipes = recipes_of(definition_of(description_, own));
   const bool good = look_at(look, [&](const Recipe& recipe, const TextureSet& textures) {
     const auto made = make_material(recipe, textures, diagnostics_);
@@ -222,6 +215,7 @@ int Looks::add_material(const MaterialUse& own, std::string name, const std::str
     return made;
   });
   if (!good || look.seen.size() < look.recipes.states.size()) return -1;
+  add_lights(look);
   materials_.push_back(std::move(look));
   return material_names_.add(public_name);
 }
@@ -246,28 +240,6 @@ int Looks::find(const MaterialRef& ref) {
   return default_;
 }
 
-int Looks::add(const FileMaterial& file, const SourceLocation& where) {
-  if (const auto own = by_name_.find(file.name); own != by_name_.end()) return own->second;
-  const auto key = std::make_pair(file.file, file.name);
-  if (const auto found = from_files_.find(key); found != from_files_.end()) return found->second;
-  for (const FileTexture& of_file : file.textures) {
-    TextureUse& texture = texture_uses_.emplace_back();
-    texture.type = "imagemap", texture.name = of_file.name, texture.is_spectrum = of_file.is_spectrum;
-    texture.where = texture.type_where = where;
-    texture.params.params.push_back(param_of(ParamType::text, "filename", std::vector{of_file.file.string()}, where));
-    if (!of_file.is_spectrum)  // it holds no colours, whatever its format
-      texture.params.params.push_back(param_of(ParamType::text, "encoding", std::vector<std::string>{"linear"}, where));
-    add_texture(texture);
-  }
-  MaterialUse& use = material_uses_.emplace_back();
-  use.type = file.type, use.name = file.name, use.params = file.params;
-  use.where = use.type_where = where;
-  const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name), file.name);
-  from_files_.emplace(key, material);
-  by_name_in_files_.emplace(file.name, material);
-  return material;
-}
-
 void Looks::refuse_unknown_replacements() {
   std::vector<std::string> names;
   for (const auto* known : {&by_name_, &by_name_in_files_})
@@ -280,5 +252,7 @@ void Looks::refuse_unknown_replacements() {
                              fmt::format("neither the scene nor its geometry files have a material \"{}\"", use.name),
                              did_you_mean(use.name, names));
 }
+
+template void Looks::make_states<float>(Look<FloatTexture>&, const TextureUse&);
 
 }  // namespace dspm

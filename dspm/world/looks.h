@@ -3,6 +3,7 @@
 // again for each scene that needs them.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/lights/emission_pattern.h"
 #include "dspm/materials/material.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -22,6 +24,13 @@
 #include "dspm/world/look.h"
 
 namespace dspm {
+
+/// The light that a material emits in one of its states, from both sides of its shapes.
+struct MaterialLight {
+  Rgb radiance;
+  std::shared_ptr<const EmissionPattern> pattern;  // null: the same everywhere
+  bool is_dark() const { return is_black(radiance); }
+};
 
 class Looks {
  public:
@@ -42,6 +51,8 @@ class Looks {
   const std::vector<int>& states_of_number(int number) const { return numbers_[slot(number)].recipes.state_of; }
   /// The texture in a state; throws SceneError if a file has changed since the first time.
   TexturePtr<float> number(int number, int state) const;
+  /// The number that is `of_shape` (-1: 1) times the material's own alpha; `of_shape` itself if it has none.
+  int opacity(int material, int of_shape);
   /// Its value in a state if it is the same everywhere; not known of a texture of which only some frames of many need
   /// that state.
   std::optional<float> constant(int number, int state) const;
@@ -59,6 +70,20 @@ class Looks {
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
   /// Whether light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
+  /// Whether it emits light in some frame.
+  bool emits(int material) const;
+  const MaterialLight& light(int material, FileFrame frame) const {
+    return look(material).lights[static_cast<std::size_t>(look(material).recipes.at(frame))];
+  }
+  /// Whether it bends normals in some frame.
+  bool bends_normals(int material) const {
+    const auto& states = look(material).recipes.states;
+    return std::any_of(states.begin(), states.end(), [](const Recipe& recipe) {
+      return recipe.params.find("normalmap") != nullptr || recipe.params.find("displacement") != nullptr;
+    });
+  }
+  /// As the scene or the geometry file names it; empty: it has no name.
+  const std::string& own_name(int material) const { return look(material).own_name; }
   /// Whether its shapes are there in a frame of the file.
   bool is_seen(int material, FileFrame frame) const {
     return look(material).seen[static_cast<std::size_t>(look(material).recipes.at(frame))];
@@ -75,9 +100,10 @@ class Looks {
 
  private:
   struct MaterialLook : Look<Material> {
-    std::string name;
+    std::string name, own_name;
     bool bounds_a_body = false;
-    std::vector<bool> seen;  // by state
+    std::vector<bool> seen;             // by state
+    std::vector<MaterialLight> lights;  // likewise
   };
   template <class T>
   struct Textures {
@@ -92,6 +118,11 @@ class Looks {
     return std::get<Textures<T>>(textures_);
   }
 
+  static void refuse_in_mix(const Definition& part, const std::string& name, Diagnostics& diagnostics);
+  void add_lights(MaterialLook& look) const;
+  /// What multiplies the number in a state (of none: -1) by the material's alpha in a state.
+  Recipe opacity_recipe(const TextureUse& use, const Recipe& material, int of_shape, int state) const;
+
   void add_texture(const TextureUse& own);
   template <class T>
   void add_texture_of(const TextureUse& own);
@@ -100,6 +131,8 @@ class Looks {
   /// Sets the look's recipes and makes its states.
   template <class T>
   void look_at_texture(Look<Texture<T>>& look, const TextureUse& own);
+  template <class T>
+  void make_states(Look<Texture<T>>& look, const TextureUse& own);
   /// `name`: for messages; `public_name`: see material_names.
   int add_material(const MaterialUse& own, std::string name, const std::string& public_name);
 
@@ -131,8 +164,9 @@ class Looks {
   mutable ImageCache images_;
   TextureSet names_;  // of all textures so far, with something grey for each
   std::tuple<Textures<float>, Textures<Rgb>> textures_;
-  std::deque<Look<FloatTexture>> numbers_;  // of parameters
-  std::deque<MaterialLook> materials_;      // addresses are stable
+  std::deque<Look<FloatTexture>> numbers_;        // of parameters
+  std::map<std::pair<int, int>, int> opacities_;  // by material and number of the shape
+  std::deque<MaterialLook> materials_;            // addresses are stable
   DistinctNames material_names_;
   std::deque<TextureUse> texture_uses_;  // of geometry files
   std::deque<MaterialUse> material_uses_;

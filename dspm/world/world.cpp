@@ -99,7 +99,7 @@ struct World::Impl {
     if (whole && text.lights.empty() && geometry.emitters().empty())
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());
-    lights = make_lights(text, geometry, sphere, diagnostics);
+    lights = make_lights(text, geometry, looks, sphere, diagnostics);
     if (diagnostics.error_count() == 0) light_choices = make_light_choices(lights, text.frames.count());
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     for (const WorldLight& light : lights)

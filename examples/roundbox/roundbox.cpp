@@ -66,8 +66,12 @@ class RoundBox final : public Shape {
     const auto error = static_cast<float>(1e-6 * reach_);
     point.p_error = {error, error, error};
     point.ng = point.ns = narrow(n);
-    point.dpdu = Basis::around(point.ng).x;
     point.uv = uv;
+    const DoubleVec3 by_phi{-rho * std::sin(phi), rho * std::cos(phi), 0};
+    const DoubleVec3 by_theta{std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -rho};
+    const auto turn = kTwoPi * low, per_v = turn / 2;
+    point.dpdu = along_surface(direction, n, by_phi * turn), point.dpdv = along_surface(direction, n, by_theta * per_v);
+    if (!(length2(point.dpdu) > 0)) point.dpdu = Basis::around(point.ng).x, point.dpdv = {};  // at a pole
     return point;
   }
 
@@ -95,6 +99,11 @@ class RoundBox final : public Shape {
     const auto slope = [&](const DoubleVec3& axis) { return distance(p + axis * h) - distance(p + axis * -h); };
     const DoubleVec3 n{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
     return n * (1 / length(n));
+  }
+
+  /// How a point of the surface moves if the direction from the middle turns so: it stays on the tangent plane.
+  static Vec3 along_surface(const DoubleVec3& direction, const DoubleVec3& n, const DoubleVec3& turned) {
+    return narrow(turned + direction * (-dot(n, turned) / dot(n, direction)));
   }
 
   /// The first change of sign in [begin, end], where `side` times the distance is not negative at `begin`. Decides

@@ -106,6 +106,7 @@ class DescribedScene {
         DrawnDirective{kind + ":" + plugin.name, fmt::format(fmt::runtime(directive), plugin.name)});
     for (const ParamInfo& info : plugin.params()) {
       if (drawn.head.find(" " + info.name + "\"") != std::string::npos) continue;
+      if (light_ == Light::furnace && info.name == "emission") continue;
       const bool needed = info.default_value == "required" || info.default_value.empty();
       if (needed || is_costly(info) || chance(0.4)) add_param(info, drawn);
     }

@@ -64,9 +64,16 @@ inline std::vector<Named> principled_materials() {
   all.push_back(of("varnish", {number("coat", 1), number("coatroughness", 0.4f), number("roughness", 0.7f)}));
   all.push_back(of("smooth varnish", {number("coat", 0.7f), number("roughness", 0.5f), number("metallic", 0.5f)}));
   all.push_back(of("cloth", {rgb("sheen", {0.3f, 0.5f, 0.9f}), number("sheenroughness", 0.4f)}));
+  all.push_back(of("thin glass", {number("transmission", 1), number("roughness", 0), flag("thin", true)}));
+  all.push_back(of("thin frosted glass", {number("transmission", 1), number("roughness", 0.6f), flag("thin", true),
+                                          number("coat", 0.5f), number("coatroughness", 0.4f)}));
+  all.push_back(of("leaf", {number("diffusetransmission", 0.4f), rgb("diffusetransmissioncolor", {0.3f, 0.6f, 0.1f}),
+                            number("roughness", 0.4f), rgb("specularcolor", {0.9f, 0.3f, 0})}));
+  all.push_back(of("brushed at an angle", {number("metallic", 1), number("roughness", 0.6f), number("anisotropy", 0.8f),
+                                           number("anisotropyrotation", 30)}));
   all.push_back(of("everything", {number("metallic", 0.3f), number("transmission", 0.4f), number("roughness", 0.5f),
                                   number("coat", 0.6f), number("coatroughness", 0.3f), rgb("sheen", Rgb(0.3f)),
-                                  number("specular", 0.7f), number("eta", 1.7f)}));
+                                  number("specular", 0.7f), number("eta", 1.7f), number("diffusetransmission", 0.3f)}));
   return all;
 }
 

@@ -127,13 +127,16 @@ TEST(Parameters, CoatedConductorsHaveTwoOfThem) {
 }
 
 TEST(Parameters, SharesLieInTheUnitInterval) {
-  for (const char* name :
-       {"metallic", "transmission", "roughness", "anisotropy", "specular", "coat", "coatroughness", "sheenroughness"})
+  for (const char* name : {"metallic", "transmission", "diffusetransmission", "roughness", "anisotropy", "specular",
+                           "coat", "coatroughness", "sheenroughness"})
     for (const float value : {-0.1f, 1.1f})
       EXPECT_TRUE(contains(said("principled", {number(name, value)}), "must lie in [0, 1]")) << name;
   EXPECT_TRUE(contains(said("principled", {number("ior", 0.9f)}), "must be at least 1"));
   EXPECT_EQ(said("principled", {number("ior", 1)}), "");
-  EXPECT_TRUE(contains(said("principled", {rgb("emission", Rgb(1))}), "AreaLightSource"));
+  EXPECT_EQ(said("principled", {rgb("emission", Rgb(7)), number("emissionstrength", 3), number("alpha", 0.5f)}), "");
+  EXPECT_TRUE(contains(said("principled", {number("emissionstrength", -1)}), "must not be negative"));
+  EXPECT_TRUE(contains(said("principled", {flag("thin", true), rgb("attenuationcolor", Rgb(0.5f))}), "has no inside"));
+  EXPECT_FALSE(make("principled", {number("transmission", 1), flag("thin", true)})->bounds_a_body());
   EXPECT_TRUE(make("principled", {number("transmission", 0.1f)})->bounds_a_body());
 }
 

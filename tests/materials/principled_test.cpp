@@ -40,6 +40,9 @@ TEST(Principled, WhiteLosesNothing) {
     expect_white({rough, number("transmission", 1)}, 0.02, "glass" + suffix);
     expect_white({rough, number("transmission", 0.5f), number("metallic", 0.5f)}, 0.01, "mixed" + suffix);
     expect_white({rough, number("eta", 2.4f), number("transmission", 0.5f)}, 0.01, "dense" + suffix);
+    expect_white({rough, number("transmission", 1), flag("thin", true)}, 0.01, "pane" + suffix);
+    expect_white({rough, number("transmission", 0.5f), number("diffusetransmission", 0.6f), flag("thin", true)}, 0.01,
+                 "shade" + suffix);
     expect_white({rough, rgb("sheen", Rgb(1)), number("sheenroughness", 0.3f)}, 0.04, "cloth" + suffix);
   }
 }
@@ -108,6 +111,96 @@ TEST(Principled, SmoothGlassIsDielectric) {
       EXPECT_NEAR(drawn->weight.g, expected->weight.g, 1e-3f);
       EXPECT_EQ(drawn->eta_scale, expected->eta_scale);
     }
+}
+
+// What a thin wall lets through goes straight on where it is smooth; rough, it is what it mirrors on the other side.
+TEST(Principled, ThinWallsDoNotBendLight) {
+  const Rgb tint(0.9f, 0.5f, 0.2f);
+  const auto pane = make("principled", {number("transmission", 1), number("roughness", 0), flag("thin", true),
+                                        number("eta", 1.4f), rgb("basecolor", tint)});
+  EXPECT_FALSE(pane->bounds_a_body());
+  BsdfSlot slot;
+  const Bsdf& smooth = pane->bsdf(surface(), slot);
+  for (const float cos : {1.f, 0.5f, 0.2f, -0.5f}) {
+    const Vec3 wo = direction(cos, 1);
+    const auto drawn = smooth.sample(wo, {0.5f, 0.5f, 0.999f}, Transport::radiance, 3);
+    ASSERT_TRUE(drawn && drawn->specular);
+    EXPECT_NEAR(dot(drawn->wi, wo), -1, 1e-6f);
+    EXPECT_EQ(drawn->eta_scale, 1);
+    const float passes = 1 - fresnel_dielectric(std::abs(cos), 1.4f), chance = smooth.lobe_probability(wo, 2);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn->weight[c], tint[c] * passes / chance, 1e-3f) << cos;
+  }
+}
+
+TEST(Principled, RoughThinWallsPassAsTheyMirror) {
+  const Param rough = number("roughness", 0.5f);
+  const auto pane =
+                 make("principled", {number("transmission", 1), rough, flag("thin", true), rgb("basecolor", Rgb(1))}),
+             mirror = make("principled", {number("metallic", 1), rough, rgb("basecolor", Rgb(1))});
+  BsdfSlot slots[2];
+  const Bsdf &ours = pane->bsdf(surface(), slots[0]), &white = mirror->bsdf(surface(), slots[1]);
+  const PathRandom random(5, Stream::setup, 14, 0);
+  for (int n = 0; n < 500; ++n) {
+    Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
+    wo.z = std::abs(wo.z), wi.z = std::abs(wi.z);
+    const Rgb both =
+        ours.evaluate(wo, wi, Transport::radiance, 1) + ours.evaluate(wo, {wi.x, wi.y, -wi.z}, Transport::radiance, 2);
+    const float expected = white.evaluate(wo, wi, Transport::radiance, 1).r;
+    EXPECT_NEAR(both.r, expected, 1e-4f * expected + 1e-5f);
+  }
+}
+
+// f of diffuse light on the other side over f on this one.
+TEST(Principled, LeavesDiffuseOnBothSides) {
+  const auto leaf = make("principled", {number("diffusetransmission", 0.25f), rgb("basecolor", {0.8f, 0.4f, 0.2f}),
+                                        rgb("diffusetransmissioncolor", {0.2f, 0.4f, 0.8f}), number("specular", 0)});
+  BsdfSlot slot;
+  const Bsdf& bsdf = leaf->bsdf(surface(), slot);
+  EXPECT_TRUE(bsdf.transmits(4));
+  for (const float side : {1.f, -1.f}) {
+    const Vec3 wo = direction(0.6f * side, 1), here = direction(0.4f * side, 4), beyond = direction(-0.4f * side, 4);
+    const Rgb mirrored = bsdf.evaluate(wo, here, Transport::radiance, 4),
+              passed = bsdf.evaluate(wo, beyond, Transport::radiance, 4);
+    const Rgb base(0.8f, 0.4f, 0.2f), other(0.2f, 0.4f, 0.8f);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(mirrored[c] * kPi, 0.75f * base[c], 1e-4f);
+      EXPECT_NEAR(passed[c] * kPi, 0.25f * other[c], 1e-4f);
+    }
+  }
+}
+
+// Straight on, the dielectric mirrors F0 times the colour; at grazing angles it is white.
+TEST(Principled, SpecularColourIsThatStraightOn) {
+  const auto paint = make("principled", {number("roughness", 0), rgb("specularcolor", {1, 0.5f, 0})});
+  BsdfSlot slot;
+  const Bsdf& bsdf = paint->bsdf(surface(), slot);
+  for (const float cos : {1.f, 0.3f, 0.01f}) {
+    const Vec3 wo = direction(cos, 1);
+    const auto drawn = bsdf.sample(wo, {}, Transport::radiance, 1);
+    ASSERT_TRUE(drawn && drawn->specular);
+    EXPECT_NEAR(drawn->weight.r, fresnel_dielectric(cos, 1.5f), 1e-3f);
+    EXPECT_NEAR(drawn->weight.b / drawn->weight.r, std::pow(1 - cos, 5.f), 1e-3f);
+    EXPECT_NEAR(drawn->weight.g / drawn->weight.r, 0.5f + 0.5f * std::pow(1 - cos, 5.f), 1e-3f);
+  }
+}
+
+// A highlight that is turned by 90 degrees is that of exchanged axes.
+TEST(Principled, RotationTurnsHighlights) {
+  const std::vector<Param> brushed{number("metallic", 1), number("roughness", 0.6f), number("anisotropy", 0.9f)};
+  std::vector<Param> turned = brushed;
+  turned.push_back(number("anisotropyrotation", 90));
+  const auto a = make("principled", brushed), b = make("principled", turned);
+  BsdfSlot slots[2];
+  const Bsdf &along = a->bsdf(surface(), slots[0]), &across = b->bsdf(surface(), slots[1]);
+  const auto quarter = [](const Vec3& w) { return Vec3{-w.y, w.x, w.z}; };
+  const PathRandom random(5, Stream::setup, 15, 0);
+  for (int n = 0; n < 200; ++n) {
+    Vec3 wo = any_direction(random, n), wi = any_direction(random, 5000 + n);
+    wo.z = std::abs(wo.z), wi.z = std::abs(wi.z);
+    const float expected = along.evaluate(wo, wi, Transport::radiance, 1).g;
+    EXPECT_NEAR(across.evaluate(quarter(wo), quarter(wi), Transport::radiance, 1).g, expected,
+                1e-3f * expected + 1e-5f);
+  }
 }
 
 // Facets of metal reflect the base colour straight on and white light at grazing angles.

@@ -34,14 +34,15 @@ std::shared_ptr<const Relief> bump(Value value) {
   return read_relief(reader, {textures, {}, images});
 }
 
-std::shared_ptr<const Relief> normal_map(const Rgb& everywhere) {
+std::shared_ptr<const Relief> normal_map(const Rgb& everywhere, float scale = 1) {
   const TemporaryDirectory directory;
   Image image(4, 4);
   for (Rgb& pixel : image.pixels) pixel = everywhere;
   write_pfm(directory / "normals.pfm", image);
   const TextureSet textures;
   ImageCache images;
-  const ParamList list{{{ParamType::text, "normalmap", {}, std::vector{(directory / "normals.pfm").string()}, {}, {}}}};
+  const ParamList list{{{ParamType::text, "normalmap", {}, std::vector{(directory / "normals.pfm").string()}, {}, {}},
+                        number("normalscale", scale)}};
   Diagnostics diagnostics;
   ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
   const auto relief = read_relief(reader, {textures, {}, images});
@@ -67,6 +68,12 @@ constexpr const char* kSquare = R"(Shape "trianglemesh" "integer indices" [0 1 2
   "point3 P" [0 0 0 2 0 0 2 0 2 0 0 2])";
 
 void expect_near(const Vec3& a, const Vec3& b, float tolerance) { EXPECT_LE(length(a - b), tolerance); }
+
+TEST(NormalMap, ScaleTurnsItsSlopes) {
+  const Placed square(kSquare);
+  const auto steep = normal_map({0.65f, 0.5f, 0.9f}, 2), plain = normal_map({0.8f, 0.5f, 0.9f});  // .6 over .8
+  expect_near(square.normal(*steep, 0, {0.3f, 0.3f}), square.normal(*plain, 0, {0.3f, 0.3f}), 1e-6f);
+}
 
 TEST(NormalMap, AFlatOneChangesNoBit) {
   const auto flat = normal_map({0.5f, 0.5f, 1});

@@ -92,7 +92,8 @@ TEST_F(Obj, MaterialsBecomeParts) {
   ASSERT_EQ(made[2].material->textures.size(), 1u);
   EXPECT_EQ(made[2].material->textures[0].file, directory / "wood.png");
   EXPECT_EQ(made[2].material->alpha, directory / "wood.png");
-  EXPECT_EQ(std::get<Texts>(made[2].material->params.find("reflectance")->values),
+  EXPECT_EQ(made[2].material->type, "principled");  // it has an alpha
+  EXPECT_EQ(std::get<Texts>(made[2].material->params.find("basecolor")->values),
             Texts{made[2].material->textures[0].name});
   EXPECT_FALSE(made[3].material);  // "none"
   EXPECT_TRUE(made[4].material->textures.empty());
@@ -193,17 +194,66 @@ TEST_F(Mtl, PicturesOfNumbersHoldNoColours) {
   EXPECT_NE(test::messages(diagnostics).find("missing.png"), std::string::npos);
 }
 
-TEST_F(Mtl, KeIsAnAreaLight) {
+TEST_F(Mtl, KeIsEmission) {
   EXPECT_EQ(material("Ke 1 2 3\n").radiance, Rgb(1, 2, 3));
+  EXPECT_EQ(material("Ke 1 2 3\n").type, "principled");
+  EXPECT_EQ(material("Ke 1 2 3\nillum 4\n").type, "principled");
   EXPECT_FALSE(material("Ke 0 0 0\n").radiance);
+  test::put_file(directory / "e.png", "");
+  const FileMaterial lamp = material("Kd 0 0 0\nKe 5 5 5\nmap_Ke e.png\n");
+  EXPECT_FALSE(lamp.radiance);
+  EXPECT_EQ(lamp.params.find("emission")->type, ParamType::texture);
+  EXPECT_EQ(number(lamp, "emissionstrength"), 5);
+  EXPECT_EQ(test::messages(diagnostics), "");
+}
+
+TEST_F(Mtl, DissolveIsAlphaButOfGlass) {
+  EXPECT_EQ(number(material("Kd 1 1 1\nd 0.25\n"), "alpha"), 0.25f);
+  EXPECT_EQ(number(material("Kd 1 1 1\nTr 0.25\n"), "alpha"), 0.75f);
+  EXPECT_EQ(material("Kd 1 1 1\nd 1\n").params.find("alpha"), nullptr);
+  EXPECT_EQ(material("d 0.25\nillum 4\n").type, "dielectric");
+  test::put_file(directory / "d.png", "");
+  const FileMaterial leaf = material("Pr 0.5\nmap_d d.png\nmap_Kd d.png\nmap_Pr d.png\n");
+  EXPECT_EQ(leaf.alpha, directory / "d.png");
+  EXPECT_EQ(leaf.textures.size(), 2u);
+}
+
+TEST_F(Mtl, HighlightsMayBeColoured) {
+  const FileMaterial satin = material("Kd .1 .2 .3\nKs .4 .2 .1\nNs 30\n");
+  EXPECT_NEAR(number(satin, "specular"), 0.8f, 1e-6f);
+  const auto colour = std::get<std::vector<float>>(satin.params.find("specularcolor")->values);
+  EXPECT_NEAR(colour[1], 0.5f, 1e-6f);
+  EXPECT_NEAR(colour[2], 0.25f, 1e-6f);
+  test::put_file(directory / "s.png", "");
+  const FileMaterial worn = material("Kd .1 .2 .3\nmap_Ks s.png\nNs 30\n");
+  EXPECT_EQ(worn.params.find("specularcolor")->type, ParamType::texture);
+  EXPECT_EQ(number(worn, "specular"), 1);
+  EXPECT_EQ(test::messages(diagnostics), "");
+}
+
+TEST_F(Mtl, ReliefsAreNormalMapsOrHeights) {
+  test::put_file(directory / "b.png", "");
+  const FileMaterial bumpy = material("Kd 1 1 1\nbump -bm 0.02 b.png\n");
+  EXPECT_EQ(bumpy.params.find("displacement")->type, ParamType::texture);
+  EXPECT_FALSE(bumpy.textures.at(0).is_spectrum);
+  EXPECT_EQ(number(bumpy, kBumpScale), 0.02f);
+  const FileMaterial bent = material("Pr .3\nnorm b.png\nmap_Bump b.png\n");
+  EXPECT_EQ(std::get<Texts>(bent.params.find("normalmap")->values), Texts{(directory / "b.png").string()});
+  EXPECT_EQ(bent.params.find("displacement"), nullptr);
+  EXPECT_NE(material("disp b.png\n").params.find("displacement"), nullptr);
+  EXPECT_EQ(test::messages(diagnostics), "");
 }
 
 TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
-  test::put_file(directory / "lib.mtl", "newmtl a\nmap_Bump a.png\nnewmtl b\nmap_Bump b.png\nrefl b.png\n");
+  test::put_file(directory / "a.png", "");
+  test::put_file(directory / "lib.mtl",
+                 "newmtl a\nKs 1 1 1\nmap_Ns a.png\nmap_Pc a.png\nnewmtl b\nKs 1 1 1\nmap_Ns a.png\nrefl b.png\n"
+                 "map_Kd -s 2 2 1 a.png\n");
   read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
   make({});
   EXPECT_EQ(test::messages(diagnostics),
-            "map_Bump of material \"a\" and of 1 more is left out\nrefl of material \"b\" is left out\n");
+            "-s of map_Kd of material \"b\" is left out\nmap_Ns of material \"a\" and of 1 more is left out\nmap_Pc of "
+            "material \"a\" is left out\nrefl of material \"b\" is left out\n");
 }
 
 TEST_F(Obj, AMissingOrEmptyMaterialFileIsAWarning) {

@@ -12,6 +12,16 @@ namespace {
 using test::make_shape;
 using test::Random;
 
+std::unique_ptr<Shape> patch(std::vector<Param> more) {
+  ParamList list{
+      {test::param(ParamType::integer, "indices", std::vector<int>{0, 1, 2, 3}),
+       test::param(ParamType::point3, "P", std::vector<float>{0, 0, 0, 1, 0.2f, 0, 0.3f, 2, 1, 1, 1.5f, 0})}};
+  for (Param& param : more) list.params.push_back(std::move(param));
+  Diagnostics diagnostics;
+  auto made = test::make_shapes("bilinearmesh", std::move(list), diagnostics);
+  return std::move(made.at(0).shape);
+}
+
 std::vector<std::unique_ptr<Shape>> shapes() {
   std::vector<std::unique_ptr<Shape>> all;
   all.push_back(make_shape("sphere", {{"radius", 2}}));
@@ -22,6 +32,8 @@ std::vector<std::unique_ptr<Shape>> shapes() {
   all.push_back(std::make_unique<TriangleMesh>(triangles));
   triangles.uvs = {{0.1f, 2}, {-0.5f, 0.3f}, {1, 0.7f}};
   all.push_back(std::make_unique<TriangleMesh>(triangles));
+  all.push_back(patch({}));
+  all.push_back(patch({test::param(ParamType::point2, "uv", std::vector<float>{0, 0, 2, 0.3f, 0.1f, 1, 1.5f, 2})}));
   return all;
 }
 

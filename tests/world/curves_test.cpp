@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dspm/params/errors.h"
+#include "dspm/session/load.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
@@ -49,6 +50,16 @@ TEST(Strands, MoveTogether) {
   EXPECT_EQ(primitives("ObjectBegin \"lock\"\n" + kStrand + kStrand +
                        "ObjectEnd ObjectInstance \"lock\" Translate 0 1 0 ObjectInstance \"lock\""),
             (Counts{2, 2}));
+}
+
+TEST(Strands, ShowNoRelief) {
+  const std::string scene =
+      "WorldBegin LightSource \"point\" Texture \"waves\" \"float\" \"fbm\"\n"
+      "Material \"diffuse\" \"texture displacement\" \"waves\"\n";
+  Diagnostics diagnostics;
+  const LoadedScene loaded("scene.dsc", scene + kStrand + "Shape \"sphere\"\n", {}, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].message, "shape \"curve\" does not show the relief of material \"diffuse\"");
 }
 
 TEST(Strands, DoNotShine) {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dspm/colour/rgb.h"
 #include "dspm/params/errors.h"
 #include "dspm/testing/test_scene.h"
@@ -17,6 +19,12 @@ class FileMaterials : public testing::Test {
   void put(const std::string& name, const std::string& material) {
     put_file(directory / (name + ".mtl"), "newmtl paint\n" + material);
     put_file(directory / (name + ".obj"), fmt::format("mtllib {}.mtl\nusemtl paint\n{}f 1 2 3 4\n", name, kSquare));
+  }
+  /// Of one colour.
+  void put_picture(const std::string& name, const Rgb& c) {
+    std::string text = "PF\n2 2\n-1.0\n";
+    for (int i = 0; i < 4; ++i) text.append(reinterpret_cast<const char*>(&c), 3 * sizeof(float));
+    put_file(directory / name, text);
   }
   std::string shape(const std::string& name) const {
     return fmt::format("Shape \"objmesh\" \"string filename\" \"{}\"\n", (directory / (name + ".obj")).string());
@@ -75,8 +83,35 @@ VariationBegin "dark" Light "paint" "float scale" 0 VariationEnd
   const std::vector<Rgb> frames = seen(shape("one") + variations, light);
   ASSERT_EQ(frames.size(), 3u);
   expect_near(frames[0], Rgb(1.5f, 1, 1));
-  expect_near(frames[1], Rgb(1, 1, 1.5f));
+  expect_near(frames[1], Rgb(0, 0, 0.5f));  // the light goes with its material
   expect_near(frames[2], Rgb(0.5f, 0, 0));
+}
+
+TEST_F(FileMaterials, PicturesOfLight) {
+  put_picture("glow.pfm", Rgb(0.5f, 0.25f, 1));
+  put("lamp", "Kd 0 0 0\nKe 4 4 4\nmap_Ke glow.pfm\n"), put("bright", "Kd 0 0 0\nmap_Ke glow.pfm\n");
+  expect_near(seen(shape("lamp"), "")[0], Rgb(2, 1, 4));
+  expect_near(seen(shape("bright"), "")[0], Rgb(0.5f, 0.25f, 1));
+}
+
+TEST_F(FileMaterials, DissolveIsAlpha) {
+  put_picture("hole.pfm", Rgb(0));
+  const std::string behind = "AttributeBegin Translate 0 0 -1 " + shape("paper") + "AttributeEnd\n";
+  put("paper", "Kd 0.5 0.5 0.5\n"), put("gone", "Kd 1 0 0\nd 0\n");
+  put("hole", "Kd 1 0 0\nPr 0.5\nmap_d hole.pfm\n");
+  for (const char* front : {"gone", "hole"}) expect_near(seen(behind + shape(front), light)[0], Rgb(0.5f));
+}
+
+// Where map_Bump names a picture of normals, it is a normal map; a grey one holds heights.
+TEST_F(FileMaterials, BumpMapsMayBeNormalMaps) {
+  const float slant = std::sqrt(0.5f);
+  put_picture("normals.pfm", Rgb(0.5f + 0.5f * slant, 0.5f, 0.5f + 0.5f * slant));
+  put_picture("heights.pfm", Rgb(0.8f));
+  put("bent", "Kd 1 1 1\nmap_Bump normals.pfm\n"), put("norm", "Kd 1 1 1\nnorm normals.pfm\n");
+  put("flat", "Kd 1 1 1\nbump -bm 3 heights.pfm\n");
+  expect_near(seen(shape("bent"), light)[0], Rgb(slant));
+  expect_near(seen(shape("norm"), light)[0], Rgb(slant));
+  expect_near(seen(shape("flat"), light)[0], Rgb(1));
 }
 
 TEST_F(FileMaterials, OtherShapesUseThemByName) {

@@ -141,6 +141,28 @@ TEST(Mix, FaultsAreNamed) {
                        "is an interface"));
 }
 
+// Rust on amber leaves the inside amber; two colours of glass would have two insides.
+TEST(Mix, ABodyHasOneInside) {
+  const auto glass = [](const std::string& name, const std::string& colour) {
+    return fmt::format("MakeNamedMaterial \"{}\" \"string type\" \"dielectric\" \"rgb attenuationcolor\" {}\n", name,
+                       colour);
+  };
+  const std::string looks =
+      kPaints + glass("amber", "[.9 .5 .1]") + glass("honey", "[.9 .5 .1]") + glass("lime", "[.5 .9 .1]");
+  for (const char* parts : {"\"amber\" \"red\"", "\"red\" \"amber\"", "\"amber\" \"honey\""}) {
+    const TestScene test(text(looks + fmt::format("Material \"mix\" \"string materials\" [{}]", parts)));
+    const auto scene = test.scene({FileFrame(0)});
+    EXPECT_TRUE(scene->absorbs);
+    scene->materials[static_cast<std::size_t>(scene->shapes[0].material)].for_each(
+        FrameSet::single(0), [&](FrameSet, const Material& material) {
+          EXPECT_TRUE(material.bounds_a_body());
+          EXPECT_NEAR(material.absorption().g, -std::log(0.5f), 1e-5f) << parts;
+        });
+  }
+  EXPECT_TRUE(contains(error_of(looks + "Material \"mix\" \"string materials\" [\"amber\" \"lime\"]"),
+                       "a body has one inside"));
+}
+
 TEST(Mix, DeepNestingIsAnError) {
   std::string looks = kPaints;
   std::string inner = "red";

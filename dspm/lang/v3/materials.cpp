@@ -32,7 +32,7 @@ constexpr Rule kMaterials[] = {
     {"hair", "hair", "sigma_a color=reflectance eumelanin pheomelanin eta beta_m beta_n alpha"},
     {"disney", "principled", "color=basecolor:rgb.5 metallic eta roughness:float.5 anisotropic=anisotropy sheen "
                              "clearcoat=coat clearcoatgloss:float1 spectrans=transmission speculartint! sheentint! "
-                             "scatterdistance! thin! flatness! difftrans! bumpmap=displacement"},
+                             "scatterdistance! thin flatness! difftrans! bumpmap=displacement"},
     {"subsurface", "subsurface", "name sigma_a sigma_s scale eta g Kr! Kt! uroughness:float0 vroughness:float0 "
                                  "remaproughness bumpmap=displacement"},
     {"none", "interface", ""},

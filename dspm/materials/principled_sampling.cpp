@@ -1,0 +1,117 @@
+// How the layers of the principled material are sampled, and with which density.
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/principled_layers.h"
+#include "dspm/materials/rough_boundary.h"
+#include "dspm/math/sampling.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+namespace {
+
+/// A dark base must not take all paths from what mirrors. In steps, so that finishes that are about equally bright
+/// choose alike and stay one path.
+float weight_in_choice(float brightness) {
+  return brightness >= 1 / 4.f ? 1 : brightness >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
+}
+
+}  // namespace
+
+/// Colours count in steps or not at all: frames of different colours then choose alike.
+PrincipledChances PrincipledLayers::weights(float cos_o) const {
+  const float left = left_by_both(cos_o), over_glass = outside_ ? left : 1;
+  const float metal = metal_ == 0 || smooth_ ? 1 : albedo(tables_.common.metal, cos_o);
+  const float dielectric = mirrored_by_dielectric(cos_o);
+  float glass_mirrored = 0, glass = 1;
+  if (glass_ > 0 && smooth_) glass_mirrored = fresnel_dielectric(cos_o, eta());
+  if (glass_ > 0 && !smooth_) {
+    glass = albedo(all_by_facets(), cos_o);
+    glass_mirrored = std::min(glass, albedo(boundary().reflected, cos_o));
+  }
+  const float at_ground = opaque_ * (1 - dielectric) * left;
+  const float ground = at_ground * (1 - beyond_) * weight_in_choice(max_component(base_)),
+              beyond = at_ground * beyond_ * weight_in_choice(max_component(beyond_colour_));
+  const float made_up = metal_ * (1 - metal) * left + glass_ * (1 - glass) * over_glass;
+  const float of_sheen = sheen_weight_ > 0 ? covered_ * (1 - left_by_sheen(cos_o)) : 0;
+  const float diffuse = ground + beyond + made_up + of_sheen;
+  return {{(metal_ * metal + opaque_ * dielectric) * left + glass_ * glass_mirrored * over_glass,
+           glass_ * (glass - glass_mirrored) * over_glass, diffuse,
+           covered_ * mirrored_by_coat(cos_o) * left_by_sheen(cos_o)},
+          diffuse > 0 ? beyond / diffuse : beyond_};
+}
+
+PrincipledChances PrincipledLayers::chances(float cos_o, LobeSet lobes) const {
+  constexpr float kLeast = 1e-4f;  // no lobe that exists is left out where the tables round it to nothing
+  const LobeSet known = lobes & this->lobes(0);
+  PrincipledChances chances = weights(cos_o);
+  float sum = 0;
+  for (int lobe = 0; lobe < 4; ++lobe) {
+    float& chance = chances.chance[static_cast<std::size_t>(lobe)];
+    chance = known >> lobe & 1 ? std::max(chance, kLeast) : 0;
+    sum += chance;
+  }
+  for (float& chance : chances.chance) chance = sum > 0 ? chance / sum : 0;
+  return chances;
+}
+
+float PrincipledLayers::density(const Vec3& o, const Vec3& i, const PrincipledChances& chances) const {
+  if (i.z < 0) {
+    const float diffuse = chances[2] * chances.beyond * -i.z / kPi;
+    return diffuse + (smooth_ || chances[1] == 0 ? 0 : chances[1] * density_through(o, i));
+  }
+  const Vec3 m = normalize(o + i);
+  float sum = chances[2] * (1 - chances.beyond) * i.z / kPi;
+  if (!smooth_ && chances[0] > 0) sum += chances[0] * facets_.reflection_density(o, m);
+  if (!smooth_coat_ && chances[3] > 0) sum += chances[3] * coat_facets_.reflection_density(o, m);
+  return sum;
+}
+
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw(const Vec3& o, const Vec3& u,
+                                                              const PrincipledChances& chances) const {
+  // Reflections first: then coupled frames whose lobes differ part as little as possible.
+  float below = chances[3];
+  if (u.z < below) return draw_coat(o, u, chances[3]);
+  below += chances[0];
+  if (u.z < below) return draw_specular(o, u, chances[0]);
+  below += chances[1];
+  if (u.z < below) return draw_through(o, u, chances[1]);
+  if (chances[2] == 0) return std::nullopt;
+  return draw_diffuse(u, (u.z - below) / chances[2], chances.beyond);
+}
+
+/// `of_lobe`: the number that chose the lobe, as a share of it.
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_diffuse(const Vec3& u, float of_lobe,
+                                                                      float beyond) const {
+  const Vec3 i = cosine_hemisphere({u.x, u.y});
+  if (!(i.z > 0)) return std::nullopt;
+  return Drawn{of_lobe < 1 - beyond ? i : other_side(i), false};
+}
+
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_coat(const Vec3& o, const Vec3& u, float chance) const {
+  if (smooth_coat_)
+    return Drawn{{-o.x, -o.y, o.z},
+                 true,
+                 Rgb(covered_ * left_by_sheen(o.z) * coat_ * fresnel_dielectric(o.z, kCoatEta) / chance)};
+  const Vec3 i = reflect(o, coat_facets_.sample_visible(o, u.x, u.y));
+  return i.z > 0 ? std::optional(Drawn{i, false}) : std::nullopt;
+}
+
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec3& o, const Vec3& u,
+                                                                       float chance) const {
+  if (smooth_) return Drawn{{-o.x, -o.y, o.z}, true, mirrored_by_facet(o.z, o.z, o.z) / chance};
+  const Vec3 i = reflect(o, facets_.sample_visible(o, u.x, u.y));
+  return i.z > 0 ? std::optional(Drawn{i, false}) : std::nullopt;
+}
+
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_through(const Vec3& o, const Vec3& u,
+                                                                      float chance) const {
+  const Vec3 m = smooth_ ? Vec3{0, 0, 1} : facets_.sample_visible(o, u.x, u.y);
+  const auto i = thin_ ? std::optional(other_side(reflect(o, m))) : refract(o, m, eta());
+  if (!i || i->z >= 0) return std::nullopt;
+  if (smooth_) return Drawn{*i, true, through_facet(o.z, o.z, i->z) / chance, !thin_};
+  return Drawn{*i, false, {}, !thin_};
+}
+
+}  // namespace dspm

@@ -1,0 +1,83 @@
+// Materials that geometry files bring along.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/params/params.h"
+#include "dspm/shapes/mtl.h"
+#include "dspm/textures/normal_picture.h"
+#include "dspm/world/looks.h"
+
+namespace dspm {
+namespace {
+
+Param file_param(const char* name, const std::filesystem::path& file, const SourceLocation& where) {
+  return param_of(ParamType::text, name, std::vector{file.string()}, where);
+}
+
+/// Its imagemap. A picture of numbers holds no colours, whatever its format.
+TextureUse texture_use(const FileTexture& picture, const SourceLocation& where) {
+  TextureUse use;
+  use.type = "imagemap", use.name = picture.name, use.is_spectrum = picture.is_spectrum;
+  use.where = use.type_where = where;
+  use.params.params.push_back(file_param("filename", picture.file, where));
+  if (!picture.is_spectrum)
+    use.params.params.push_back(param_of(ParamType::text, "encoding", std::vector<std::string>{"linear"}, where));
+  return use;
+}
+
+/// As parameters of the material.
+void add_holes_and_light(ParamList& params, std::vector<FileTexture>& textures, const FileMaterial& file,
+                         const SourceLocation& where) {
+  if (!file.alpha.empty()) {
+    const std::string name = fmt::format("alpha of {} in {}", file.name, file.file.string());
+    textures.push_back({name, file.alpha, false});
+    params.params.push_back(param_of(ParamType::texture, "alpha", std::vector{name}, where));
+  }
+  if (file.radiance) {
+    const Rgb& c = *file.radiance;
+    params.params.push_back(param_of(ParamType::rgb, "emission", std::vector{c.r, c.g, c.b}, where));
+  }
+}
+
+/// The material's relief: a picture of normals, or one of heights, which is scaled then.
+void sort_out_relief(ParamList& params, const std::vector<FileTexture>& textures, std::deque<TextureUse>& uses) {
+  const auto displacement = std::find_if(params.params.begin(), params.params.end(),
+                                         [](const Param& param) { return param.name == "displacement"; });
+  if (displacement == params.params.end()) return;
+  const std::string name = std::get<std::vector<std::string>>(displacement->values).front();
+  for (const FileTexture& texture : textures)
+    if (texture.name == name && holds_normals(texture.file))
+      *displacement = file_param("normalmap", texture.file, displacement->where);
+  const auto scale = std::find_if(params.params.begin(), params.params.end(),
+                                  [](const Param& param) { return param.name == kBumpScale; });
+  if (scale == params.params.end()) return;
+  scale->name = "scale";
+  for (TextureUse& use : uses)
+    if (use.name == name) use.params.params.push_back(*scale);
+  params.params.erase(scale);
+}
+
+}  // namespace
+
+int Looks::add(const FileMaterial& file, const SourceLocation& where) {
+  if (const auto own = by_name_.find(file.name); own != by_name_.end()) return own->second;
+  const auto key = std::make_pair(file.file, file.name);
+  if (const auto found = from_files_.find(key); found != from_files_.end()) return found->second;
+  std::vector<FileTexture> textures = file.textures;
+  MaterialUse& use = material_uses_.emplace_back();
+  use.type = file.type, use.name = file.name, use.params = file.params;
+  use.where = use.type_where = where;
+  add_holes_and_light(use.params, textures, file, where);
+  std::deque<TextureUse> uses;
+  for (const FileTexture& texture : textures) uses.push_back(texture_use(texture, where));
+  sort_out_relief(use.params, textures, uses);
+  for (TextureUse& texture : uses) add_texture(texture_uses_.emplace_back(std::move(texture)));
+  const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name), file.name);
+  from_files_.emplace(key, material);
+  by_name_in_files_.emplace(file.name, material);
+  return material;
+}
+
+}  // namespace dspm
