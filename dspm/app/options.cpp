@@ -69,6 +69,8 @@ void add_tasks(CLI::App& app, Options& o) {
   task("--upgrade", Task::upgrade, "do not render, print a file for pbrt-v3 as one for pbrt-v4");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
+  task("--relight", Task::relight,
+       "do not render, mix images' light groups again: dspm --relight a.exr \"key 0.5 [1 .8 .6]\" -o b.exr");
   add_text(app, "--describe", "[KIND:]NAME", "print a plugin's parameters, such as those of material:dielectric",
            [&](const std::string& name) { o.task = Task::describe, o.described = name; });
   app.add_option_function<std::vector<std::string>>(
