@@ -53,6 +53,7 @@ void add_image_options(CLI::App& app, Options& o) {
 void show_optional_values(std::string& help) {
   replace(help, "{table}", "[=FILE]");
   replace(help, "{all}", "[=NAMES]");
+  replace(help, "{8780}", " [PORT]");
 }
 
 }  // namespace dspm

@@ -143,10 +143,36 @@ void add_output(CLI::App& app, Options& o) {
   app.add_flag("--stats{table}", o.stats, "print a table of times and counts at the end; with FILE: as JSON");
 }
 
+void add_serve(CLI::App& app, std::string& address) {
+  app.add_flag("--serve{8780}", address,
+               "show all frames in a browser while they get better, at 127.0.0.1; other addresses: 0.0.0.0:8780");
+}
+
 std::string help_of(const CLI::App& app) {
   std::string help = app.help();
   show_optional_values(help);
   return help;
+}
+
+/// A port after --serve belongs to it.
+std::vector<std::string> with_address_of_page(const std::vector<std::string>& words) {
+  std::vector<std::string> joined;
+  for (const std::string& word : words) {
+    const bool is_address = !joined.empty() && joined.back() == "--serve" && parse_serve_address(word);
+    is_address ? void(joined.back() += "=" + word) : joined.push_back(word);
+  }
+  return joined;
+}
+
+ServeAddress address_of_page(const Options& o, const std::string& text) {
+  const auto refuse = [](const std::string& why) { throw UsageError("--serve " + why); };
+  const std::optional<ServeAddress> address = parse_serve_address(text);
+  if (!address) refuse(text + ": expected a port or an address, such as 8080 or 0.0.0.0:8080");
+  if (o.task != Task::render) refuse("shows a render, and nothing is rendered");
+  if (o.memory > 0) refuse("and --memory exclude each other: viewers take memory that no plan knows");
+  if (std::find(o.scenes.begin(), o.scenes.end(), "-") != o.scenes.end())
+    refuse("reads the scene more than once, so it cannot come from standard input");
+  return *address;
 }
 
 std::vector<std::string> long_names(const CLI::App& app) {
@@ -191,8 +217,10 @@ Options parse_options(const std::vector<std::string>& arguments) {
   add_tasks(app, options);
   add_work(app, options);
   add_output(app, options);
+  std::string page;
+  add_serve(app, page);
 
-  std::vector<std::string> words = canonical_spelling(arguments, long_names(app));
+  std::vector<std::string> words = with_address_of_page(canonical_spelling(arguments, long_names(app)));
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
     app.parse(words);
@@ -206,6 +234,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
     throw UsageError(error.what());
   }
   check(options);
+  if (!page.empty()) options.serve = address_of_page(options, page);
   return options;
 }
 

@@ -1,12 +1,14 @@
 // The options of the command line.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dspm/checkpoint/checkpoints.h"
 #include "dspm/output/output.h"
 #include "dspm/params/errors.h"
+#include "dspm/serve/access.h"
 #include "dspm/session/write_schedule.h"
 #include "dspm/world/choices.h"
 
@@ -23,6 +25,8 @@ struct Options : Choices, OutputSettings, CheckpointSettings {
   std::string guide, save_guide;     // files; empty: none
   std::vector<std::string> created;  // a new plugin's kind, name and folder
   bool explain = false, quiet = false;
+
+  std::optional<ServeAddress> serve;  // where the live page is
 
   Interval write_every;
   int threads = 0;         // 0: all

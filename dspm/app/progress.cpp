@@ -78,12 +78,18 @@ std::string Progress::text(int interval, int iterations) const {
   if (extent_.intervals > 1) line += fmt::format(" of frame interval {}/{}", interval + 1, extent_.intervals);
   if (trend_.now() && extent_.until_error > 0)
     line += fmt::format(", error {} of {}", readable_share(*trend_.now()), readable_share(extent_.until_error));
-  line += fmt::format(", {}", readable_time(elapsed()));
-  const double share = share_done(interval, iterations);
-  if (share == 0) return line;
-  if (share < 1)
-    line += fmt::format(", {} left", readable_time(elapsed() * (1 - share) / std::max(share - before_, 1e-9)));
-  return terminal_ ? bar(share) + " " + line : line;
+  const Outlook outlook = this->outlook(interval, iterations);
+  line += fmt::format(", {}", readable_time(outlook.seconds));
+  if (outlook.share == 0) return line;
+  if (outlook.seconds_left) line += fmt::format(", {} left", readable_time(*outlook.seconds_left));
+  return terminal_ ? bar(outlook.share) + " " + line : line;
+}
+
+Progress::Outlook Progress::outlook(int interval, int iterations) const {
+  Outlook outlook{share_done(interval, iterations), elapsed()};
+  if (outlook.share > 0 && outlook.share < 1)
+    outlook.seconds_left = outlook.seconds * (1 - outlook.share) / std::max(outlook.share - before_, 1e-9);
+  return outlook;
 }
 
 }  // namespace dspm

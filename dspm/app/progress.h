@@ -31,6 +31,12 @@ class Progress {
   void begin(int interval, int iterations);
   /// `iterations` of the interval (counted from 0) are done. `error`: estimated, if it is known.
   void step(int interval, int iterations, std::optional<double> error = {});
+  /// How far the run is after that many iterations of the interval.
+  struct Outlook {
+    double share, seconds;                    // of all work, 0: unknown; so far
+    std::optional<double> seconds_left = {};  // if it is known
+  };
+  Outlook outlook(int interval, int iterations) const;
   /// Clears the bar's line, as other output follows.
   void clear();
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "dspm/app/coarse.h"
 #include "dspm/app/last_words.h"
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
@@ -12,6 +13,7 @@
 #include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
 #include "dspm/scene/scene.h"
+#include "dspm/serve/live_page.h"
 #include "dspm/session/explain_photons.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/session.h"
@@ -44,14 +46,16 @@ void keep_guide(const Options& options, const Job& job) {
 /// Shows a session's progress, saves its checkpoints and writes its images.
 class Render final : public SessionObserver {
  public:
+  /// `live`: null if there is no page.
   Render(const LoadedScene& loaded, const Options& options, MemoryBound& memory, Messages& messages, Watch& watch,
-         LastWords& last_words)
+         LastWords& last_words, LivePage* live)
       : loaded_(loaded),
         options_(options),
         memory_(memory),
         messages_(messages),
         watch_(watch),
         last_words_(last_words),
+        live_(live),
         results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages,
                  [this] { return end_wanted(); }),
         checkpoints_(loaded.job, options, messages),
@@ -67,10 +71,12 @@ class Render final : public SessionObserver {
   void step_begins(const std::string& step, const std::string& who) override {
     watch_.begin(step, who);
     last_words_.begin(step, who);
+    if (live_ != nullptr) live_->step_begins(step);
   }
   void ready(const Scene& scene, Integrator& integrator, int iterations) override {
     keep_guide(options_, loaded_.job);
     announce(scene, integrator, iterations);
+    if (live_ != nullptr) live_->begin_run(loaded_.job, integrator, iterations, false);
     checkpoints_.begin(intervals_, integrator);
   }
   IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
@@ -85,6 +91,7 @@ class Render final : public SessionObserver {
     progress_->step(static_cast<int>(progress.index), progress.iterations, progress.error);
     if (!std::exchange(has_said_what_is_found_, true)) say_what_is_found(integrator.statistics());
     if (checkpoints_.due(progress.iterations)) save(progress, integrator);
+    if (live_ != nullptr) show(progress, integrator);
   }
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
     if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
@@ -94,11 +101,24 @@ class Render final : public SessionObserver {
   }
   void iteration_failed() override { results_.report_missing(); }
   void interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) override;
-  bool end_wanted() const override { return InterruptRequests::signal() != 0; }
-  bool images_wanted() override { return ImageRequests::take(); }
+  bool end_wanted() const override {
+    return InterruptRequests::signal() != 0 || (live_ != nullptr && live_->end_wanted());
+  }
+  bool images_wanted() override { return ImageRequests::take() || (live_ != nullptr && live_->images_wanted()); }
+  int more_iterations(const IntervalProgress& progress, Integrator& integrator) override;
 
  private:
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
+  Exhibit exhibit(const IntervalProgress& progress, const Integrator& integrator) const {
+    return {intervals_[progress.index], integrator, progress.iterations};
+  }
+  void show(const IntervalProgress& progress, const Integrator& integrator) {
+    const Progress::Outlook outlook = progress_->outlook(static_cast<int>(progress.index), progress.iterations);
+    live_->iteration_done(progress, exhibit(progress, integrator),
+                          {outlook.share, outlook.seconds, outlook.seconds_left});
+    watch_.begin("", "");
+    live_->wait_while_paused(exhibit(progress, integrator), [this] { return end_wanted(); });
+  }
   void say_what_is_found(const Statistics& statistics) {
     for (const EmissionReport& report : statistics.emission) {
       progress_->clear();
@@ -130,6 +150,7 @@ class Render final : public SessionObserver {
   Messages& messages_;
   Watch& watch_;
   LastWords& last_words_;
+  LivePage* live_;
   Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
@@ -149,7 +170,7 @@ int Render::run() {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   report_.seconds = seconds_before + seconds.count();
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
-  results_.say_end(report_.seconds, end_wanted());
+  results_.say_end(report_.seconds, InterruptRequests::signal() != 0);
   if (end_wanted() && !checkpoints_.path().empty())
     messages_.say("--resume {} continues from here", checkpoints_.path().string());
   return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
@@ -157,8 +178,18 @@ int Render::run() {
 
 void Render::interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) {
   if (progress.index + 1 < intervals_.size()) results_.report_faults();
+  if (live_ != nullptr) live_->interval_ends(exhibit(progress, integrator));
   report_.tree_bytes = std::max(report_.tree_bytes, scene.accel->memory());
   report_.add(integrator.statistics(), intervals_[progress.index]);
+}
+
+/// With a page, the last interval stays until its user has seen enough.
+int Render::more_iterations(const IntervalProgress& progress, Integrator& integrator) {
+  if (live_ == nullptr || progress.index + 1 < intervals_.size()) return 0;
+  images_due(progress, integrator, Images::so_far);
+  messages_.say("the images are written; the page stays, and asks for more or ends the run");
+  watch_.begin("", "");  // viewers may take their time
+  return live_->wait_for_more(exhibit(progress, integrator), [this] { return end_wanted(); });
 }
 
 void Render::announce(const Scene& scene, const Integrator& integrator, int iterations) {
@@ -196,7 +227,11 @@ template <class Task>
 int with_render(const Options& options, const char* step, const Task& task) {
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
-  Messages messages(options.quiet);
+  const std::unique_ptr<LivePage> live = options.serve ? std::make_unique<LivePage>(*options.serve) : nullptr;
+  const std::unique_ptr<Messages> own =
+      live ? std::make_unique<LiveMessages>(options.quiet, *live) : std::make_unique<Messages>(options.quiet);
+  Messages& messages = *own;
+  if (live) messages.say("the page is at {}", live->url());
   MemoryBound memory(options.memory);
   Watch watch(options.patience);
   watch.begin(step, "");
@@ -204,6 +239,7 @@ int with_render(const Options& options, const char* step, const Task& task) {
   last_words.begin(step, "");
   return naming_memory_step([&] { return watch.step(); },
                             [&] {
+                              if (live) show_coarsely(options, *live, messages);
                               LoadedScene loaded(options.scenes, options, messages);
                               // What only counts must not take memory that was meant for the render.
                               loaded.job.settings.count_found =
@@ -211,7 +247,7 @@ int with_render(const Options& options, const char* step, const Task& task) {
                               loaded.job.settings.learn_at_once = !options.guide.empty() || !options.save_guide.empty();
                               if (!options.guide.empty()) load_guide(options.guide, loaded.job);
                               const InterruptRequests interrupts;
-                              Render render(loaded, options, memory, messages, watch, last_words);
+                              Render render(loaded, options, memory, messages, watch, last_words, live.get());
                               if (options.explain) explain(loaded, render, messages);
                               return task(render, loaded, messages);
                             });

@@ -12,6 +12,7 @@
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
 #include "dspm/math/frames.h"
+#include "dspm/output/developed.h"
 #include "dspm/output/image_name.h"
 #include "dspm/output/manifests.h"
 #include "dspm/output/trial_writes.h"
@@ -153,21 +154,6 @@ ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
   return header;
 }
 
-Image Output::exposed(Image image) const {
-  const std::optional<ColourMatrix> balance = white_balance(job_.film);
-  for (Rgb& pixel : image.pixels) {
-    pixel *= job_.exposure;
-    if (balance) pixel = *balance * pixel;
-  }
-  return image;
-}
-
-Image Output::developed(Image image) const {
-  image = exposed(std::move(image));
-  for (Rgb& pixel : image.pixels) pixel = limited(pixel, job_.film.max_component);
-  return image;
-}
-
 std::vector<ExrLayer> Output::exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const {
   std::vector<ExrLayer> all;
   for (const OutputLayer* layer : layers)
@@ -178,12 +164,12 @@ std::vector<ExrLayer> Output::exr_layers(const std::vector<const OutputLayer*>& 
 
 void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
                    const FrameFigures& figures) {
-  const Image image = developed(std::move(radiance));
+  const Image image = developed(std::move(radiance), job_);
   std::list<OutputLayer> parts;  // of radiance
   std::vector<const OutputLayer*> all;
   for (const OutputLayer& layer : layers)
     all.push_back(layer.info.is_radiance
-                      ? &parts.emplace_back(OutputLayer{layer.info, in_film_space(exposed(layer.image), job_.film)})
+                      ? &parts.emplace_back(OutputLayer{layer.info, in_film_space(exposed(layer.image, job_), job_.film)})
                       : &layer);
   ExrHeader header = this->header(frame, figures);
   if (layers_.aov_files) write_apart(frame, all, header), all.clear();
@@ -214,7 +200,7 @@ void Output::write_contact_sheet() const {
 }
 
 void Output::add_to_video(Image radiance) {
-  if (video_) video_->add(shown(developed(std::move(radiance)), kToneMap));
+  if (video_) video_->add(shown(developed(std::move(radiance), job_), kToneMap));
 }
 
 void Output::finish_video() {

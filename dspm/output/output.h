@@ -77,10 +77,6 @@ class Output {
   std::vector<ExrLayer> exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const;
   /// Each output in a file of its own.
   void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
-  /// From radiance to the values in files, but for the film's limit.
-  Image exposed(Image image) const;
-  /// With that limit.
-  Image developed(Image image) const;
 
   const Job& job_;
   bool png_;

@@ -40,6 +40,8 @@ class SessionObserver {
   /// Called between iterations: whether to end here and write the images so far.
   virtual bool end_wanted() const { return false; }
   virtual bool images_wanted() { return false; }
+  /// The interval has all of its iterations: how many more are wanted. May wait for an answer.
+  virtual int more_iterations(const IntervalProgress&, Integrator&) { return 0; }
 };
 
 }  // namespace dspm

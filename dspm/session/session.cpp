@@ -86,15 +86,23 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
                   counted(static_cast<std::size_t>(progress.iterations), "iteration"));
   const auto is_good = [&] { return progress.error && *progress.error <= loaded_.job.until_error; };
   if (is_good()) messages_.say("the error is as small as wanted already; ask for less with --until-error");
+  int more_until = 0;  // iterations beyond what was asked for at first
   const auto finished = [&] {
-    return (iterations > 0 && progress.iterations >= iterations) || is_good() || observer_.end_wanted() ||
+    if (observer_.end_wanted()) return true;
+    if (more_until > 0) return progress.iterations >= more_until;
+    return (iterations > 0 && progress.iterations >= iterations) || is_good() ||
            (progress.iterations > 0 && seconds_since(time.begin) >= time.limit);
   };
   const auto expected = [&] {
     const int done = progress.iterations - first;
     return done > 0 ? seconds_since(begin) / done : kUnknown;
   };
-  while (!finished() && iterate(progress, scene, integrator, expected())) {
+  const auto goes_on = [&] {
+    if (finished() && !observer_.end_wanted())
+      if (const int more = observer_.more_iterations(progress, integrator)) more_until = progress.iterations + more;
+    return !finished();
+  };
+  while (goes_on() && iterate(progress, scene, integrator, expected())) {
     ++progress.iterations;
     progress.seconds = seconds_before + seconds_since(time.begin);
     progress.error = worst_error(integrator);

@@ -10,6 +10,7 @@ BEGIN {
   confined["^(oneapi/)?tbb/"] = "^dspm/system/parallel[.]"
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^dspm/image/exr(_[a-z]+)?[.]"
   confined["^embree[0-9]*/"] = "^(dspm/accel/embree_builder|bench/measure/bare_embree)[.]"
+  confined["^httplib[.]h"] = "^dspm/serve/server[.]"
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 
   # Who names one of these includes its header, or leaves that to a header of its own name.

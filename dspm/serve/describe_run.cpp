@@ -1,0 +1,80 @@
+#include "dspm/serve/describe_run.h"
+
+#include "dspm/math/frames.h"
+#include "dspm/output/json.h"
+
+namespace dspm {
+namespace {
+
+void write_axes(JsonWriter& json, const SceneDescription& scene) {
+  json.key("axes").begin_array();
+  for (const VariationAxis& axis : scene.axes) {
+    json.begin_object();
+    json.member("name", axis.name);
+    json.key("variations").begin_array();
+    for (const Variation& variation : axis.variations) json.value(variation.name);
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_frames(JsonWriter& json, const Job& job) {
+  const FileFrames& frames = job.description->frames;
+  json.key("frames").begin_array();
+  for (const FileFrame frame : job.frames) {
+    json.begin_object();
+    json.member("label", frames.label(frame));
+    json.member("moment", frames.moment(frame).number());
+    json.member("variation", frames.variation(frame));
+    json.key("choices").begin_array();
+    for (std::size_t axis = 0; axis < job.description->axes.size(); ++axis) json.value(frames.choice(frame, axis));
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_outputs(JsonWriter& json, std::span<const OutputInfo> outputs) {
+  json.key("outputs").begin_array();
+  for (const OutputInfo& output : outputs) {
+    json.begin_object();
+    json.member("name", output.name);
+    json.member("sentence", output.sentence);
+    json.member("is_id", output.is_id ? 1 : 0);
+    json.key("channels").begin_array();
+    for (const std::string& channel : output.channels) json.value(channel);
+    json.end_array();
+    json.key("names").begin_array();
+    for (const std::string& name : output.names) {
+      json.begin_object();
+      json.member("name", name);
+      json.member("id", id_of(name));
+      json.end_object();
+    }
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+}
+
+}  // namespace
+
+std::string describe_run(const Job& job, std::span<const OutputInfo> outputs, int number) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("run", number);
+  json.member("scene", job.scene_file);
+  json.member("integrator", job.integrator);
+  json.member("width", job.settings.crop.width());
+  json.member("height", job.settings.crop.height());
+  json.member("fps", job.fps);
+  json.member("numbered", job.numbered ? 1 : 0);
+  write_axes(json, *job.description);
+  write_frames(json, job);
+  write_outputs(json, outputs);
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace dspm

@@ -1,0 +1,15 @@
+// What the page has to know of a run before there are pictures.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "dspm/integrators/output_info.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+/// JSON: the frames of the job with their moments and choices, the axes, the size, frames per second, the outputs.
+std::string describe_run(const Job& job, std::span<const OutputInfo> outputs, int number);
+
+}  // namespace dspm

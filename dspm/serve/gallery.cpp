@@ -1,0 +1,104 @@
+#include "dspm/serve/gallery.h"
+
+#include <algorithm>
+
+namespace dspm {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;  // of pictures that nobody looks at any longer
+
+}  // namespace
+
+Gallery::Pictures Gallery::newer(const Request& request, std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t number = viewers_[request.viewer] = ++requests_;
+  changed_.notify_all();  // for the viewer's earlier request
+  for (const Seen& each : request.seen) ++waiting_[each.wish];
+  Pictures pictures;
+  const auto is_last = [&] { return viewers_[request.viewer] == number; };
+  changed_.wait_for(lock, patience, [&] {
+    pictures = newer_now(request.seen);
+    return closed_ || !is_last() || !pictures.empty();
+  });
+  for (const Seen& each : request.seen)
+    if (const auto found = waiting_.find(each.wish); --found->second == 0) waiting_.erase(found);
+  if (is_last()) viewers_.erase(request.viewer);
+  return pictures;
+}
+
+Gallery::Pictures Gallery::newer_now(const std::vector<Seen>& seen) {
+  Pictures pictures;
+  for (const Seen& each : seen)
+    if (const Hung* hung = find(each))
+      if (std::find(pictures.begin(), pictures.end(), hung->picture) == pictures.end())
+        pictures.push_back(hung->picture);
+  return pictures;
+}
+
+/// The picture itself, else that of the nearest size, if it is newer.
+const Gallery::Hung* Gallery::find(const Seen& seen) const {
+  const Wish& wish = seen.wish;
+  if (const auto exact = pictures_.find(wish); exact != pictures_.end())
+    return exact->second.picture->version > seen.version ? &exact->second : nullptr;
+  const Hung* best = nullptr;
+  for (auto at = pictures_.lower_bound({wish.frame, wish.output, 0});
+       at != pictures_.end() && at->first.frame == wish.frame && at->first.output == wish.output; ++at)
+    if (best == nullptr ||
+        std::abs(at->first.halvings - wish.halvings) <= std::abs(best->picture->wish.halvings - wish.halvings))
+      best = &at->second;
+  return best != nullptr && best->picture->version > seen.other ? best : nullptr;
+}
+
+std::vector<Wish> Gallery::wanted(bool untaken) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Wish> wishes;
+  for (const auto& [wish, count] : waiting_) {
+    const auto found = pictures_.find(wish);
+    if (wish.frame < frames_ && !(untaken && found != pictures_.end() && found->second.run == run_))
+      wishes.push_back(wish);
+  }
+  return wishes;
+}
+
+void Gallery::put(std::vector<Picture> pictures) {
+  const std::lock_guard lock(mutex_);
+  ++clock_;
+  for (Picture& picture : pictures) {
+    picture.version = ++version_;
+    Hung& hung = pictures_[picture.wish];
+    if (hung.picture != nullptr) bytes_ -= hung.picture->pixels.size();
+    bytes_ += picture.pixels.size();
+    hung = {std::make_shared<const Picture>(std::move(picture)), run_, clock_};
+  }
+  drop_unused();
+  changed_.notify_all();
+}
+
+/// Those that were put first, as long as there are too many; never what somebody waits for.
+void Gallery::drop_unused() {
+  while (bytes_ > kMostBytes) {
+    auto oldest = pictures_.end();
+    for (auto at = pictures_.begin(); at != pictures_.end(); ++at)
+      if (!waiting_.contains(at->first) && (oldest == pictures_.end() || at->second.used < oldest->second.used))
+        oldest = at;
+    if (oldest == pictures_.end()) return;
+    bytes_ -= oldest->second.picture->pixels.size();
+    pictures_.erase(oldest);
+  }
+}
+
+void Gallery::begin_run(int frames) {
+  const std::lock_guard lock(mutex_);
+  ++run_, frames_ = frames;
+  for (const auto& [wish, hung] : pictures_)
+    if (wish.frame >= frames) bytes_ -= hung.picture->pixels.size();
+  std::erase_if(pictures_, [&](const auto& each) { return each.first.frame >= frames; });
+}
+
+void Gallery::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+  changed_.notify_all();
+}
+
+}  // namespace dspm

@@ -1,0 +1,63 @@
+// The pictures that viewers look at, between the threads that serve them and the one that renders. A viewer's request
+// waits here, which is its wish; pictures of what nobody waits for are not taken.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "dspm/serve/picture.h"
+
+namespace dspm {
+
+class Gallery {
+ public:
+  using Pictures = std::vector<std::shared_ptr<const Picture>>;
+  /// What a viewer looks at, and which versions it has: of that, and of the same in other sizes. 0: none.
+  struct Seen {
+    Wish wish;
+    std::uint64_t version = 0, other = 0;
+  };
+  struct Request {
+    std::uint64_t viewer = 0;  // a number that each chooses
+    std::vector<Seen> seen;
+  };
+
+  /// Those that are newer, or none once patience is over or the viewer has another request. A picture of the same frame
+  /// and output in another size stands in for one that was not taken.
+  Pictures newer(const Request& request, std::chrono::milliseconds patience);
+
+  /// What viewers wait for; `untaken`: of which there is no picture of this run.
+  std::vector<Wish> wanted(bool untaken = false) const;
+  /// Gives the pictures their versions, and hands them over.
+  void put(std::vector<Picture> pictures);
+  /// The pictures so far are of another run: they stay until there are others. `frames`: of the new one.
+  void begin_run(int frames);
+  /// Nobody waits any longer.
+  void close();
+
+ private:
+  struct Hung {
+    std::shared_ptr<const Picture> picture;
+    std::uint64_t run, used;  // for the last time
+  };
+  Pictures newer_now(const std::vector<Seen>& seen);
+  const Hung* find(const Seen& seen) const;
+  void drop_unused();
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<Wish, int> waiting_;                     // by how many
+  std::map<std::uint64_t, std::uint64_t> viewers_;  // the last request of each that waits
+  std::map<Wish, Hung> pictures_;
+  std::uint64_t version_ = 0, run_ = 0, clock_ = 0, requests_ = 0;
+  std::size_t bytes_ = 0;
+  int frames_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace dspm

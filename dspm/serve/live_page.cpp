@@ -1,0 +1,151 @@
+#include "dspm/serve/live_page.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <thread>
+
+#include "dspm/image/image.h"
+#include "dspm/output/developed.h"
+#include "dspm/output/json.h"
+#include "dspm/serve/describe_run.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+constexpr std::chrono::milliseconds kTick(30);
+constexpr int kKeptWidth = 256;  // of the pictures that stay of earlier intervals
+
+int slot_of(const Job& job, FileFrame frame) {
+  return static_cast<int>(std::lower_bound(job.frames.begin(), job.frames.end(), frame) - job.frames.begin());
+}
+
+}  // namespace
+
+void LivePage::begin_run(const Job& job, const Integrator& integrator, int iterations, bool coarse) {
+  job_ = &job, coarse_ = coarse, iterations_ = iterations;
+  progress_ = {}, outlook_ = {};
+  outputs_.clear();
+  const std::vector<std::string>& asked = job.settings.outputs;
+  for (const OutputInfo& output : integrator.outputs())
+    if (output.name == kRadiance || std::find(asked.begin(), asked.end(), output.name) != asked.end())
+      outputs_.push_back(output);
+  pictures_.reset();
+  gallery_.begin_run(static_cast<int>(job.frames.size()));
+  board_.set_run(describe_run(job, outputs_, ++run_));
+  show_state("rendering");
+}
+
+void LivePage::step_begins(const std::string& step) {
+  step_ = step;
+  show_state("rendering");
+}
+
+void LivePage::iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook) {
+  progress_ = progress, outlook_ = outlook;
+  // After the first iterations, pictures change most; what was never seen, somebody waits for.
+  const bool doubled = progress.iterations <= 4 && std::has_single_bit(static_cast<unsigned>(progress.iterations));
+  show_pictures(exhibit, doubled || pictures_.is_due());
+  show_state("rendering");
+}
+
+void LivePage::show_pictures(const Exhibit& exhibit, bool all) {
+  const std::vector<Wish> wishes = gallery_.wanted(!all);
+  if (wishes.empty()) return;
+  const Ration::Clock::time_point begin = Ration::Clock::now();
+  take(exhibit, wishes);
+  pictures_.took(begin);
+}
+
+/// A few at a time: images are large, and their compression takes a thread for each.
+void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
+  struct Taken {
+    Wish wish;
+    const OutputInfo* output;
+    Image image;
+  };
+  std::vector<Picture> pictures;
+  std::vector<Taken> batch;
+  const auto finish_batch = [&] {
+    std::vector<Picture> made(batch.size());
+    parallel_for(static_cast<std::int64_t>(batch.size()), 1, [&](std::int64_t i) {
+      Taken& taken = batch[static_cast<std::size_t>(i)];
+      made[static_cast<std::size_t>(i)] = make_picture(taken.wish, *taken.output, std::move(taken.image));
+    });
+    for (Picture& picture : made) {
+      picture.iterations = exhibit.iterations, picture.coarse = coarse_;
+      pictures.push_back(std::move(picture));
+    }
+    batch.clear();
+  };
+  for (const Wish& wish : wishes) {
+    const auto output =
+        std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.name == wish.output; });
+    if (output == outputs_.end()) continue;
+    const auto place = std::find_if(exhibit.interval.begin(), exhibit.interval.end(),
+                                    [&](FileFrame frame) { return slot_of(*job_, frame) == wish.frame; });
+    if (place == exhibit.interval.end()) continue;
+    Image image = exhibit.integrator.estimate(static_cast<Frame>(place - exhibit.interval.begin()), output->name);
+    if (output->name == kRadiance) image = developed(std::move(image), *job_);
+    batch.push_back({wish, &*output, std::move(image)});
+    if (static_cast<int>(batch.size()) >= thread_count()) finish_batch();
+  }
+  finish_batch();
+  gallery_.put(std::move(pictures));
+}
+
+void LivePage::interval_ends(const Exhibit& exhibit) {
+  if (exhibit.iterations == 0 || exhibit.interval.size() == job_->frames.size()) return;
+  int halvings = 0;
+  while (job_->settings.crop.width() >> halvings > kKeptWidth) ++halvings;
+  std::vector<Wish> wishes = gallery_.wanted();
+  for (const FileFrame frame : exhibit.interval) wishes.push_back({slot_of(*job_, frame), kRadiance, halvings});
+  take(exhibit, wishes);
+}
+
+void LivePage::wait_while_paused(const Exhibit& exhibit, const std::function<bool()>& interrupted) {
+  if (!orders_.is_paused()) return;
+  const char* const phase = "paused";
+  show_state(phase);
+  while (orders_.is_paused() && !end_wanted() && !interrupted()) {
+    std::this_thread::sleep_for(kTick);
+    show_pictures(exhibit, false);
+  }
+  show_state("rendering");
+}
+
+int LivePage::wait_for_more(const Exhibit& exhibit, const std::function<bool()>& interrupted) {
+  show_state("done");
+  show_pictures(exhibit, true);
+  while (!end_wanted() && !interrupted()) {
+    if (const int more = orders_.take_iterations(); more > 0) {
+      iterations_ = exhibit.iterations + more;
+      return show_state("rendering"), more;
+    }
+    std::this_thread::sleep_for(kTick);
+    show_pictures(exhibit, false);
+  }
+  return 0;
+}
+
+void LivePage::show_state(const char* phase) {
+  JsonWriter json;
+  json.begin_object();
+  json.member("run", run_);
+  json.member("phase", phase);
+  json.member("coarse", coarse_ ? 1 : 0);
+  json.member("step", step_);
+  json.member("iterations", progress_.iterations);
+  json.member("of", iterations_);
+  json.member("seconds", outlook_.seconds);
+  json.member("share", outlook_.share);
+  if (outlook_.seconds_left) json.member("left", *outlook_.seconds_left);
+  if (progress_.error) json.member("error", *progress_.error);
+  json.end_object();
+  std::string line = json.text();
+  std::erase(line, '\n');  // none is within a text: those are escaped
+  board_.set_state(std::move(line));
+}
+
+}  // namespace dspm

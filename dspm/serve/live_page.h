@@ -1,0 +1,94 @@
+// The live page of a render, for its observer: what it says to the page and what viewers ask of it. All functions are
+// called by the thread that renders, between iterations; pictures are taken only if someone looks.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/math/frames.h"
+#include "dspm/serve/board.h"
+#include "dspm/serve/gallery.h"
+#include "dspm/serve/orders.h"
+#include "dspm/serve/ration.h"
+#include "dspm/serve/server.h"
+#include "dspm/session/frame_intervals.h"
+#include "dspm/session/messages.h"
+#include "dspm/session/observer.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+/// How far the whole run has come.
+struct Outlook {
+  double share = 0;                         // of its work; 0: unknown
+  double seconds = 0;                       // so far
+  std::optional<double> seconds_left = {};  // if it is known
+};
+
+/// An interval's frames and the integrator that holds their images.
+struct Exhibit {
+  const FrameList& interval;
+  const Integrator& integrator;
+  int iterations;
+};
+
+class LivePage {
+ public:
+  /// Throws std::runtime_error if it cannot listen there.
+  explicit LivePage(const ServeAddress& address) : server_(address, gallery_, board_, orders_) {}
+
+  std::string url() const { return server_.url(); }
+  void say(std::string_view text) { board_.add_line(std::string(text)); }
+
+  /// A run begins. `job` lives as long as it. `coarse`: it comes before that of the full size.
+  void begin_run(const Job& job, const Integrator& integrator, int iterations, bool coarse);
+  void step_begins(const std::string& step);
+  void iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook);
+  /// Keeps small pictures of frames whose integrator is about to go.
+  void interval_ends(const Exhibit& exhibit);
+  /// The last interval is done: waits until someone wants more iterations, and returns how many; 0: the end is wanted.
+  /// `interrupted`: asks whether to wait on.
+  int wait_for_more(const Exhibit& exhibit, const std::function<bool()>& interrupted);
+  /// As long as the run is paused.
+  void wait_while_paused(const Exhibit& exhibit, const std::function<bool()>& interrupted);
+
+  bool end_wanted() const { return orders_.is_stopping(); }
+  bool images_wanted() { return orders_.take_write(); }
+
+ private:
+  void show_pictures(const Exhibit& exhibit, bool all);
+  void take(const Exhibit& exhibit, const std::vector<Wish>& wishes);
+  void show_state(const char* phase);
+
+  Gallery gallery_;
+  Board board_;
+  Orders orders_;
+  const Job* job_ = nullptr;
+  std::vector<OutputInfo> outputs_;
+  bool coarse_ = false;
+  int run_ = 0, iterations_ = 0;
+  IntervalProgress progress_;
+  Outlook outlook_;
+  std::string step_;
+  Ration pictures_{0.012};
+  Server server_;  // last: its threads use the others
+};
+
+/// Messages that appear on the page, too.
+class LiveMessages final : public Messages {
+ public:
+  LiveMessages(bool quiet, LivePage& page) : Messages(quiet), page_(page) {}
+
+ protected:
+  void print(std::string_view text) const override {
+    Messages::print(text);
+    page_.say(text);
+  }
+
+ private:
+  LivePage& page_;
+};
+
+}  // namespace dspm

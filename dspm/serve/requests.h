@@ -1,0 +1,21 @@
+// The texts in viewers' requests. Whatever they hold, they are parsed or refused.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "dspm/serve/gallery.h"
+
+namespace dspm {
+
+inline constexpr std::size_t kMostWishes = 2048;
+
+/// The viewer's number, then lines of "frame output halvings version other". Nullopt if a line is anything else, or if
+/// there are too many.
+std::optional<Gallery::Request> parse_wishes(std::string_view text);
+
+/// A whole number within these bounds, and nothing else.
+std::optional<int> parse_count(std::string_view text, int lowest, int highest);
+
+}  // namespace dspm

@@ -1,0 +1,278 @@
+#!/usr/bin/env python3
+"""The live page in Debian's chromium, driven by its debugging protocol. Exit code 77: chromium or python3-websocket is
+missing. With a folder as the second argument, screenshots stay there.
+usage: browser.py dspm [folder]"""
+import base64, json, os, pathlib, re, shutil, subprocess, sys, tempfile, time, urllib.request
+
+chromium = shutil.which("chromium")
+try:
+    import websocket
+except ImportError:
+    websocket = None
+if not chromium or not websocket:
+    print("SKIPPED: needs the packages chromium and python3-websocket")
+    sys.exit(77)
+
+SCENE = """
+Frames 3 "float fps" 8
+Integrator "dsppm" "integer iterations" 3 "integer photons" 2000 "integer seed" 5
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective" "float fov" 45
+Film "rgb" "integer xresolution" 96 "integer yresolution" 64 "string filename" "tiny.exr"
+WorldBegin
+  AttributeBegin
+    AreaLightSource "diffuse" "rgb L" [5 5 5]
+    Translate 0 2 -1
+    Shape "sphere" "float radius" 0.3
+  AttributeEnd
+  Material "diffuse" "rgb reflectance" [.7 .6 .5]
+  AttributeBegin
+    Translate 0 0 30
+    Shape "sphere" "float radius" 29
+  AttributeEnd
+  DynamicBegin "ball"
+    Keyframe 1  Translate -1 0 0
+    Keyframe 3  Translate 1 0 0
+    KeyframeEnd
+    Shape "sphere" "float radius" 0.4
+  DynamicEnd
+"""
+
+class Page:
+    """One tab."""
+
+    def __init__(self, url, folder, size=(1400, 900)):
+        self.profile = tempfile.mkdtemp(dir=folder)
+        self.process = subprocess.Popen(
+            [chromium, "--headless=new", "--no-sandbox", "--disable-gpu-sandbox", "--use-angle=swiftshader",
+             "--enable-unsafe-swiftshader", "--remote-debugging-port=0", "--remote-allow-origins=*", "--no-first-run",
+             "--disable-background-networking", "--disable-component-update", f"--user-data-dir={self.profile}",
+             f"--window-size={size[0]},{size[1]}", "about:blank"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        port_file = pathlib.Path(self.profile) / "DevToolsActivePort"
+        until(lambda: port_file.exists() and len(port_file.read_text().split()) == 2, "chromium starts", 60)
+        port = port_file.read_text().split()[0]
+        tabs = json.load(urllib.request.urlopen(f"http://127.0.0.1:{port}/json"))
+        tab = next(t for t in tabs if t["type"] == "page")
+        self.socket = websocket.create_connection(tab["webSocketDebuggerUrl"], timeout=60)
+        self.number, self.problems = 0, []
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+        self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+        self.go(url)
+
+    def call(self, method, **params):
+        self.number += 1
+        self.socket.send(json.dumps({"id": self.number, "method": method, "params": params}))
+        while True:
+            message = json.loads(self.socket.recv())
+            if message.get("method") == "Runtime.exceptionThrown":
+                self.problems.append(message["params"]["exceptionDetails"].get("exception", {}).get("description"))
+            if message.get("method") == "Log.entryAdded" and message["params"]["entry"]["level"] == "error":
+                self.problems.append(message["params"]["entry"]["text"])
+            if message.get("id") == self.number:
+                if "error" in message:
+                    raise AssertionError(f"{method}: {message['error']}")
+                return message["result"]
+
+    def go(self, url):
+        self.call("Page.navigate", url=url)
+
+    def js(self, text):
+        result = self.call("Runtime.evaluate", expression=text, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in result:
+            raise AssertionError(f"{text}: {result['exceptionDetails']}")
+        return result["result"].get("value")
+
+    def key(self, key, shift=False):
+        code = {"ArrowLeft": 37, "ArrowRight": 39, "Escape": 27, "Enter": 13, " ": 32}.get(key, ord(key[0].upper()))
+        text = {"text": key if key != "Enter" else "\r"} if len(key) == 1 or key == "Enter" else {}
+        for kind in ("keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code,
+                      modifiers=8 if shift else 0, **(text if kind == "keyDown" else {}))
+
+    def mouse(self, kind, x, y, **more):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+    def drag(self, start, end, modifiers=0, button="left"):
+        self.mouse("mousePressed", *start, button=button, clickCount=1, modifiers=modifiers)
+        for i in range(1, 6):
+            self.mouse("mouseMoved", *(a + (b - a) * i / 5 for a, b in zip(start, end)), button=button, modifiers=modifiers,
+                       buttons=1)
+        self.mouse("mouseReleased", *end, button=button, clickCount=1, modifiers=modifiers)
+
+    def shot(self, name=None):
+        """The screen as PNG."""
+        data = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+        if name and shots:
+            (pathlib.Path(shots) / f"{name}.png").write_bytes(data)
+        return data
+
+    def pixel(self, selector, fx=.5, fy=.5):
+        """The screen's colour within an element, as the browser composed it."""
+        box = self.js(f"(b => [b.x, b.y, b.width, b.height])(document.querySelector({selector!r}).getBoundingClientRect())")
+        x, y = box[0] + fx * box[2], box[1] + fy * box[3]
+        clip = {"x": int(x), "y": int(y), "width": 1, "height": 1, "scale": 1}
+        data = self.call("Page.captureScreenshot", format="png", clip=clip)["data"]
+        return self.js(f"""(async () => {{ const i = new Image(); i.src = 'data:image/png;base64,{data}'; await i.decode();
+            const c = document.createElement('canvas').getContext('2d'); c.drawImage(i, 0, 0);
+            return [...c.getImageData(0, 0, 1, 1).data].slice(0, 3); }})()""")
+
+    def close(self):
+        self.socket.close()
+        self.process.terminate()
+        self.process.wait()
+
+
+def until(holds, what, seconds=30):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = holds()
+        if value:
+            return value
+        time.sleep(.05)
+    raise AssertionError(f"never: {what}")
+
+
+def expect(holds, what):
+    if not holds:
+        raise AssertionError(what)
+
+
+class Dspm:
+    def __init__(self, folder, *more, scene="tiny.dsc"):
+        self.log = pathlib.Path(folder) / "log.txt"
+        self.process = subprocess.Popen([dspm, scene, "--serve", "0", *more], cwd=folder, stderr=self.log.open("w"))
+        until(lambda: "page is at" in self.log.read_text(), "dspm serves")
+        self.url = re.search(r"http://\S+", self.log.read_text())[0]
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.wait()
+
+
+def state(page, text):
+    until(lambda: text in page.js("document.getElementById('state').textContent"), f"the page says {text!r}", 60)
+
+
+def lit(page, selector, fx=.5, fy=.5):
+    return until(lambda: (p := page.pixel(selector, fx, fy)) and max(p) > 40 and p, f"{selector} shows a picture")
+
+
+def shows_scrubs_and_exposes(page):
+    state(page, "done")
+    expect(page.js("document.querySelectorAll('#cells button').length") == 3, "three frames")
+    dim = lit(page, "#cells button div", .5, .8)
+    page.shot("all")
+    page.js("document.querySelector('#cells button').click()")
+    until(lambda: not page.js("document.getElementById('large').hidden"), "one is large")
+    lit(page, "#large", .5, .85)
+    page.key("ArrowRight")
+    until(lambda: "frame 2" in page.js("document.getElementById('moment').textContent"), "the next frame")
+    before = page.pixel("#large", .5, .9)
+    page.key("E", shift=True)
+    until(lambda: max(page.pixel("#large", .5, .9)) < max(before) - 20, "less exposure is darker")
+    page.key("e")
+    until(lambda: page.pixel("#large", .5, .9) == before, "and back")
+    for tone in (1, 2, 3):
+        page.key("t")
+        expect(page.js("document.getElementById('tone').value") == str(tone), "tone mapping by key")
+    until(lambda: page.pixel("#large", .5, .9) != before, "false colour differs")
+    page.shot("false-colour")
+    page.key("t")
+    return dim
+
+
+def values_are_those_of_the_image(page):
+    box = page.js("(b => [b.x, b.y, b.width, b.height])(document.getElementById('large').getBoundingClientRect())")
+    page.mouse("mouseMoved", box[0] + box[2] / 2, box[1] + .9 * box[3])
+    text = until(lambda: "radiance" in page.js("document.getElementById('values').textContent") and
+                 page.js("document.getElementById('values').textContent"), "values")
+    numbers = [float(n) for n in text.split("radiance")[1].split()[:3]]
+    expect(all(0 < n < 100 for n in numbers) and numbers[0] > numbers[2], f"the ground is reddish: {text}")
+
+
+def plays(page):
+    page.key("Escape")
+    page.js("document.querySelector('#cells button').click()")
+    seen = set()
+    page.key(" ")
+    until(lambda: seen.add(page.js("document.getElementById('moment').textContent")) or len(seen) == 3, "all frames play")
+    page.key(" ")
+
+
+def wipes(page):
+    page.js("document.getElementById('compare').value = 'frame 2', document.getElementById('compare').onchange()")
+    until(lambda: not page.js("document.getElementById('wipe').hidden"), "the wipe's line")
+    page.shot("wipe")
+    page.key("s")
+    expect("snapshot 1" in page.js("document.getElementById('compare').textContent"), "a snapshot to compare with")
+    page.js("document.getElementById('compare').value = '', document.getElementById('compare').onchange()")
+
+
+def zooms_and_pans(page):
+    page.key("0")
+    before = page.shot()
+    page.key("+")
+    until(lambda: page.shot() != before, "zoom")
+    page.key("0")
+    page.key("Escape")
+
+
+def survives_a_reload_and_two_viewers(page, served, folder):
+    page.call("Page.reload")
+    lit(page, "#cells button div", .5, .8)
+    second = Page(served.url + "?2d", folder)
+    try:
+        state(second, "done")
+        a, b = lit(second, "#cells button div", .5, .8), lit(page, "#cells button div", .5, .8)
+        expect(all(abs(x - y) <= 3 for x, y in zip(a, b)), f"the 2D canvas shows what WebGL does: {a} {b}")
+        page.js("document.getElementById('more').value = 2, document.getElementById('add').click()")
+        state(second, "iteration 5")
+        expect(not second.problems, second.problems)
+    finally:
+        second.close()
+
+
+def nothing_moves(page):
+    shift = page.js("""new Promise(done => { let sum = 0; new PerformanceObserver(list => list.getEntries().forEach(
+        e => { if (!e.hadRecentInput) sum += e.value; })).observe({type: 'layout-shift', buffered: true});
+        setTimeout(() => done(sum), 500); })""")
+    expect(shift < .02, f"the layout shifts by {shift}")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "tiny.dsc").write_text(SCENE)
+        served = Dspm(folder)
+        page = None
+        try:
+            page = Page(served.url, folder)
+            shows_scrubs_and_exposes(page)
+            values_are_those_of_the_image(page)
+            plays(page)
+            wipes(page)
+            zooms_and_pans(page)
+            survives_a_reload_and_two_viewers(page, served, folder)
+            nothing_moves(page)
+            expect(not page.problems, page.problems)
+            page.js("document.getElementById('stop').click()")
+            until(lambda: served.process.poll() is not None, "it stops")
+            expect(served.process.returncode == 0, served.log.read_text())
+        except AssertionError:
+            if page:
+                page.shot("failed")
+                print(page.problems)
+            print(served.log.read_text())
+            raise
+        finally:
+            if page:
+                page.close()
+            served.end()
+    print("the page works in", subprocess.run([chromium, "--version"], capture_output=True, text=True).stdout.strip())
+
+
+if __name__ == "__main__":
+    dspm, shots = os.path.abspath(sys.argv[1]), sys.argv[2] if len(sys.argv) > 2 else None
+    main()

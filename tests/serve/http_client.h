@@ -1,0 +1,77 @@
+// Requests to the page, byte for byte: good ones, and what no browser would send.
+#pragma once
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace dspm::test {
+
+class Connection {
+ public:
+  explicit Connection(int port) : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET, address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const timeval patience{15, 0};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    if (connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
+      throw std::runtime_error("nobody listens");
+  }
+  ~Connection() { close(socket_); }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void send(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t sent = ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return;
+      text.remove_prefix(static_cast<std::size_t>(sent));
+    }
+  }
+  /// Until the text is there, or the other side has no more to say.
+  std::string read_until(std::string_view text) {
+    char buffer[65536];
+    while (text.empty() || read_.find(text) == read_.npos) {
+      const ssize_t got = recv(socket_, buffer, sizeof buffer, 0);
+      if (got <= 0) break;
+      read_.append(buffer, static_cast<std::size_t>(got));
+    }
+    return read_;
+  }
+  std::string read_all() { return read_until(""); }
+
+ private:
+  int socket_;
+  std::string read_;
+};
+
+/// `headers`: lines that end with \r\n. Without a Host of its own, the page's.
+inline std::string request_text(int port, const std::string& method, const std::string& path,
+                                const std::string& headers = "", const std::string& body = "") {
+  std::string text = fmt::format("{} {} HTTP/1.1\r\nConnection: close\r\n", method, path);
+  if (headers.find("Host:") == headers.npos) text += fmt::format("Host: 127.0.0.1:{}\r\n", port);
+  if (method == "POST") text += fmt::format("Content-Length: {}\r\n", body.size());
+  return text + headers + "\r\n" + body;
+}
+
+/// The whole answer.
+inline std::string ask(int port, const std::string& method, const std::string& path, const std::string& headers = "",
+                       const std::string& body = "") {
+  Connection connection(port);
+  connection.send(request_text(port, method, path, headers, body));
+  return connection.read_all();
+}
+
+inline int status_of(const std::string& answer) {
+  return answer.starts_with("HTTP/1.1 ") && answer.size() > 12 ? std::stoi(answer.substr(9, 3)) : 0;
+}
+
+inline int port_in(const std::string& url) { return std::stoi(url.substr(url.find(':', 6) + 1)); }
+
+}  // namespace dspm::test

@@ -1,0 +1,126 @@
+// dspm --serve, as a viewer sees it who speaks HTTP.
+#include <gtest/gtest.h>
+
+#include "dspm/image/exr.h"
+#include "tests/serve/http_client.h"
+#include "tests/support/process.h"
+
+namespace dspm::test {
+namespace {
+
+class LiveRun : public testing::Test {
+ protected:
+  void start(const Arguments& more = {}) {
+    process_.emplace(directory, Arguments{"tiny.dsc", "--serve", "0"} + more);
+    ASSERT_TRUE(says(directory, "the page is at"));
+    const std::string text = contents(directory / "err.txt");
+    port = port_in(text.substr(text.find("http://")));
+  }
+  Outcome end() {
+    ask(port, "POST", "/stop");
+    const Outcome outcome = process_->wait();
+    process_.reset();
+    return outcome;
+  }
+  void TearDown() override {
+    if (process_) process_->send(SIGKILL), process_->wait();
+  }
+  /// Reads the events until the text is among them.
+  std::string events_until(const std::string& text) const {
+    Connection events(port);
+    events.send(request_text(port, "GET", "/events"));
+    return events.read_until(text);
+  }
+  std::string pictures(const std::string& wishes) const { return ask(port, "POST", "/pictures", "", "1\n" + wishes); }
+
+  TinyDirectory directory;
+  std::optional<Process> process_;
+  int port = 0;
+};
+
+TEST_F(LiveRun, ShowsAllFramesAndStaysUntilItIsStopped) {
+  start();
+  ASSERT_NE(events_until("\"phase\": \"done\"").find("\"phase\": \"done\""), std::string::npos);
+  EXPECT_TRUE(directory.has("tiny.0003.exr")) << "the images are written before the page waits";
+  const std::string run = ask(port, "GET", "/run");
+  EXPECT_NE(run.find("\"label\": \"3\""), std::string::npos) << run;
+  EXPECT_NE(run.find("\"fps\": 25"), std::string::npos) << run;
+  const std::string answer = pictures("0 radiance 0 0 0\n1 radiance 0 0 0\n2 radiance 0 0 0\n");
+  for (const char* frame : {"0 radiance 0 ", "1 radiance 0 ", "2 radiance 0 "})
+    EXPECT_NE(answer.find(frame), std::string::npos) << frame;
+  EXPECT_NE(answer.find(" 12 8 3 2 2 0 "), std::string::npos)
+      << "12 x 8 pixels of 3 halves after 2 iterations, not coarse";
+  EXPECT_EQ(end().code, 0);
+}
+
+TEST_F(LiveRun, GivesMoreIterationsWritesAndStops) {
+  start();
+  events_until("\"phase\": \"done\"");
+  EXPECT_EQ(status_of(ask(port, "POST", "/more", "", "3")), 204);
+  EXPECT_NE(events_until("\"iterations\": 5,").find("\"iterations\": 5,"), std::string::npos);
+  const Outcome outcome = end();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read_exr_header(directory / "tiny.0001.exr").integers.at("iterations"), 5);
+}
+
+TEST_F(LiveRun, MoreIterationsGiveTheImageOfALongerRun) {
+  start();
+  events_until("\"phase\": \"done\"");
+  ask(port, "POST", "/more", "", "3");
+  events_until("\"iterations\": 5,");
+  end();
+  const TinyDirectory other;
+  ASSERT_EQ(run(other, {"tiny.dsc", "--iterations", "5"}).code, 0);
+  EXPECT_EQ(read_image(directory / "tiny.0002.exr"), read_image(other / "tiny.0002.exr"));
+}
+
+TEST_F(LiveRun, PausesAndGoesOn) {
+  start({"--iterations", "0"});
+  events_until("\"iterations\": 1,");
+  EXPECT_EQ(status_of(ask(port, "POST", "/pause")), 204);
+  const std::string paused = events_until("\"phase\": \"paused\"");
+  ASSERT_NE(paused.find("\"phase\": \"paused\""), std::string::npos);
+  EXPECT_EQ(status_of(ask(port, "GET", "/")), 200);
+  EXPECT_NE(pictures("2 radiance 0 0 0\n").find("2 radiance 0 "), std::string::npos)
+      << "pictures come while it is paused";
+  EXPECT_EQ(status_of(ask(port, "POST", "/resume")), 204);
+  EXPECT_EQ(status_of(ask(port, "POST", "/write")), 204);
+  EXPECT_TRUE(appears(directory / "tiny.0003.exr"));
+  const Outcome outcome = end();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(LiveRun, SameImagesAsWithoutAPage) {
+  start({"--iterations", "3"});
+  events_until("\"phase\": \"done\"");
+  pictures("0 radiance 0 0 0\n");
+  end();
+  const TinyDirectory other;
+  ASSERT_EQ(run(other, {"tiny.dsc", "--iterations", "3"}).code, 0);
+  for (const char* image : kTinyImages) EXPECT_EQ(read_image(directory / image), read_image(other / image)) << image;
+}
+
+TEST_F(LiveRun, CtrlCEndsItWhileItWaits) {
+  start();
+  events_until("\"phase\": \"done\"");
+  process_->send(SIGINT);
+  const Outcome outcome = process_->wait();
+  process_.reset();
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+}
+
+TEST(LiveOptions, WhatDoesNotFitIsRefused) {
+  const TinyDirectory directory;
+  const auto error = [&](const Arguments& more) {
+    const Outcome outcome = run(directory, Arguments{"tiny.dsc"} + more);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(error({"--serve=nowhere"}).find("expected a port or an address"), std::string::npos);
+  EXPECT_NE(error({"--serve", "--memory", "1G"}).find("exclude each other"), std::string::npos);
+  EXPECT_NE(error({"--serve", "--check"}).find("nothing is rendered"), std::string::npos);
+  EXPECT_NE(error({"--serve", "0", "-"}).find("standard input"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dspm::test
