@@ -35,8 +35,8 @@ class CoarseView final : public SessionObserver {
   CoarseView(const LoadedScene& loaded, const std::vector<FrameList>& intervals, LivePage& page)
       : loaded_(loaded), intervals_(intervals), page_(page) {}
 
-  void ready(const Scene&, Integrator& integrator, int iterations) override {
-    page_.begin_run(loaded_.job, integrator, iterations, true);
+  void ready(const Scene& scene, Integrator& integrator, int iterations) override {
+    page_.begin_run(loaded_.job, scene, integrator, iterations, true);
   }
   void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
     page_.iteration_done(progress, {intervals_[progress.index], integrator, progress.iterations},
@@ -55,12 +55,16 @@ class CoarseView final : public SessionObserver {
 
 }  // namespace
 
-void show_coarsely(const Options& options, LivePage& page, Messages& messages) {
+std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages) {
   Choices choices = options;
   choices.quick = true, choices.iterations = kIterations, choices.until_error = 0;
-  LoadedScene loaded(options.scenes, choices, messages);
-  loaded.job.settings.file = nullptr;  // so that nothing is learned
-  thin_photons(loaded.job);
+  auto loaded = std::make_unique<LoadedScene>(options.scenes, choices, messages);
+  loaded->job.settings.file = nullptr;  // so that nothing is learned
+  thin_photons(loaded->job);
+  return loaded;
+}
+
+void show_coarsely(const LoadedScene& loaded, LivePage& page) {
   const std::vector<FrameList> intervals =
       FrameIntervals(*loaded.description, loaded.job.frames).cut(loaded.job.plugin->frames_together);
   MemoryBound memory(0);

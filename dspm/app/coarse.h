@@ -2,12 +2,17 @@
 // what a render learns about where they should.
 #pragma once
 
+#include <memory>
+
 #include "dspm/app/options.h"
 #include "dspm/serve/live_page.h"
+#include "dspm/session/load.h"
 
 namespace dspm {
 
-/// Ends early if `page` wants an end. Throws SceneError if the scene cannot be rendered.
-void show_coarsely(const Options& options, LivePage& page, Messages& messages);
+/// The scene in that size. Throws SceneError if it cannot be rendered.
+std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages);
+/// Ends early if `page` wants an end.
+void show_coarsely(const LoadedScene& loaded, LivePage& page);
 
 }  // namespace dspm

@@ -1,7 +1,9 @@
 // The tasks "render" and "check" of the command line: a session with its progress, checkpoints and files.
 #pragma once
 
-#include "dspm/app/options.h"
+#include <functional>
+
+#include "dspm/app/run.h"
 
 namespace dspm {
 
@@ -11,5 +13,9 @@ int render_scene(const Options& options);
 /// Makes everything that a render needs, tries its files and its video, plans its memory, and says so. Returns and
 /// throws likewise.
 int check_scene(const Options& options);
+
+/// Loads the scene, and calls task(render, loaded scene) once all is ready to be written. `before`: called just before.
+int load_and(const Options& options, const Surroundings& around, const std::function<void()>& before,
+             const std::function<int(Render&, const LoadedScene&)>& task);
 
 }  // namespace dspm

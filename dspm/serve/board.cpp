@@ -11,6 +11,13 @@ void Board::set_state(std::string json) {
   changed_.notify_all();
 }
 
+void Board::set_problem(std::string text) {
+  const std::lock_guard lock(mutex_);
+  if (text == problem_) return;
+  problem_ = std::move(text), ++version_;
+  changed_.notify_all();
+}
+
 void Board::add_line(std::string text) {
   const std::lock_guard lock(mutex_);
   lines_.push_back({++last_line_, std::move(text)});
@@ -21,7 +28,9 @@ void Board::add_line(std::string text) {
 Board::News Board::after(std::uint64_t version, std::uint64_t line, std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, patience, [&] { return closed_ || version_ != version || last_line_ > line; });
-  News news{.version = version_, .state = version_ != version ? state_ : "", .lines = {}, .closed = closed_};
+  News news;
+  news.version = version_, news.closed = closed_;
+  if (version_ != version) news.state = state_, news.problem = problem_;
   for (const Line& each : lines_)
     if (each.number > line) news.lines.push_back(each);
   return news;

@@ -18,13 +18,15 @@ class Board {
     std::string text;
   };
   struct News {
-    std::uint64_t version = 0;  // of the state
-    std::string state;          // empty: as before
+    std::uint64_t version = 0;   // of the state
+    std::string state, problem;  // empty state: both as before
     std::vector<Line> lines;
     bool closed = false;
   };
 
   void set_state(std::string json);
+  /// Why the scene cannot be rendered; empty: it can.
+  void set_problem(std::string text);
   void add_line(std::string text);
   /// What came after that version of the state and that line; none once patience is over.
   News after(std::uint64_t version, std::uint64_t line, std::chrono::milliseconds patience);
@@ -38,7 +40,7 @@ class Board {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::string state_ = "{}", run_ = "{}";
+  std::string state_ = "{}", run_ = "{}", problem_;
   std::uint64_t version_ = 1, last_line_ = 0;
   std::deque<Line> lines_;  // the last ones
   bool closed_ = false;

@@ -1,6 +1,8 @@
 #include "dspm/serve/describe_run.h"
 
 #include "dspm/math/frames.h"
+#include "dspm/math/transform.h"
+#include "dspm/math/vec.h"
 #include "dspm/output/json.h"
 
 namespace dspm {
@@ -19,6 +21,23 @@ void write_axes(JsonWriter& json, const SceneDescription& scene) {
   json.end_array();
 }
 
+void write_vector(JsonWriter& json, const char* name, const Vec3& v) {
+  json.key(name).begin_array();
+  for (const float component : {v.x, v.y, v.z}) json.value(component);
+  json.end_array();
+}
+
+/// Where the camera stands, and which ways forward and up are.
+void write_camera(JsonWriter& json, const Matrix4& camera_from_world) {
+  const std::optional<Matrix4> inverse = camera_from_world.inverse();
+  if (!inverse) return;
+  const Transform to_world(*inverse);
+  write_vector(json, "eye", to_world.point(Vec3()));
+  write_vector(json, "forward", to_world.vector({0, 0, 1}));
+  write_vector(json, "up", to_world.vector({0, 1, 0}));
+  json.member("mirrors", to_world.swaps_handedness() ? 1 : 0);
+}
+
 void write_frames(JsonWriter& json, const Job& job) {
   const FileFrames& frames = job.description->frames;
   json.key("frames").begin_array();
@@ -30,6 +49,7 @@ void write_frames(JsonWriter& json, const Job& job) {
     json.key("choices").begin_array();
     for (std::size_t axis = 0; axis < job.description->axes.size(); ++axis) json.value(frames.choice(frame, axis));
     json.end_array();
+    if (job.description->camera) write_camera(json, job.description->camera->camera_from_world.at(job.moment(frame)));
     json.end_object();
   }
   json.end_array();
@@ -60,7 +80,7 @@ void write_outputs(JsonWriter& json, std::span<const OutputInfo> outputs) {
 
 }  // namespace
 
-std::string describe_run(const Job& job, std::span<const OutputInfo> outputs, int number) {
+std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs, int number) {
   JsonWriter json;
   json.begin_object();
   json.member("run", number);
@@ -70,6 +90,8 @@ std::string describe_run(const Job& job, std::span<const OutputInfo> outputs, in
   json.member("height", job.settings.crop.height());
   json.member("fps", job.fps);
   json.member("numbered", job.numbered ? 1 : 0);
+  write_vector(json, "center", scene.center);
+  json.member("radius", scene.radius);
   write_axes(json, *job.description);
   write_frames(json, job);
   write_outputs(json, outputs);

@@ -1,6 +1,7 @@
 #include "dspm/serve/gallery.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace dspm {
 namespace {
@@ -49,13 +50,14 @@ const Gallery::Hung* Gallery::find(const Seen& seen) const {
   return best != nullptr && best->picture->version > seen.other ? best : nullptr;
 }
 
-std::vector<Wish> Gallery::wanted(bool untaken) const {
+std::vector<Wish> Gallery::wanted(int iterations) const {
   const std::lock_guard lock(mutex_);
   std::vector<Wish> wishes;
   for (const auto& [wish, count] : waiting_) {
     const auto found = pictures_.find(wish);
-    if (wish.frame < frames_ && !(untaken && found != pictures_.end() && found->second.run == run_))
-      wishes.push_back(wish);
+    const bool is_there =
+        found != pictures_.end() && found->second.run == run_ && found->second.picture->iterations >= iterations;
+    if (wish.frame < frames_ && !is_there) wishes.push_back(wish);
   }
   return wishes;
 }

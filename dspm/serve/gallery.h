@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -31,8 +32,9 @@ class Gallery {
   /// and output in another size stands in for one that was not taken.
   Pictures newer(const Request& request, std::chrono::milliseconds patience);
 
-  /// What viewers wait for; `untaken`: of which there is no picture of this run.
-  std::vector<Wish> wanted(bool untaken = false) const;
+  static constexpr int kNewer = std::numeric_limits<int>::max();
+  /// What viewers wait for, and of which there is no picture of this run after that many iterations.
+  std::vector<Wish> wanted(int iterations = kNewer) const;
   /// Gives the pictures their versions, and hands them over.
   void put(std::vector<Picture> pictures);
   /// The pictures so far are of another run: they stay until there are others. `frames`: of the new one.

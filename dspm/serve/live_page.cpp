@@ -9,6 +9,7 @@
 #include "dspm/output/developed.h"
 #include "dspm/output/json.h"
 #include "dspm/serve/describe_run.h"
+#include "dspm/system/cancellation.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
@@ -23,7 +24,26 @@ int slot_of(const Job& job, FileFrame frame) {
 
 }  // namespace
 
-void LivePage::begin_run(const Job& job, const Integrator& integrator, int iterations, bool coarse) {
+void LivePage::begin() {
+  orders_.begin();
+  allow_work();
+  step_ = "reading the scene";
+  show_state("rendering");
+}
+
+void LivePage::restart() {
+  orders_.restart();
+  discard_work();
+}
+
+bool LivePage::wait_for_restart(const std::function<bool()>& interrupted) {
+  show_state("waiting for an edit");
+  while (!end_wanted() && !interrupted()) std::this_thread::sleep_for(kTick);
+  return is_restarting();
+}
+
+void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& integrator, int iterations,
+                         bool coarse) {
   job_ = &job, coarse_ = coarse, iterations_ = iterations;
   progress_ = {}, outlook_ = {};
   outputs_.clear();
@@ -33,7 +53,7 @@ void LivePage::begin_run(const Job& job, const Integrator& integrator, int itera
       outputs_.push_back(output);
   pictures_.reset();
   gallery_.begin_run(static_cast<int>(job.frames.size()));
-  board_.set_run(describe_run(job, outputs_, ++run_));
+  board_.set_run(describe_run(job, scene, outputs_, ++run_));
   show_state("rendering");
 }
 
@@ -46,12 +66,12 @@ void LivePage::iteration_done(const IntervalProgress& progress, const Exhibit& e
   progress_ = progress, outlook_ = outlook;
   // After the first iterations, pictures change most; what was never seen, somebody waits for.
   const bool doubled = progress.iterations <= 4 && std::has_single_bit(static_cast<unsigned>(progress.iterations));
-  show_pictures(exhibit, doubled || pictures_.is_due());
+  show_pictures(exhibit, doubled || pictures_.is_due() ? Gallery::kNewer : 0);
   show_state("rendering");
 }
 
-void LivePage::show_pictures(const Exhibit& exhibit, bool all) {
-  const std::vector<Wish> wishes = gallery_.wanted(!all);
+void LivePage::show_pictures(const Exhibit& exhibit, int iterations) {
+  const std::vector<Wish> wishes = gallery_.wanted(iterations);
   if (wishes.empty()) return;
   const Ration::Clock::time_point begin = Ration::Clock::now();
   take(exhibit, wishes);
@@ -60,39 +80,37 @@ void LivePage::show_pictures(const Exhibit& exhibit, bool all) {
 
 /// A few at a time: images are large, and their compression takes a thread for each.
 void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
-  struct Taken {
-    Wish wish;
-    const OutputInfo* output;
-    Image image;
-  };
   std::vector<Picture> pictures;
   std::vector<Taken> batch;
   const auto finish_batch = [&] {
-    std::vector<Picture> made(batch.size());
+    const std::size_t first = pictures.size();
+    pictures.resize(first + batch.size());
     parallel_for(static_cast<std::int64_t>(batch.size()), 1, [&](std::int64_t i) {
-      Taken& taken = batch[static_cast<std::size_t>(i)];
-      made[static_cast<std::size_t>(i)] = make_picture(taken.wish, *taken.output, std::move(taken.image));
-    });
-    for (Picture& picture : made) {
+      const auto slot = static_cast<std::size_t>(i);
+      Picture& picture = pictures[first + slot];
+      picture = make_picture(batch[slot].wish, *batch[slot].output, std::move(batch[slot].image));
       picture.iterations = exhibit.iterations, picture.coarse = coarse_;
-      pictures.push_back(std::move(picture));
-    }
+    });
     batch.clear();
   };
   for (const Wish& wish : wishes) {
-    const auto output =
-        std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.name == wish.output; });
-    if (output == outputs_.end()) continue;
-    const auto place = std::find_if(exhibit.interval.begin(), exhibit.interval.end(),
-                                    [&](FileFrame frame) { return slot_of(*job_, frame) == wish.frame; });
-    if (place == exhibit.interval.end()) continue;
-    Image image = exhibit.integrator.estimate(static_cast<Frame>(place - exhibit.interval.begin()), output->name);
-    if (output->name == kRadiance) image = developed(std::move(image), *job_);
-    batch.push_back({wish, &*output, std::move(image)});
+    if (std::optional<Taken> taken = take_one(exhibit, wish)) batch.push_back(std::move(*taken));
     if (static_cast<int>(batch.size()) >= thread_count()) finish_batch();
   }
   finish_batch();
   gallery_.put(std::move(pictures));
+}
+
+/// Nothing if the integrator does not have it.
+std::optional<LivePage::Taken> LivePage::take_one(const Exhibit& exhibit, const Wish& wish) const {
+  const auto output =
+      std::find_if(outputs_.begin(), outputs_.end(), [&](const OutputInfo& o) { return o.name == wish.output; });
+  const auto place = std::find_if(exhibit.interval.begin(), exhibit.interval.end(),
+                                  [&](FileFrame frame) { return slot_of(*job_, frame) == wish.frame; });
+  if (output == outputs_.end() || place == exhibit.interval.end()) return std::nullopt;
+  Image image = exhibit.integrator.estimate(static_cast<Frame>(place - exhibit.interval.begin()), output->name);
+  if (output->name == kRadiance) image = developed(std::move(image), *job_);
+  return Taken{wish, &*output, std::move(image)};
 }
 
 void LivePage::interval_ends(const Exhibit& exhibit) {
@@ -110,21 +128,20 @@ void LivePage::wait_while_paused(const Exhibit& exhibit, const std::function<boo
   show_state(phase);
   while (orders_.is_paused() && !end_wanted() && !interrupted()) {
     std::this_thread::sleep_for(kTick);
-    show_pictures(exhibit, false);
+    show_pictures(exhibit, exhibit.iterations);
   }
   show_state("rendering");
 }
 
 int LivePage::wait_for_more(const Exhibit& exhibit, const std::function<bool()>& interrupted) {
   show_state("done");
-  show_pictures(exhibit, true);
   while (!end_wanted() && !interrupted()) {
     if (const int more = orders_.take_iterations(); more > 0) {
       iterations_ = exhibit.iterations + more;
       return show_state("rendering"), more;
     }
     std::this_thread::sleep_for(kTick);
-    show_pictures(exhibit, false);
+    show_pictures(exhibit, exhibit.iterations);
   }
   return 0;
 }

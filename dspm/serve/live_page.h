@@ -2,12 +2,15 @@
 // called by the thread that renders, between iterations; pictures are taken only if someone looks.
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/math/frames.h"
+#include "dspm/scene/scene.h"
 #include "dspm/serve/board.h"
 #include "dspm/serve/gallery.h"
 #include "dspm/serve/orders.h"
@@ -40,10 +43,29 @@ class LivePage {
   explicit LivePage(const ServeAddress& address) : server_(address, gallery_, board_, orders_) {}
 
   std::string url() const { return server_.url(); }
+
+  // By any thread:
   void say(std::string_view text) { board_.add_line(std::string(text)); }
+  /// Why the scene cannot be rendered; empty: it can.
+  void show_problem(std::string text) { board_.set_problem(std::move(text)); }
+  /// The scene has changed: the run is of no use any longer.
+  void restart();
+  bool is_restarting() const { return orders_.is_restarting(); }
+  /// Where viewers put it, and how often they did.
+  std::optional<LookAt> camera() const { return orders_.camera(); }
+  int camera_changes() const { return orders_.camera_changes(); }
+  void reset_camera() {
+    if (orders_.camera()) orders_.place_camera(std::nullopt);
+  }
+  /// The scene is read, and a restart is no longer due.
+  void begin();
+  /// Until the scene can be read. False: the end is wanted.
+  bool wait_for_restart(const std::function<bool()>& interrupted);
+
+  // By the thread that renders:
 
   /// A run begins. `job` lives as long as it. `coarse`: it comes before that of the full size.
-  void begin_run(const Job& job, const Integrator& integrator, int iterations, bool coarse);
+  void begin_run(const Job& job, const Scene& scene, const Integrator& integrator, int iterations, bool coarse);
   void step_begins(const std::string& step);
   void iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook);
   /// Keeps small pictures of frames whose integrator is about to go.
@@ -54,12 +76,19 @@ class LivePage {
   /// As long as the run is paused.
   void wait_while_paused(const Exhibit& exhibit, const std::function<bool()>& interrupted);
 
-  bool end_wanted() const { return orders_.is_stopping(); }
+  bool end_wanted() const { return orders_.is_stopping() || orders_.is_restarting(); }
   bool images_wanted() { return orders_.take_write(); }
 
  private:
-  void show_pictures(const Exhibit& exhibit, bool all);
+  /// Those of which there is none of this run after that many iterations.
+  void show_pictures(const Exhibit& exhibit, int iterations);
+  struct Taken {
+    Wish wish;
+    const OutputInfo* output;
+    Image image;
+  };
   void take(const Exhibit& exhibit, const std::vector<Wish>& wishes);
+  std::optional<Taken> take_one(const Exhibit& exhibit, const Wish& wish) const;
   void show_state(const char* phase);
 
   Gallery gallery_;

@@ -1,9 +1,15 @@
 // What viewers want the render to do. Given by threads that serve the page, taken by the one that renders.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <mutex>
+#include <optional>
 
 namespace dspm {
+
+/// Eye, target, up.
+using LookAt = std::array<double, 9>;
 
 class Orders {
  public:
@@ -11,15 +17,32 @@ class Orders {
   void stop() { stopping_ = true; }
   void write() { write_ = true; }
   void add_iterations(int count) { more_ += count; }
+  void restart() { restarting_ = true; }
+  /// Where the camera stands in all frames; nothing: where the scene says.
+  void place_camera(const std::optional<LookAt>& place) {
+    const std::lock_guard lock(mutex_);
+    camera_ = place, ++camera_changes_;
+  }
+  std::optional<LookAt> camera() const {
+    const std::lock_guard lock(mutex_);
+    return camera_;
+  }
+  /// How often it was placed.
+  int camera_changes() const { return camera_changes_; }
+  /// A run begins, as that was asked for.
+  void begin() { restarting_ = false, paused_ = false; }
 
   bool is_paused() const { return paused_; }
   bool is_stopping() const { return stopping_; }
+  bool is_restarting() const { return restarting_; }
   bool take_write() { return write_.exchange(false); }
   int take_iterations() { return more_.exchange(0); }
 
  private:
-  std::atomic<bool> paused_ = false, stopping_ = false, write_ = false;
-  std::atomic<int> more_ = 0;
+  std::atomic<bool> paused_ = false, stopping_ = false, write_ = false, restarting_ = false;
+  std::atomic<int> more_ = 0, camera_changes_ = 0;
+  mutable std::mutex mutex_;
+  std::optional<LookAt> camera_;
 };
 
 }  // namespace dspm

@@ -1,6 +1,9 @@
 #include "dspm/serve/requests.h"
 
 #include <charconv>
+#include <cmath>
+
+#include "dspm/math/transform.h"
 
 namespace dspm {
 namespace {
@@ -39,6 +42,18 @@ std::optional<Gallery::Seen> parse_wish(std::string_view line) {
 std::optional<int> parse_count(std::string_view text, int lowest, int highest) {
   const std::optional<int> count = parse_number<int>(text);
   return count && *count >= lowest && *count <= highest ? count : std::nullopt;
+}
+
+std::optional<std::array<double, 9>> parse_look_at(std::string_view text) {
+  constexpr double kFarthest = 1e12;
+  std::array<double, 9> v{};
+  for (double& number : v) {
+    const auto parsed = parse_number<double>(take_until(text, ' '));
+    if (!parsed || !(std::abs(*parsed) < kFarthest)) return {};
+    number = *parsed;
+  }
+  const bool spans = Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}).has_value();
+  return text.empty() && spans ? std::optional(v) : std::nullopt;
 }
 
 std::optional<Gallery::Request> parse_wishes(std::string_view text) {

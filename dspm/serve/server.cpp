@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -57,6 +59,12 @@ std::string event_of(const Board::Line& line) {
   JsonWriter json;
   json.value(line.text);
   return fmt::format("event: line\nid: {}\ndata: {}\n\n", line.number, json.text());
+}
+
+std::string state_events(const Board::News& news) {
+  JsonWriter problem;
+  problem.value(news.problem);
+  return fmt::format("event: state\ndata: {}\n\nevent: problem\ndata: {}\n\n", news.state, problem.text());
 }
 
 /// A line of text about each picture, then its bytes.
@@ -152,7 +160,7 @@ struct Server::Impl {
         "text/event-stream", [this, place, known](std::size_t, httplib::DataSink& sink) {
           const Board::News news = board.after(known->version, known->line, kHeartbeat);
           std::string text;
-          if (!news.state.empty()) text += fmt::format("event: state\ndata: {}\n\n", news.state);
+          if (!news.state.empty()) text += state_events(news);
           for (const Board::Line& line : news.lines) text += event_of(line), known->line = line.number;
           known->version = news.version;
           if (text.empty()) text = ":\n\n";  // finds out whether the viewer is still there
@@ -186,6 +194,12 @@ struct Server::Impl {
       const auto count = parse_count(request.body, 1, kMostIterations);
       if (!count) return refuse(response, 400, "expected a number of iterations");
       orders.add_iterations(*count);
+      response.status = 204;
+    });
+    http.Post(path("camera"), [this](const httplib::Request& request, httplib::Response& response) {
+      const auto place = parse_look_at(request.body);
+      if (!place && !request.body.empty()) return refuse(response, 400, "expected nine numbers: eye, target, up");
+      orders.place_camera(place);
       response.status = 204;
     });
   }

@@ -7,6 +7,7 @@
 #include "dspm/lang/parse.h"
 #include "dspm/lang/upgrade.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/transform.h"
 #include "dspm/session/load_modules.h"
 #include "dspm/system/read_file.h"
 #include "dspm/system/readable.h"
@@ -36,6 +37,15 @@ SourceFile file_of(const std::string& name, Diagnostics& diagnostics) {
   return file;
 }
 
+/// A scene that mirrors its view, as pbrt's do by Scale -1 1 1, goes on doing so.
+void place_camera(CameraUse& camera, const std::array<double, 9>& v) {
+  const std::optional<Matrix4> place = Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]});
+  if (!place) return;
+  const std::optional<Matrix4> before = camera.camera_from_world.at(Moment()).inverse();
+  const bool mirrors = before && Transform(*before).swaps_handedness() != Transform(*place).swaps_handedness();
+  camera.camera_from_world = Motion(mirrors ? Matrix4::scale(-1, 1, 1) * *place : *place);
+}
+
 }  // namespace
 
 LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
@@ -43,6 +53,7 @@ LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& c
   Diagnostics diagnostics(choices.lenient);
   SceneDescription read = parse_files(files, parse_options_of(choices), diagnostics);
   if (only) read.frames = read.frames.only(*only);
+  if (choices.look_at && read.camera) place_camera(*read.camera, *choices.look_at);
   description = std::make_unique<SceneDescription>(std::move(read));
   make(choices, diagnostics);
   messages.show(diagnostics);

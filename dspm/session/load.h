@@ -16,7 +16,7 @@ struct LoadedScene {
   /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone.
   LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
               std::optional<FileFrame> only = std::nullopt);
-  /// The same from a text in memory; files that it names are looked for next to `name`.
+  /// Likewise, without Choices::look_at, from a text in memory; files that it names are looked for next to `name`.
   LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics);
 
   std::unique_ptr<const SceneDescription> description;  // locations in messages point into it

@@ -150,9 +150,9 @@ void Session::iterate_cancellably(const IntervalProgress& before, const Scene& s
     return integrator.iterate(0, scene);
   }
   if (expected >= settings_.long_iteration && can_copy(integrator, before.index))
-    iterate_revertibly(integrator, before.iterations, scene);
-  else
-    integrator.iterate(before.iterations, scene);
+    return iterate_revertibly(integrator, before.iterations, scene);
+  const Cancellable cancellable(Cancellable::Loss::results);
+  integrator.iterate(before.iterations, scene);
 }
 
 bool Session::iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected) {

@@ -5,18 +5,25 @@
 namespace dspm {
 namespace {
 
-std::atomic<bool> cancelled = false, allowed = false;
+constexpr int kCancelled = 1, kDiscarded = 2;   // as wanted
+constexpr int kMayLose = 1, kLosesNothing = 2;  // as the loop is
+std::atomic<int> wanted = 0, loop = 0;
 
 }  // namespace
 
-void cancel_work() { cancelled = true; }
-void allow_work() { cancelled = false; }
+void cancel_work() {
+  int none = 0;
+  wanted.compare_exchange_strong(none, kCancelled);
+}
+void discard_work() { wanted = kDiscarded; }
+void allow_work() { wanted = 0; }
 
-Cancellable::Cancellable() { allowed = true; }
-Cancellable::~Cancellable() { allowed = false; }
+Cancellable::Cancellable(Loss loss) { loop = loss == Loss::nothing ? kLosesNothing : kMayLose; }
+Cancellable::~Cancellable() { loop = 0; }
 
+/// Either will do if nothing is lost, and discarding does for all that may be cancelled.
 bool Cancellable::is_cancelled() {
-  return allowed.load(std::memory_order_relaxed) && cancelled.load(std::memory_order_relaxed);
+  return loop.load(std::memory_order_relaxed) + wanted.load(std::memory_order_relaxed) >= 3;
 }
 
 }  // namespace dspm

@@ -8,12 +8,15 @@ struct Cancelled {};
 
 /// From here on, loops within a Cancellable throw Cancelled until work is allowed again. Safe in signal handlers.
 void cancel_work();
+/// Likewise, and all results so far are of no use: so do loops whose cancellation would lose them.
+void discard_work();
 void allow_work();
 
 /// While it lives, loops (system/parallel.h) may be cancelled and their work so far discarded. One at a time.
 class Cancellable {
  public:
-  Cancellable();
+  enum class Loss { nothing, results };
+  explicit Cancellable(Loss loss = Loss::nothing);
   ~Cancellable();
   Cancellable(const Cancellable&) = delete;
   Cancellable& operator=(const Cancellable&) = delete;

@@ -31,6 +31,11 @@ void note_file_read(const std::filesystem::path& path, std::string_view bytes) {
   all().emplace(real, read);
 }
 
+void forget_files_read() {
+  const std::lock_guard lock(mutex);
+  all().clear();
+}
+
 std::map<std::filesystem::path, std::uint64_t> files_read() {
   const std::lock_guard lock(mutex);
   return all();

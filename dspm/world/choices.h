@@ -28,6 +28,7 @@ struct Choices {
   std::vector<std::string> variations;               // patterns of names; empty: all
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 as fractions of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
+  std::optional<std::array<double, 9>> look_at;      // eye, target, up: where the camera stands in all frames
 };
 
 }  // namespace dspm

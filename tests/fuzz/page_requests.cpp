@@ -1,4 +1,5 @@
 // What viewers of the live page send, and the address on the command line.
+#include <cmath>
 #include <string>
 
 #include "dspm/serve/access.h"
@@ -17,6 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (const auto count = parse_count(text, 1, 1000))
     fuzz::require(*count >= 1 && *count <= 1000, "a count out of bounds");
+  if (const auto place = parse_look_at(text))
+    for (const double number : *place) fuzz::require(std::isfinite(number), "a camera that is nowhere");
   if (const auto address = parse_serve_address(text))
     fuzz::require(address->port >= 0 && address->port <= 65535 && !address->host.empty(), "no address");
   // Whatever the headers hold, only the page's own names are let in.

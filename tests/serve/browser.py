@@ -21,7 +21,7 @@ Camera "perspective" "float fov" 45
 Film "rgb" "integer xresolution" 96 "integer yresolution" 64 "string filename" "tiny.exr"
 WorldBegin
   AttributeBegin
-    AreaLightSource "diffuse" "rgb L" [5 5 5]
+    AreaLightSource "diffuse" "rgb L" [60 60 60]
     Translate 0 2 -1
     Shape "sphere" "float radius" 0.3
   AttributeEnd
@@ -110,7 +110,9 @@ class Page:
 
     def pixel(self, selector, fx=.5, fy=.5):
         """The screen's colour within an element, as the browser composed it."""
-        box = self.js(f"(b => [b.x, b.y, b.width, b.height])(document.querySelector({selector!r}).getBoundingClientRect())")
+        box = self.js(f"(b => b && [b.x, b.y, b.width, b.height])(document.querySelector({selector!r})?.getBoundingClientRect())")
+        if not box:
+            return None
         x, y = box[0] + fx * box[2], box[1] + fy * box[3]
         clip = {"x": int(x), "y": int(y), "width": 1, "height": 1, "scale": 1}
         data = self.call("Page.captureScreenshot", format="png", clip=clip)["data"]
@@ -153,7 +155,7 @@ class Dspm:
 
 
 def state(page, text):
-    until(lambda: text in page.js("document.getElementById('state').textContent"), f"the page says {text!r}", 60)
+    until(lambda: text in page.js("document.getElementById('state')?.textContent ?? ''"), f"the page says {text!r}", 60)
 
 
 def lit(page, selector, fx=.5, fy=.5):
@@ -162,7 +164,7 @@ def lit(page, selector, fx=.5, fy=.5):
 
 def shows_scrubs_and_exposes(page):
     state(page, "done")
-    expect(page.js("document.querySelectorAll('#cells button').length") == 3, "three frames")
+    until(lambda: page.js("document.querySelectorAll('#cells button').length") == 3, "three frames")
     dim = lit(page, "#cells button div", .5, .8)
     page.shot("all")
     page.js("document.querySelector('#cells button').click()")
@@ -170,15 +172,15 @@ def shows_scrubs_and_exposes(page):
     lit(page, "#large", .5, .85)
     page.key("ArrowRight")
     until(lambda: "frame 2" in page.js("document.getElementById('moment').textContent"), "the next frame")
-    before = page.pixel("#large", .5, .9)
+    before = page.pixel("#large", .8, .3)
     page.key("E", shift=True)
-    until(lambda: max(page.pixel("#large", .5, .9)) < max(before) - 20, "less exposure is darker")
+    until(lambda: max(page.pixel("#large", .8, .3)) < max(before) - 20, "less exposure is darker")
     page.key("e")
-    until(lambda: page.pixel("#large", .5, .9) == before, "and back")
+    until(lambda: page.pixel("#large", .8, .3) == before, "and back")
     for tone in (1, 2, 3):
         page.key("t")
         expect(page.js("document.getElementById('tone').value") == str(tone), "tone mapping by key")
-    until(lambda: page.pixel("#large", .5, .9) != before, "false colour differs")
+    until(lambda: page.pixel("#large", .8, .3) != before, "false colour differs")
     page.shot("false-colour")
     page.key("t")
     return dim
@@ -186,7 +188,7 @@ def shows_scrubs_and_exposes(page):
 
 def values_are_those_of_the_image(page):
     box = page.js("(b => [b.x, b.y, b.width, b.height])(document.getElementById('large').getBoundingClientRect())")
-    page.mouse("mouseMoved", box[0] + box[2] / 2, box[1] + .9 * box[3])
+    page.mouse("mouseMoved", box[0] + .8 * box[2], box[1] + .3 * box[3])
     text = until(lambda: "radiance" in page.js("document.getElementById('values').textContent") and
                  page.js("document.getElementById('values').textContent"), "values")
     numbers = [float(n) for n in text.split("radiance")[1].split()[:3]]
@@ -235,6 +237,46 @@ def survives_a_reload_and_two_viewers(page, served, folder):
         second.close()
 
 
+def moves_the_camera(page, served):
+    page.js("document.querySelector('#cells button').click()")
+    page.key("c")
+    text = until(lambda: page.js("document.getElementById('place').textContent").startswith("LookAt") and
+                 page.js("document.getElementById('place').textContent"), "the camera's place")
+    expect(text.startswith("LookAt 0 0 -4") and "Keyframe 1 LookAt" in text, text)
+    box = page.js("(b => [b.x, b.y, b.width, b.height])(document.getElementById('large').getBoundingClientRect())")
+    middle = (box[0] + box[2] / 2, box[1] + box[3] / 2)
+    page.drag(middle, (middle[0] + 100, middle[1] + 40))
+    moved = page.js("document.getElementById('place').textContent")
+    numbers = [float(n) for n in moved.split()[1:7]]
+    before = [float(n) for n in text.split()[1:7]]
+    distance = lambda n: sum((a - b) ** 2 for a, b in zip(n[:3], n[3:])) ** .5
+    expect(numbers[0] < -.5 and numbers[1] > .3 and numbers[3:] == before[3:], f"to the left and up: {moved}")
+    expect(abs(distance(numbers) / distance(before) - 1) < 1e-3, f"around what it saw: {moved}")
+    until(lambda: abs(page.js("fetch('run').then(r => r.json()).then(r => r.frames[0].eye[0])") - numbers[0]) < .01,
+          "the camera is there")
+    page.key("c")
+    state(page, "done")
+    page.js("document.getElementById('undo').click()")
+    until(lambda: page.js("fetch('run').then(r => r.json()).then(r => r.frames[0].eye[0])") == 0, "the scene's camera")
+    page.key("Escape")
+    state(page, "done")
+
+
+def edits(page, folder):
+    scene = pathlib.Path(folder) / "tiny.dsc"
+    before = lit(page, "#cells button div", .5, .8)
+    scene.write_text(SCENE.replace('"rgb reflectance"', '"rgb reflektance"'))
+    until(lambda: page.js("!document.getElementById('problem').hidden"), "the error is shown")
+    text = page.js("document.getElementById('problem').textContent")
+    expect(re.search(r"tiny.dsc:\d+:\d+: error", text) and "^" in text, text)
+    page.shot("problem")
+    expect(page.pixel("#cells button div", .5, .3) and max(page.pixel("#cells button div", .5, .2)) > 20, "the old picture stays")
+    scene.write_text(SCENE.replace("[.7 .6 .5]", "[.1 .3 .7]"))
+    until(lambda: page.js("document.getElementById('problem').hidden"), "the error goes")
+    until(lambda: (p := page.pixel("#cells button div", .5, .8))[2] > p[0] + 20, f"the ground turns blue from {before}")
+    state(page, "done")
+
+
 def nothing_moves(page):
     shift = page.js("""new Promise(done => { let sum = 0; new PerformanceObserver(list => list.getEntries().forEach(
         e => { if (!e.hadRecentInput) sum += e.value; })).observe({type: 'layout-shift', buffered: true});
@@ -255,6 +297,8 @@ def main():
             wipes(page)
             zooms_and_pans(page)
             survives_a_reload_and_two_viewers(page, served, folder)
+            moves_the_camera(page, served)
+            edits(page, folder)
             nothing_moves(page)
             expect(not page.problems, page.problems)
             page.js("document.getElementById('stop').click()")

@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,10 +35,12 @@ class Connection {
       text.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
-  /// Until the text is there, or the other side has no more to say.
+  /// Until the text is there, the other side has no more to say, or 20 s have passed.
   std::string read_until(std::string_view text) {
     char buffer[65536];
-    while (text.empty() || read_.find(text) == read_.npos) {
+    const auto begin = std::chrono::steady_clock::now();  // events go on for ever
+    while ((text.empty() || read_.find(text) == read_.npos) &&
+           std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)) {
       const ssize_t got = recv(socket_, buffer, sizeof buffer, 0);
       if (got <= 0) break;
       read_.append(buffer, static_cast<std::size_t>(got));

@@ -76,7 +76,7 @@ TEST_F(LiveRun, MoreIterationsGiveTheImageOfALongerRun) {
 
 TEST_F(LiveRun, PausesAndGoesOn) {
   start({"--iterations", "0"});
-  events_until("\"iterations\": 1,");
+  events_until("\"step\": \"iteration ");
   EXPECT_EQ(status_of(ask(port, "POST", "/pause")), 204);
   const std::string paused = events_until("\"phase\": \"paused\"");
   ASSERT_NE(paused.find("\"phase\": \"paused\""), std::string::npos);
@@ -98,6 +98,68 @@ TEST_F(LiveRun, SameImagesAsWithoutAPage) {
   const TinyDirectory other;
   ASSERT_EQ(run(other, {"tiny.dsc", "--iterations", "3"}).code, 0);
   for (const char* image : kTinyImages) EXPECT_EQ(read_image(directory / image), read_image(other / image)) << image;
+}
+
+TEST_F(LiveRun, AnEditedSceneIsRenderedAnew) {
+  start();
+  events_until("\"phase\": \"done\"");
+  put_file(directory / "tiny.dsc", tiny_scene("\"integer iterations\" 2", "\"integer iterations\" 4"));
+  ASSERT_NE(events_until("\"iterations\": 4,").find("\"iterations\": 4,"), std::string::npos);
+  const Outcome outcome = end();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read_exr_header(directory / "tiny.0001.exr").integers.at("iterations"), 4);
+}
+
+TEST_F(LiveRun, AnEditInTheMiddleOfALongIterationEndsIt) {
+  put_file(directory / "tiny.dsc", tiny_scene("\"integer photons\" 200", "\"integer photons\" 400000000"));
+  start({"-t", "1"});
+  events_until("coarse iterations");
+  put_file(directory / "tiny.dsc", kTinyScene);
+  EXPECT_NE(events_until("\"phase\": \"done\"").find("\"phase\": \"done\""), std::string::npos);
+}
+
+TEST_F(LiveRun, ErrorsStandOnThePageWithTheirPlaceUntilTheyAreMended) {
+  start();
+  events_until("\"phase\": \"done\"");
+  put_file(directory / "tiny.dsc", tiny_scene("\"rgb reflectance\"", "\"rgb reflektance\""));
+  const std::string events = events_until("reflektance");
+  EXPECT_NE(events.find("event: problem\ndata: \"tiny.dsc:13:"), std::string::npos) << events;
+  EXPECT_NE(events.find("^"), std::string::npos) << "the caret";
+  EXPECT_NE(pictures("1 radiance 0 0 0\n").find("1 radiance 0 "), std::string::npos) << "the old picture stays";
+  put_file(directory / "tiny.dsc", tiny_scene("\"integer iterations\" 2", "\"integer iterations\" 3"));
+  const std::string mended = events_until("\"iterations\": 3,");
+  EXPECT_NE(mended.find("event: problem\ndata: \"\"\n"), std::string::npos) << mended;
+  EXPECT_EQ(end().code, 0);
+}
+
+TEST_F(LiveRun, ASceneWithErrorsAtTheStartMayBeMended) {
+  put_file(directory / "tiny.dsc", tiny_scene("Camera \"perspective\"", "Camera \"perspektive\""));
+  start();
+  EXPECT_NE(events_until("did you mean").find("perspektive"), std::string::npos);
+  put_file(directory / "tiny.dsc", kTinyScene);
+  EXPECT_NE(events_until("\"phase\": \"done\"").find("\"phase\": \"done\""), std::string::npos);
+  EXPECT_EQ(end().code, 0);
+}
+
+TEST_F(LiveRun, ASceneThatStaysWrongIsAnError) {
+  put_file(directory / "tiny.dsc", tiny_scene("Camera \"perspective\"", "Camera \"perspektive\""));
+  start();
+  events_until("did you mean");
+  EXPECT_EQ(end().code, 1);
+}
+
+TEST_F(LiveRun, ACameraThatIsMovedGivesTheImageOfThatLookAt) {
+  start();
+  events_until("\"phase\": \"done\"");
+  EXPECT_EQ(status_of(ask(port, "POST", "/camera", "", "1 0.5 -4 0 0 0 0 1 0")), 204);
+  ASSERT_TRUE(comes_true([&] { return ask(port, "GET", "/run").find("0.5") != std::string::npos; }));
+  events_until("\"coarse\": 0");
+  ASSERT_TRUE(comes_true([&] { return events_until("\"phase\"").find("\"phase\": \"done\"") != std::string::npos; }));
+  EXPECT_EQ(end().code, 0);
+  const TinyDirectory other;
+  put_file(other / "tiny.dsc", tiny_scene("LookAt 0 0 -4  0 0 0", "LookAt 1 0.5 -4  0 0 0"));
+  ASSERT_EQ(run(other, {"tiny.dsc"}).code, 0);
+  EXPECT_EQ(read_image(directory / "tiny.0002.exr"), read_image(other / "tiny.0002.exr"));
 }
 
 TEST_F(LiveRun, CtrlCEndsItWhileItWaits) {

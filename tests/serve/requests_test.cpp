@@ -30,6 +30,15 @@ TEST(Requests, AnythingElseIsRefused) {
   EXPECT_FALSE(parse_wishes(many + "1 radiance 0 0 0\n"));
 }
 
+TEST(Requests, ACameraIsNineNumbers) {
+  const auto place = parse_look_at("1 0.5 -4 0 0 0 0 1e0 0");
+  ASSERT_TRUE(place);
+  EXPECT_EQ((*place)[2], -4);
+  for (const char* text : {"", "1 2 3", "1 0.5 -4 0 0 0 0 1 0 0", "1 0.5 -4 0 0 0 0 1 x", "nan 0 0 0 0 1 0 1 0",
+                           "inf 0 0 0 0 1 0 1 0", "1e300 0 0 0 0 1 0 1 0", "0 0 0 0 0 0 0 1 0", "0 0 0 0 1 0 0 1 0"})
+    EXPECT_FALSE(parse_look_at(text)) << text;
+}
+
 TEST(Requests, CountsHaveBounds) {
   EXPECT_EQ(parse_count("64", 1, 100), 64);
   for (const char* text : {"", "0", "101", " 1", "1 ", "1.5", "0x1", "99999999999"})

@@ -15,7 +15,8 @@ export function notice(text, is_error = false) {
 
 function in_words(state) {
   const done = `iteration ${state.iterations}${state.of ? ` of ${state.of}` : ''}`;
-  const words = [state.phase === 'rendering' ? state.step || 'preparing' : state.phase, done, time(state.seconds)];
+  const step = state.step.startsWith('iteration ') ? 'rendering' : state.step;
+  const words = [state.phase === 'rendering' ? step : state.phase, done, time(state.seconds)];
   if (state.left !== undefined && state.phase === 'rendering') words.push(`${time(state.left)} left`);
   if (state.error !== undefined) words.push(`error ${(100 * state.error).toPrecision(2)}%`);
   return words.join(' · ');
@@ -27,7 +28,7 @@ function show(state) {
   $('pause').textContent = state.phase === 'paused' ? 'Go on' : 'Pause';
   const ended = state.phase === 'done';
   $('pause').disabled = ended;
-  notice(state.note ?? '', state.is_error === 1);
+  notice(state.coarse === 1 && state.iterations > 0 ? 'Coarse: a quarter of the size, fewer photons, which start unguided' : '');
 }
 
 function log(text) {
@@ -46,6 +47,10 @@ export function listen(on_state) {
   events.addEventListener('state', e => {
     const state = JSON.parse(e.data);
     if (state.phase !== undefined) show(state), on_state(state);
+  });
+  events.addEventListener('problem', e => {
+    const text = JSON.parse(e.data);
+    $('problem').textContent = text, $('problem').hidden = text === '';
   });
   events.addEventListener('line', e => log(JSON.parse(e.data)));
   events.onerror = () => { $('state').textContent = 'not connected', notice('dspm has ended, or does not answer', true); };

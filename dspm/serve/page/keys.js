@@ -17,7 +17,7 @@ export function set_up_keys(does) {
     }
     const keys = {Escape: does.close, ' ': does.play, '+': () => does.zoom(2), '=': () => does.zoom(2), '-': () => does.zoom(.5),
       0: does.fit, 1: does.pixels, e: () => add($('exposure'), .5), E: () => add($('exposure'), -.5), t: () => next_option($('tone')),
-      o: () => next_option($('output')), s: does.keep, p: () => $('pause').click()};
+      o: () => next_option($('output')), s: does.keep, c: does.camera, p: () => $('pause').click()};
     if (!keys[e.key]) return;
     keys[e.key]();
     e.preventDefault();

@@ -7,16 +7,18 @@ export class Large {
   cursor = null;     // {x, y} of the image, or null
   #drag = null;
 
-  constructor(element, on_change) {
-    this.element = element, this.on_change = on_change;
+  // `camera`: takes the mouse if it is on.
+  constructor(element, camera, on_change) {
+    this.element = element, this.camera = camera, this.on_change = on_change;
     element.addEventListener('wheel', e => {
       e.preventDefault();
+      if (camera.is_on) return camera.dolly(Math.exp(e.deltaY * .0015));
       this.zoom_at(Math.exp(-e.deltaY * .0015), ...this.#point(e));
     }, {passive: false});
     element.addEventListener('pointerdown', e => {
       this.#drag = this.#point(e), element.setPointerCapture(e.pointerId), element.focus();
     });
-    element.addEventListener('pointermove', e => this.#move(...this.#point(e)));
+    element.addEventListener('pointermove', e => this.#move(...this.#point(e), e.shiftKey));
     element.addEventListener('pointerup', () => this.#drag = null);
     element.addEventListener('pointercancel', () => this.#drag = null);
     element.addEventListener('pointerleave', () => { this.cursor = null, this.on_change(); });
@@ -28,8 +30,13 @@ export class Large {
     return [(event.clientX - box.x) * devicePixelRatio, (event.clientY - box.y) * devicePixelRatio];
   }
 
-  #move(x, y) {
-    if (this.#drag) this.pan(x - this.#drag[0], y - this.#drag[1]), this.#drag = [x, y];
+  #move(x, y, shift) {
+    if (this.#drag) {
+      const [dx, dy] = [x - this.#drag[0], y - this.#drag[1]];
+      this.#drag = [x, y];
+      if (!this.camera.is_on) this.pan(dx, dy);
+      else shift ? this.camera.pan(dx, dy, this.size.height) : this.camera.orbit(dx, dy);
+    }
     const at = {x: Math.floor((x - this.x) / this.zoom), y: Math.floor((y - this.y) / this.zoom)};
     const inside = at.x >= 0 && at.y >= 0 && at.x < this.run?.width && at.y < this.run?.height;
     this.cursor = inside ? at : null;

@@ -1,6 +1,8 @@
 // The page: what is looked at, and how.
+import {Camera} from './camera.js';
 import {listen, set_up_orders} from './control.js';
 import {set_up_keys} from './keys.js';
+import {Errors} from './error.js';
 import {Large} from './large.js';
 import {Run} from './layout.js';
 import {Overview} from './overview.js';
@@ -22,8 +24,16 @@ function make_painter() {
   return new PlainPainter(canvas);
 }
 const painter = make_painter();
-const pictures = new Pictures(redraw);
-const large = new Large($('large'), redraw);
+const errors = new Errors();
+const pictures = new Pictures(fresh => { fresh.forEach(p => errors.add(p)), redraw(); });
+// "error" is made of radiance.
+const source = name => name === 'error' ? 'radiance' : name;
+function picture_of(index, name, halvings) {
+  const picture = pictures.best(index, source(name), halvings);
+  return name === 'error' ? errors.of(picture) : picture;
+}
+const camera = new Camera();
+const large = new Large($('large'), camera, redraw);
 const overview = new Overview($('cells'), open);
 const timeline = new Timeline(moment => { go_to(run.find(moment, run.frames[frame]?.variation)); });
 
@@ -45,6 +55,7 @@ export function close() {
 }
 function show_mode() {
   $('large').hidden = !is_large, $('cells').hidden = is_large, $('back').disabled = !is_large;
+  camera.show(run, is_large ? run.frames[frame] : null);
   redraw();
 }
 
@@ -54,6 +65,7 @@ export function go_to(index) {
   timeline.show(run, run.frames[frame]);
   overview.show(run, run.frames[frame].moment);
   overview.mark(frame);
+  camera.show(run, is_large ? run.frames[frame] : null);
   redraw();
 }
 
@@ -68,7 +80,7 @@ const halvings_for = pixels => Math.max(0, Math.floor(Math.log2(run.width / Math
 // The other side of the wipe: a picture, or null.
 function other(halvings) {
   const [kind, index] = compared.split(' ');
-  if (kind === 'frame') return pictures.best(Number(index), output().name, halvings);
+  if (kind === 'frame') return picture_of(Number(index), output().name, halvings);
   if (kind === 'snapshot') return snapshots[index]?.pictures.get(`${frame} ${output().name}`) ?? null;
   return null;
 }
@@ -89,8 +101,8 @@ function draw_cells(drawn, wishes, box, ratio) {
   for (const {frame: index, rect} of overview.visible(box)) {
     const scaled = {x: rect.x * ratio, y: rect.y * ratio, width: rect.width * ratio, height: rect.height * ratio};
     const halvings = halvings_for(scaled.width);
-    wishes.push({frame: index, output: output().name, halvings});
-    const picture = pictures.best(index, output().name, halvings);
+    wishes.push({frame: index, output: source(output().name), halvings});
+    const picture = picture_of(index, output().name, halvings);
     if (!picture) continue;
     drawn.add(picture), painter.draw(picture, scaled, scaled, view_of(picture));
     if (index === frame) legend(picture);
@@ -99,14 +111,14 @@ function draw_cells(drawn, wishes, box, ratio) {
 
 function draw_large(drawn, wishes, size) {
   const rect = large.rect(run, size), halvings = halvings_for(rect.width);
-  const wish = (index, name) => wishes.push({frame: index, output: name, halvings});
+  const wish = (index, name) => wishes.push({frame: index, output: source(name), halvings});
   wish(frame, output().name);
   for (const name of ['radiance', 'radius', 'photons'])
-    if (name !== output().name && run.outputs.some(o => o.name === name)) wish(frame, name);
+    if (name !== source(output().name) && run.outputs.some(o => o.name === name)) wish(frame, name);
   if (compared.startsWith('frame ')) wish(Number(compared.slice(6)), output().name);
   if (timeline.is_playing())
     run.frames.forEach((f, i) => { if (f.variation === run.frames[frame].variation && i !== frame) wish(i, output().name); });
-  const picture = pictures.best(frame, output().name, halvings), second = other(halvings);
+  const picture = picture_of(frame, output().name, halvings), second = other(halvings);
   const split = second ? size.width * $('split').value / 100 : size.width;
   const left = {x: 0, y: 0, width: split, height: size.height};
   const right = {x: split, y: 0, width: size.width - split, height: size.height};
@@ -163,7 +175,7 @@ export function keep_snapshot() {
   const kept = new Map(), halvings = is_large ? halvings_for(run.width * large.zoom) : 16;
   run.frames.forEach((_, i) => {
     for (const {name} of run.outputs) {
-      const picture = pictures.best(i, name, i === frame ? halvings : 16);
+      const picture = picture_of(i, name, i === frame ? halvings : 16);
       if (picture) kept.set(`${i} ${name}`, picture);
     }
   });
@@ -174,6 +186,7 @@ export function keep_snapshot() {
 async function load_run() {
   const response = await fetch('run');
   run = new Run(await response.json());
+  if (run.frames.length > 0) run.outputs.push({name: 'error', channels: ['error'], is_id: 0, names: []});
   pictures.forget(run.frames.length);
   document.title = `${run.scene} - dspm`, $('scene').textContent = run.scene, $('scene').title = run.scene;
   options($('output'), run.outputs.map(o => [o.name, o.name]));
@@ -206,5 +219,5 @@ set_up_keys({
     go_to(run.find(run.frames[frame]?.moment, run.variations.at((at + n) % run.variations.length)));
   },
   pan: (x, y) => large.pan(x, y), zoom: f => large.zoom_at(f), fit: () => large.fit(), pixels: () => large.pixels(),
-  is_large: () => is_large,
+  is_large: () => is_large, camera: () => camera.toggle(),
 });

@@ -1,0 +1,70 @@
+#include "dspm/app/render_live.h"
+
+#include <memory>
+
+#include "dspm/app/coarse.h"
+#include "dspm/app/render.h"
+#include "dspm/serve/edits.h"
+#include "dspm/session/out_of_memory.h"
+#include "dspm/system/files_read.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/standard_streams.h"
+
+namespace dspm {
+namespace {
+
+bool is_interrupted() { return InterruptRequests::signal() != 0; }
+
+/// Until the scene has changed, or the run is over.
+int render_once(Options options, const Surroundings& around, Edits& edits) {
+  const auto step_begins = [&] {
+    const char* const step = "reading the scene";
+    around.watch.begin(step, ""), around.last_words.begin(step, ""), around.live->step_begins(step);
+  };
+  around.live->begin();  // before the scene is taken, so that no later one is missed
+  options.look_at = around.live->camera();
+  forget_files_read();
+  step_begins();
+  std::unique_ptr<LoadedScene> coarse = edits.take();
+  if (coarse == nullptr) coarse = load_coarsely(options, around.messages);
+  show_coarsely(*coarse, *around.live);
+  coarse.reset();
+  if (around.live->is_restarting()) return 0;
+  step_begins();
+  return load_and(
+      options, around, [] {}, [](Render& render, const LoadedScene&) { return render.run(); });
+}
+
+}  // namespace
+
+int render_live(Options options) {
+  const ImageRequests image_requests;
+  const ThreadLimit threads(options.threads);
+  LivePage live(*options.serve);
+  LiveMessages messages(options.quiet, live);
+  messages.say("the page is at {}", live.url());
+  MemoryBound memory(0);
+  Watch watch(options.patience);
+  LastWords last_words;
+  const InterruptRequests interrupts;
+  const Surroundings around{messages, memory, watch, last_words, &live};
+  Edits edits(live, options.scenes, [&] {
+    LiveMessages of_edit(options.quiet, live);
+    Options edited = options;
+    edited.look_at = live.camera();
+    return load_coarsely(edited, of_edit);
+  });
+  for (;;) try {
+      const int code =
+          naming_memory_step([&] { return watch.step(); }, [&] { return render_once(options, around, edits); });
+      if (!live.is_restarting()) return code;
+      options.resume.clear();  // that was another scene
+    } catch (const SceneError& error) {
+      live.show_problem(error.what());
+      print_message(error.what());
+      watch.begin("", "");
+      if (!live.wait_for_restart(is_interrupted)) throw;
+    }
+}
+
+}  // namespace dspm

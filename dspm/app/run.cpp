@@ -1,0 +1,103 @@
+#include "dspm/app/run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "dspm/checkpoint/guide_file.h"
+#include "dspm/modules/all_plugins.h"
+#include "dspm/system/memory_use.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/readable.h"
+
+namespace dspm {
+namespace {
+
+OtherFiles other_files(const Options& options) {
+  OtherFiles files;
+  for (const std::string& scene : options.scenes)
+    if (scene != "-") files.read.push_back({scene, "the scene"});
+  if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
+    files.read.push_back({options.resume, "the checkpoint to resume"});
+  if (!options.checkpoint.empty()) files.written.push_back({options.checkpoint, "the checkpoint"});
+  if (!options.guide.empty()) files.read.push_back({options.guide, "the guide"});
+  if (!options.save_guide.empty()) files.written.push_back({options.save_guide, "the guide"});
+  return files;
+}
+
+}  // namespace
+
+void keep_guide(const Options& options, const Job& job) {
+  if (!options.guide.empty()) expect_guide_is_used(options.guide, job);
+  if (!options.save_guide.empty()) save_guide(options.save_guide, job);
+}
+
+Render::Render(const LoadedScene& loaded, const Options& options, const Surroundings& around)
+    : loaded_(loaded),
+      options_(options),
+      memory_(around.memory),
+      messages_(around.messages),
+      watch_(around.watch),
+      last_words_(around.last_words),
+      live_(around.live),
+      results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
+               [this] { return end_wanted(); }),
+      checkpoints_(loaded.job, options, messages_),
+      intervals_(around.memory.plan(loaded.job, *loaded.world, results_.bytes_while_writing(), checkpoints_.intervals(),
+                                    messages_, *this)) {
+  report_.threads = thread_count();
+}
+
+int Render::run() {
+  const auto begin = std::chrono::steady_clock::now();
+  const double seconds_before = checkpoints_.seconds();
+  const SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
+  Session(loaded_, intervals_, memory_, settings, messages_, *this).run();
+  progress_.reset();
+  if (is_of_no_use()) return 0;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  report_.seconds = seconds_before + seconds.count();
+  report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
+  results_.say_end(report_.seconds, InterruptRequests::signal() != 0);
+  if (end_wanted() && !checkpoints_.path().empty())
+    messages_.say("--resume {} continues from here", checkpoints_.path().string());
+  return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
+}
+
+void Render::interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) {
+  if (progress.index + 1 < intervals_.size()) results_.report_faults();
+  if (live_ != nullptr) live_->interval_ends(exhibit(progress, integrator));
+  report_.tree_bytes = std::max(report_.tree_bytes, scene.accel->memory());
+  report_.add(integrator.statistics(), intervals_[progress.index]);
+}
+
+/// With a page, the last interval stays until its user has seen enough.
+int Render::more_iterations(const IntervalProgress& progress, Integrator& integrator) {
+  if (live_ == nullptr || progress.index + 1 < intervals_.size()) return 0;
+  images_due(progress, integrator, Images::so_far);
+  messages_.say("the images are written; the page stays, and asks for more or ends the run");
+  watch_.begin("", "");  // viewers may take their time
+  return live_->wait_for_more(exhibit(progress, integrator), [this] { return end_wanted(); });
+}
+
+void Render::announce(const Scene& scene, const Integrator& integrator, int iterations) {
+  const Job& job = loaded_.job;
+  const PixelRect& crop = job.settings.crop;
+  const std::string count = iterations > 0             ? counted(static_cast<std::size_t>(iterations), "iteration")
+                            : options_.until_error > 0 ? "iterations"
+                                                       : "endless iterations";
+  const std::string error =
+      options_.until_error > 0 ? fmt::format(" until the error is {}", readable_share(options_.until_error)) : "";
+  const std::string limit =
+      options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
+  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
+                crop.height(), job.integrator, count, error, limit,
+                counted(static_cast<std::size_t>(thread_count()), "thread"));
+  messages_.say("{}: {}", job.integrator, integrator.settings());
+  messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),
+                readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));
+  progress_ = std::make_unique<Progress>(
+      Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size()), options_.until_error},
+      options_.quiet);
+}
+
+}  // namespace dspm
