@@ -26,10 +26,11 @@ TEST(Picture, EveryHalfFloatIsItself) {
   for (int bits = 0; bits < 0x10000; ++bits) {
     const double value = value_of(static_cast<std::uint16_t>(bits));
     const std::uint16_t back = half_of(static_cast<float>(value));
-    if (std::isnan(value))
+    if (std::isnan(value)) {
       EXPECT_TRUE(std::isnan(value_of(back)));
-    else
+    } else {
       ASSERT_EQ(back, bits);
+    }
   }
 }
 
@@ -44,9 +45,10 @@ TEST(Picture, HalfFloatsAreTheNearest) {
       continue;
     }
     const double error = std::abs(value_of(half) - double(value));
-    for (const int step : {-1, 1})
+    for (const int step : {-1, 1}) {
       if (const auto other = static_cast<std::uint16_t>(half + step); std::isfinite(value_of(other)))
         ASSERT_LE(error, std::abs(value_of(other) - double(value))) << value;
+    }
   }
   EXPECT_EQ(half_of(1 + 0x1p-11f), 0x3c00);  // a tie goes to the even one
   EXPECT_EQ(half_of(1 + 3 * 0x1p-11f), 0x3c02);
