@@ -168,9 +168,9 @@ void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLaye
   std::list<OutputLayer> parts;  // of radiance
   std::vector<const OutputLayer*> all;
   for (const OutputLayer& layer : layers)
-    all.push_back(layer.info.is_radiance
-                      ? &parts.emplace_back(OutputLayer{layer.info, in_film_space(exposed(layer.image, job_), job_.film)})
-                      : &layer);
+    all.push_back(layer.info.is_radiance ? &parts.emplace_back(OutputLayer{
+                                               layer.info, in_film_space(exposed(layer.image, job_), job_.film)})
+                                         : &layer);
   ExrHeader header = this->header(frame, figures);
   if (layers_.aov_files) write_apart(frame, all, header), all.clear();
   const std::vector<ExrLayer> more = exr_layers(all, header);

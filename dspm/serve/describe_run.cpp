@@ -62,6 +62,7 @@ void write_outputs(JsonWriter& json, std::span<const OutputInfo> outputs) {
     json.member("name", output.name);
     json.member("sentence", output.sentence);
     json.member("is_id", output.is_id ? 1 : 0);
+    json.member("is_radiance", output.is_radiance || output.name == kRadiance ? 1 : 0);
     json.key("channels").begin_array();
     for (const std::string& channel : output.channels) json.value(channel);
     json.end_array();

@@ -110,6 +110,7 @@ std::optional<LivePage::Taken> LivePage::take_one(const Exhibit& exhibit, const 
   if (output == outputs_.end() || place == exhibit.interval.end()) return std::nullopt;
   Image image = exhibit.integrator.estimate(static_cast<Frame>(place - exhibit.interval.begin()), output->name);
   if (output->name == kRadiance) image = developed(std::move(image), *job_);
+  if (output->is_radiance) image = exposed(std::move(image), *job_);
   return Taken{wish, &*output, std::move(image)};
 }
 

@@ -4,7 +4,7 @@ export const tones = {png: 0, linear: 1, film: 2, false_colour: 3};
 export const kinds = {radiance: 0, direction: 1, ranged: 2, id: 3, plain: 4};
 
 export function kind_of(output) {
-  if (output.name === 'radiance') return kinds.radiance;
+  if (output.name === 'radiance' || output.is_radiance) return kinds.radiance;
   if (output.is_id) return kinds.id;
   if (output.name === 'N') return kinds.direction;
   return output.name === 'albedo' || output.name === 'uv' ? kinds.plain : kinds.ranged;
