@@ -170,7 +170,9 @@ TEST(Transparent, OverItsBackgroundIsTheUsualImage) {
     int partly = 0;
     for (std::size_t i = 0; i < with.pixels.size(); ++i) {
       const float alpha = images.at("alpha").pixels[i].r;
-      if (alpha == 0) EXPECT_EQ(images.at("").pixels[i], Rgb());
+      if (alpha == 0) {
+        EXPECT_EQ(images.at("").pixels[i], Rgb());
+      }
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(images.at("").pixels[i][c] + (1 - alpha) * sky[c], with.pixels[i][c], 1e-5f);
       partly += alpha > 0 && alpha < 1;

@@ -75,7 +75,9 @@ void expect_decodable(const std::filesystem::path& file, const std::set<std::str
       const Image pairs = read_exr_channels(file, {channels[rank], channels[rank + 1]});
       sums.resize(pairs.pixels.size());
       for (std::size_t i = 0; i < pairs.pixels.size(); ++i) {
-        if (pairs.pixels[i].g > 0) EXPECT_TRUE(ids.contains(pairs.pixels[i].r)) << "in the manifest";
+        if (pairs.pixels[i].g > 0) {
+          EXPECT_TRUE(ids.contains(pairs.pixels[i].r)) << "in the manifest";
+        }
         sums[i] += pairs.pixels[i].g;
       }
     }
@@ -93,7 +95,9 @@ TEST(CryptomatteFile, IsDecodable) {
   for (const char* image : kTinyImages) expect_decodable(directory / image, both);
   const auto cryptomattes = cryptomattes_in(read_exr_header(directory / kTinyImages[1]));
   for (const auto& [key, cryptomatte] : cryptomattes)
-    if (cryptomatte.name == "CryptoObject") EXPECT_TRUE(cryptomatte.ids().contains("ball"));
+    if (cryptomatte.name == "CryptoObject") {
+      EXPECT_TRUE(cryptomatte.ids().contains("ball"));
+    }
   // Lossy compression spares them.
   ASSERT_EQ(run(directory, asked + Arguments{"--compression", "dwaa"}).code, 0);
   expect_decodable(directory / kTinyImages[1], both);
@@ -112,12 +116,14 @@ TEST(CryptomatteFile, AlphaIsChannelA) {
   scene.replace(scene.find("Film \"rgb\""), 10, "Film \"rgb\" \"bool transparent\" true");
   scene.replace(scene.find("float radius\" 29"), 16, "float radius\" .1");
   put_file(directory / "tiny.dsc", scene);
-  const Outcome outcome = run(directory, {"tiny.dsc"});
+  const Outcome outcome = run(directory, {"tiny.dsc", "--iterations", "32"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Image image = read_image(directory / kTinyImages[0]);
+  const Image image = read_image(directory / kTinyImages[1]);
   ASSERT_EQ(image.alpha.size(), image.pixels.size());
   EXPECT_EQ(image.alpha.front(), 0);
-  EXPECT_EQ(*std::max_element(image.alpha.begin(), image.alpha.end()), 1);
+  const float most = *std::max_element(image.alpha.begin(), image.alpha.end());
+  EXPECT_GT(most, 0.5f) << "the ball in the middle covers two pixels each way";
+  EXPECT_LE(most, 1);
 }
 
 }  // namespace
