@@ -110,12 +110,16 @@ void add_work(CLI::App& app, Options& o) {
 }
 
 void add_output(CLI::App& app, Options& o) {
-  app.add_option("-o,--outfile", o.outfile, "the images' name; #### or %04d stands for the frame")
+  app.add_option("-o,--outfile", o.outfile,
+                 "the images' name; #### or %04d stands for the frame, {legs} for the choice along an axis")
       ->check(kNamesAFile)
       ->type_name("FILE");
   app.add_flag("--png", o.png, "also write tone mapped PNGs");
   add_image_options(app, o);
   app.add_option("--contact-sheet", o.contact_sheet, "write all frames into one PNG")
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_option("--index", o.index, "write a table of all images and what they show, .csv or .json")
       ->check(kNamesAFile)
       ->type_name("FILE");
   app.add_option("--video", o.video, "write all frames into one .mp4, at the rate of Frames; needs ffmpeg")
@@ -128,9 +132,11 @@ void add_output(CLI::App& app, Options& o) {
       ->type_name("FILE");
   add_text(app, "--checkpoint-every", "TIME", "how often: every 30s, 10m (the default), or so many iterations",
            [&](const std::string& text) { o.checkpoint_every = parse_interval("--checkpoint-every", text); });
-  app.add_option("--resume", o.resume, "continue from this checkpoint, and keep it up to date")
+  app.add_option("--resume", o.resume, "continue from this checkpoint, with frames added since, and keep it up to date")
       ->check(kNamesAFile)
       ->type_name("FILE");
+  app.add_flag("--only-new", o.only_new,
+               "with --resume: render only frames that the checkpoint lacks, up to its iteration");
   CLI::Option* const save_guide =
       app.add_option("--save-guide", o.save_guide, "keep what is learned about where photons start, for --guide")
           ->check(kNamesAFile)
@@ -197,8 +203,13 @@ void check(const Options& o) {
     throw UsageError(fmt::format("-o {}: images are written as {}", o.outfile, kImageNames));
   if (!o.contact_sheet.empty() && std::filesystem::path(o.contact_sheet).extension() != ".png")
     throw UsageError("--contact-sheet " + o.contact_sheet + ": the sheet is a .png");
+  if (const std::string kind = std::filesystem::path(o.index).extension();
+      !o.index.empty() && kind != ".csv" && kind != ".json")
+    throw UsageError("--index " + o.index + ": the table is a .csv or a .json");
   if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")
     throw UsageError("--video " + o.video + ": the video is an .mp4");
+  if (o.only_new && o.resume.empty())
+    throw UsageError("--only-new: new since when? Give --resume and a checkpoint, too");
   if (o.checkpoint_every && o.checkpoint.empty() && o.resume.empty())
     throw UsageError("--checkpoint-every: which file? Give --checkpoint or --resume, too");
   for (const std::string& define : o.defines)

@@ -1,7 +1,9 @@
 #include "dspm/app/render.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "dspm/app/render_live.h"
 #include "dspm/checkpoint/guide_file.h"
@@ -22,6 +24,23 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
   for (const FrameList& interval : render.intervals()) print(loaded.world->explain(interval));
   render.step_begins("learning where photons start", in_words("integrator", loaded.job.integrator));
   print(explain_photons(loaded, render.intervals().front(), messages));
+}
+
+std::unique_ptr<const CheckpointFile> file_to_resume(const Options& options) {
+  return options.resume.empty() ? nullptr : std::make_unique<const CheckpointFile>(options.resume);
+}
+
+Choices choices_of(const Options& options, const CheckpointFile* resumed) {
+  Choices choices = options;
+  if (resumed != nullptr) choices.known = resumed->render().frames;
+  return choices;
+}
+
+/// As the frames that were there, unless something else was asked for.
+void go_as_far(const CheckpointFile& resumed, Job& job) {
+  int most = 0;
+  for (const IntervalState& state : resumed.intervals()) most = std::max(most, state.iterations);
+  if (most > 0 && !job.chosen_iterations && job.until_error == 0) job.chosen_iterations = most;
 }
 
 /// The same, with surroundings of its own.
@@ -49,13 +68,15 @@ int with_render(const Options& options, const char* step,
 
 int load_and(const Options& options, const Surroundings& around, const std::function<void()>& before,
              const std::function<int(Render&, const LoadedScene&)>& task) {
-  LoadedScene loaded(options.scenes, options, around.messages);
+  std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
+  LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages);
+  if (options.only_new && resumed != nullptr) go_as_far(*resumed, loaded.job);
   // What only counts must not take memory that was meant for the render.
   loaded.job.settings.count_found = (options.explain || !options.stats.empty()) && options.memory == 0;
   loaded.job.settings.learn_at_once = !options.guide.empty() || !options.save_guide.empty();
   if (!options.guide.empty()) load_guide(options.guide, loaded.job);
   before();
-  Render render(loaded, options, around);
+  Render render(loaded, options, around, std::move(resumed));
   if (options.explain) explain(loaded, render, around.messages);
   return task(render, loaded);
 }

@@ -31,7 +31,8 @@ void keep_guide(const Options& options, const Job& job) {
   if (!options.save_guide.empty()) save_guide(options.save_guide, job);
 }
 
-Render::Render(const LoadedScene& loaded, const Options& options, const Surroundings& around)
+Render::Render(const LoadedScene& loaded, const Options& options, const Surroundings& around,
+               std::unique_ptr<const CheckpointFile> resumed)
     : loaded_(loaded),
       options_(options),
       memory_(around.memory),
@@ -41,7 +42,7 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
       live_(around.live),
       results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
                [this] { return end_wanted(); }),
-      checkpoints_(loaded.job, options, messages_),
+      checkpoints_(loaded.job, options, std::move(resumed), messages_),
       intervals_(around.memory.plan(loaded.job, *loaded.world, results_.bytes_while_writing(), checkpoints_.intervals(),
                                     messages_, *this)) {
   report_.threads = thread_count();

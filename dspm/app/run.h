@@ -32,7 +32,9 @@ void keep_guide(const Options& options, const Job& job);
 
 class Render final : public SessionObserver {
  public:
-  Render(const LoadedScene& loaded, const Options& options, const Surroundings& around);
+  /// `resumed`: the checkpoint to go on from, or null.
+  Render(const LoadedScene& loaded, const Options& options, const Surroundings& around,
+         std::unique_ptr<const CheckpointFile> resumed);
 
   /// Returns the exit code.
   int run();

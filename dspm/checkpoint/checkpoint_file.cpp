@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "dspm/math/frames.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/file_access.h"
@@ -22,7 +23,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);  // like the numbers in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
-constexpr std::size_t kMostIntervals = 1 << 20, kMostFrames = 1 << 24;
+constexpr std::size_t kMostIntervals = 1 << 20, kMostFrames = 1 << 24, kLongestName = 1 << 16;
 constexpr int kMostIterations = 1'000'000'000;
 constexpr std::size_t kBlock = 1 << 20;
 
@@ -68,14 +69,39 @@ void persist(std::vector<IntervalState>& all, StateStream& state) {
   }
 }
 
-void persist_head(std::vector<Fact>& facts, std::vector<IntervalState>& intervals, StateStream& state) {
-  dspm::persist(facts, state);
+void persist(KnownFrames& frames, StateStream& state) {
+  state.value(frames.base);
+  state.value(frames.moments);
+  std::uint64_t count = frames.names.size();
+  state.value(count);
+  if (count > kMostFrames) fail("it has too many entries");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i == frames.names.size()) frames.names.emplace_back();
+    state.text(frames.names[i], kLongestName);
+  }
+}
+
+/// A forged file could name frames that do not exist.
+void expect_possible(const KnownFrames& frames, const std::vector<IntervalState>& intervals) {
+  const FramesPart &base = frames.base, all = frames.all();
+  const bool is_possible = base.moments >= 1 && base.combinations >= 1 && base.moments <= all.moments &&
+                           base.combinations <= all.combinations &&
+                           all.moments <= static_cast<int>(kMostFrames) / all.combinations;
+  bool valid = is_possible;
+  for (const IntervalState& interval : intervals)
+    for (const FileFrame frame : interval.frames) valid = valid && frame.index() >= 0 && frame.index() < all.count();
+  if (!valid) fail("it is damaged");
+}
+
+void persist_head(CheckpointFile::Render& render, std::vector<IntervalState>& intervals, StateStream& state) {
+  dspm::persist(render.facts, state);
+  persist(render.frames, state);
   persist(intervals, state);
 }
 
-std::uint64_t head_bytes(std::vector<Fact>& facts, std::vector<IntervalState>& intervals) {
+std::uint64_t head_bytes(CheckpointFile::Render& render, std::vector<IntervalState>& intervals) {
   CountingStream counting;
-  persist_head(facts, intervals, counting);
+  persist_head(render, intervals, counting);
   return counting.count();
 }
 
@@ -157,7 +183,10 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     if (actual.value() != checksum) fail("it is damaged: its checksum is wrong");
     file_.seekg(static_cast<std::streamoff>(kHeadAt));
     LoadingStream head(file_, size - kHeadAt - sizeof(checksum));
-    persist_head(facts_, intervals_, head);
+    persist_head(render_, intervals_, head);
+    expect_possible(render_.frames, intervals_);
+    for (const IntervalState& interval : intervals_)
+      render_.frames.rendered.insert(render_.frames.rendered.end(), interval.frames.begin(), interval.frames.end());
     for (const IntervalState& interval : intervals_)
       if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
           interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))
@@ -185,13 +214,12 @@ bool CheckpointFile::copy(std::size_t interval, SavingStream& to) const {
   return for_each_block(file_, intervals_[interval].size, [&](std::string_view block) { to.append(block); });
 }
 
-std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path,
-                                                            const std::vector<Fact>& facts,
+std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path, const Render& render,
                                                             std::vector<IntervalState> intervals, const NewState* state,
                                                             const CheckpointFile* before) {
   std::unique_ptr<CheckpointFile> written(new CheckpointFile);
-  written->path_ = path, written->facts_ = facts;
-  std::uint64_t offset = kHeadAt + head_bytes(written->facts_, intervals);
+  written->path_ = path, written->render_ = render;
+  std::uint64_t offset = kHeadAt + head_bytes(written->render_, intervals);
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     if (state != nullptr && i == state->interval) intervals[i].size = *state_bytes(state->integrator);
     intervals[i].offset = offset;
@@ -201,7 +229,7 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
   AtomicFile file(path);
   file.write(kMagic);
   SavingStream saving(file);
-  persist_head(written->facts_, written->intervals_, saving);
+  persist_head(written->render_, written->intervals_, saving);
   for (std::size_t i = 0; i < written->intervals_.size(); ++i)
     if (state != nullptr && i == state->interval)
       state->integrator.persist(saving);

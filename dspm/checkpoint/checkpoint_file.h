@@ -19,7 +19,7 @@ namespace dspm {
 
 /// How far an interval has come.
 struct IntervalState {
-  FrameList frames;
+  FrameList frames;                    // by their places in the file of that time
   int iterations = 0;                  // done; 0: no state
   double seconds = 0;                  // that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
@@ -28,13 +28,18 @@ struct IntervalState {
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 6\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 7\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.
   explicit CheckpointFile(const std::filesystem::path& path);
 
-  const std::vector<Fact>& facts() const { return facts_; }
+  /// The render that it belongs to.
+  struct Render {
+    std::vector<Fact> facts;
+    KnownFrames frames;  // those of the file
+  };
+  const Render& render() const { return render_; }
   const std::vector<IntervalState>& intervals() const { return intervals_; }
   /// Loads the state into an integrator that was made for that interval.
   void load(std::size_t interval, Integrator& integrator) const;
@@ -49,7 +54,7 @@ class CheckpointFile {
   };
   /// Writes `path` anew, with the state of one interval or of none; the other states come from `before`, which may be
   /// null or the file that is replaced. Throws WriteError; the old file then stays.
-  static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const std::vector<Fact>& facts,
+  static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const Render& render,
                                                      std::vector<IntervalState> intervals, const NewState* state,
                                                      const CheckpointFile* before);
 
@@ -63,7 +68,7 @@ class CheckpointFile {
   std::filesystem::path path_;
   std::uint64_t device_ = 0, inode_ = 0;
   mutable std::ifstream file_;  // stays readable when another file takes its name
-  std::vector<Fact> facts_;
+  Render render_;
   std::vector<IntervalState> intervals_;
 };
 

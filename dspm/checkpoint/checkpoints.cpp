@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "dspm/math/frames.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/readable.h"
+#include "dspm/world/frame_choice.h"
 
 namespace dspm {
 namespace {
@@ -29,18 +32,26 @@ std::string in_words(const Interval& every) {
                            : counted(static_cast<std::size_t>(every.iterations), "iteration");
 }
 
-/// A forged file could name frames that do not exist.
-void expect_frames(const std::vector<IntervalState>& intervals, const Job& job, const std::string& file) {
-  FrameList all;
+/// What a file with the same name of a frame twice, or too many together, is not.
+void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file) {
+  std::set<FileFrame> all;
   bool valid = true;
   for (const IntervalState& interval : intervals) {
-    const FrameList& frames = interval.frames;
-    valid = valid && !frames.empty() && frames.size() <= kMaxFrames && std::is_sorted(frames.begin(), frames.end());
-    all.insert(all.end(), frames.begin(), frames.end());
+    valid = valid && !interval.frames.empty() && interval.frames.size() <= kMaxFrames;
+    for (const FileFrame frame : interval.frames) valid = all.insert(frame).second && valid;
   }
-  std::sort(all.begin(), all.end());
-  if (!valid || all != job.frames)
-    throw std::runtime_error(fmt::format("checkpoint {}: its frames are not those to render", file));
+  if (!valid) throw std::runtime_error(fmt::format("checkpoint {}: its frames are not possible", file));
+}
+
+KnownFrames frames_to_keep(const Job& job) {
+  const FileFrames& frames = job.description->frames;
+  KnownFrames known{frames.base(), frames.moments(), {}, {}};
+  for (const Combination& each : frames.combinations()) known.names.push_back(each.name);
+  return known;
+}
+
+bool is_among(const FrameList& frames, const FrameList& all) {
+  return std::includes(all.begin(), all.end(), frames.begin(), frames.end());
 }
 
 void refuse_to_overwrite(const fs::path& path) {
@@ -58,35 +69,42 @@ void leave_to_others(const fs::path& path) {
 
 }  // namespace
 
-Checkpoints::Checkpoints(const Job& job, const CheckpointSettings& settings, Messages& messages)
+Checkpoints::Checkpoints(const Job& job, const CheckpointSettings& settings,
+                         std::unique_ptr<const CheckpointFile> resumed, Messages& messages)
     : messages_(messages),
       path_(settings.checkpoint.empty() ? settings.resume : settings.checkpoint),
       every_(settings.checkpoint_every.value_or(kEvery)),
-      schedule_(every_) {
+      schedule_(every_),
+      last_(std::move(resumed)) {
   if (!writes()) return;
   if (settings.resume.empty() || !is_same_file(path_, settings.resume)) refuse_to_overwrite(path_);
-  facts_ = facts_of(job);
-  if (settings.resume.empty()) return;
-  last_ = std::make_unique<CheckpointFile>(settings.resume);
+  render_ = {facts_of(job, all_frames(job)), frames_to_keep(job)};
+  if (last_ == nullptr) return;
   Diagnostics diagnostics;
-  compare(last_->facts(), facts_, diagnostics);
+  const CheckpointFile::Render& then = last_->render();
+  compare(then.facts, facts_of(job, then.frames.all()), diagnostics);
   diagnostics.throw_if_errors();
-  expect_frames(last_->intervals(), job, settings.resume);
+  states_ = states_of(job);
+  expect_frames(states_, settings.resume);
+  while (kept_ < states_.size() && !is_among(states_[kept_].frames, job.frames)) ++kept_;
 }
 
-std::vector<IntervalState> Checkpoints::states() const {
-  return last_ == nullptr ? std::vector<IntervalState>() : last_->intervals();
+std::vector<IntervalState> Checkpoints::states_of(const Job& job) const {
+  std::vector<IntervalState> states = last_->intervals();
+  for (IntervalState& state : states)
+    state.frames = moved(state.frames, last_->render().frames, job.description->frames);
+  return states;
 }
 
 std::vector<FrameList> Checkpoints::intervals() const {
   std::vector<FrameList> intervals;
-  for (const IntervalState& state : states()) intervals.push_back(state.frames);
+  for (std::size_t i = kept_; i < states_.size(); ++i) intervals.push_back(states_[i].frames);
   return intervals;
 }
 
 double Checkpoints::seconds() const {
   double sum = 0;
-  for (const IntervalState& state : states()) sum += state.seconds;
+  for (std::size_t i = kept_; i < states_.size(); ++i) sum += states_[i].seconds;
   return sum;
 }
 
@@ -95,13 +113,17 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   const std::optional<std::uint64_t> bytes = state_bytes(first);
   if (!bytes) throw UsageError("--checkpoint: this integrator does not support checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
-  std::vector<IntervalState> states = this->states();
-  if (states.empty())
-    for (const FrameList& interval : intervals) states.push_back({interval});
+  const std::size_t before = states_.size();
+  for (std::size_t i = before - kept_; i < intervals.size(); ++i) states_.push_back({intervals[i]});
+  if (before > 0 && states_.size() > before) {
+    std::size_t added = 0;
+    for (std::size_t i = before; i < states_.size(); ++i) added += states_[i].frames.size();
+    messages_.say("{} added to the checkpoint's", counted(added, "frame"));
+  }
   // Takes the name at once, and keeps the resumed state even if nothing is left to do.
-  if (last_ == nullptr || !last_->is_at(path_)) {
-    leave_to_others(path_);
-    last_ = CheckpointFile::write(path_, facts_, std::move(states), nullptr, last_.get());
+  if (last_ == nullptr || !last_->is_at(path_) || states_.size() > before) {
+    if (last_ == nullptr || !last_->is_at(path_)) leave_to_others(path_);
+    last_ = CheckpointFile::write(path_, render_, states_, nullptr, last_.get());
   }
   AtomicFile(path_).reserve(all + fs::file_size(path_));
   messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
@@ -109,22 +131,24 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
 
 IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
   if (!writes()) return {.index = interval};
-  const std::vector<IntervalState>& states = last_->intervals();
-  const IntervalState& state = states[interval];
+  const IntervalState& state = states_[kept_ + interval];
   if (state.iterations == 0) return {.index = interval};
-  last_->load(interval, integrator);
-  messages_.say("resumed after iteration {}{}", state.iterations,
-                states.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states.size()) : "");
+  last_->load(kept_ + interval, integrator);
+  messages_.say(
+      "resumed after iteration {}{}", state.iterations,
+      states_.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states_.size() - kept_) : "");
   return {.index = interval, .iterations = state.iterations, .seconds = state.seconds};
 }
 
 void Checkpoints::save(const IntervalProgress& progress, Integrator& integrator) {
   if (!writes()) return;
   std::vector<IntervalState> states = last_->intervals();
-  states[progress.index].iterations = progress.iterations, states[progress.index].seconds = progress.seconds;
+  for (std::size_t i = 0; i < states.size(); ++i) states[i].frames = states_[i].frames;
+  IntervalState& state = states[kept_ + progress.index];
+  state.iterations = progress.iterations, state.seconds = progress.seconds;
   if (!last_->is_at(path_)) leave_to_others(path_);
-  const CheckpointFile::NewState state{progress.index, integrator};
-  last_ = CheckpointFile::write(path_, facts_, std::move(states), &state, last_.get());
+  const CheckpointFile::NewState saved{kept_ + progress.index, integrator};
+  last_ = CheckpointFile::write(path_, render_, std::move(states), &saved, last_.get());
 }
 
 }  // namespace dspm

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
+#include "dspm/checkpoint/part_of_scene.h"
 #include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/lang/canonical.h"
@@ -24,13 +28,6 @@ Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& w
   return {std::move(name), fmt::format("{:016x}", digest), true, where};
 }
 
-/// "0,1,5".
-std::string list_of(const std::vector<FileFrame>& frames) {
-  std::vector<int> indices;
-  for (const FileFrame frame : frames) indices.push_back(frame.index());
-  return fmt::format("{}", fmt::join(indices, ","));
-}
-
 void add_settings(const Job& job, std::vector<Fact>& facts) {
   const RenderSettings& s = job.settings;
   const PixelRect& crop = s.crop;
@@ -47,7 +44,6 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   if (s.transparent) facts.push_back({"the background", "transparent"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});
-  facts.push_back(digest_fact("the choice of frames", digest(list_of(job.frames))));
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
@@ -58,9 +54,10 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
 }
 
 /// It decides ties and how lights are chosen.
-void add_order(const std::vector<ElementDigest>& elements, std::vector<Fact>& facts) {
+void add_order(const std::vector<ElementDigest>& elements, const PartOfScene& part, std::vector<Fact>& facts) {
   std::string names;
-  for (const ElementDigest& element : elements) names += element.name + "\n";
+  for (const ElementDigest& element : elements)
+    if (part.places(element)) names += element.name + "\n";
   facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
 }
 
@@ -71,57 +68,80 @@ fs::path short_name(const fs::path& file, const fs::path& folder) {
 }
 
 /// Except for the scene's text, of which only the meaning counts.
-void add_files(const SceneDescription& description, std::vector<Fact>& facts) {
+void add_files(const SceneDescription& description, bool may_be_new, std::vector<Fact>& facts) {
   std::set<fs::path> texts;
   std::error_code ignored;
   for (const auto& file : description.files) texts.insert(fs::canonical(file->name, ignored));
   const fs::path folder = fs::weakly_canonical(description.main_directory(), ignored);
   for (const auto& [path, content] : files_read())
-    if (texts.count(path) == 0)
+    if (texts.count(path) == 0) {
       facts.push_back(digest_fact(fmt::format("file {}", short_name(path, folder).string()), content));
+      facts.back().may_be_new = may_be_new;
+    }
 }
 
-/// Facts of the same name, the last one first.
-std::map<std::string, std::vector<const Fact*>> by_name(const std::vector<Fact>& facts) {
-  std::map<std::string, std::vector<const Fact*>> map;
-  for (auto fact = facts.rbegin(); fact != facts.rend(); ++fact) map[fact->name].push_back(&*fact);
-  return map;
+/// The facts that the other list does not have, in their order.
+std::vector<const Fact*> unmatched(const std::vector<Fact>& facts, const std::vector<Fact>& others) {
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> counts;
+  for (const Fact& other : others) ++counts[{other.name, other.text}];
+  std::vector<const Fact*> left;
+  for (const Fact& fact : facts)
+    if (std::size_t& count = counts[{fact.name, fact.text}]; count > 0)
+      --count;
+    else
+      left.push_back(&fact);
+  return left;
 }
 
 }  // namespace
 
-std::vector<Fact> facts_of(const Job& job) {
+FramesPart all_frames(const Job& job) {
+  const FileFrames& frames = job.description->frames;
+  return {frames.moments(), static_cast<int>(frames.combinations().size())};
+}
+
+std::vector<Fact> facts_of(const Job& job, const FramesPart& part) {
   std::vector<Fact> facts;
   add_settings(job, facts);
-  for (Fact& fact : facts_of_scene(job)) facts.push_back(std::move(fact));
+  for (Fact& fact : facts_of_scene(job, part)) facts.push_back(std::move(fact));
   return facts;
 }
 
-std::vector<Fact> facts_of_scene(const Job& job) {
+std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& frames) {
+  const PartOfScene part(*job.description, frames);
+  const bool is_all = frames.count() == job.description->frames.count();
   std::vector<Fact> facts;
-  std::vector<ElementDigest> elements = digests_of(*job.description);
-  add_order(elements, facts);
-  for (ElementDigest& element : elements)
-    facts.push_back(digest_fact(std::move(element.name), element.digest, element.where));
-  add_files(*job.description, facts);
+  std::vector<ElementDigest> elements = digests_of(*job.description, frames);
+  add_order(elements, part, facts);
+  for (ElementDigest& element : elements) {
+    const bool may_be_new = !is_all && part.can_do_without(element);
+    std::uint64_t number = element.digest;
+    if (element.kind == ElementDigest::Kind::block)
+      number = digest(fmt::format("{:x} {}", number, part.presence_of(element)));
+    facts.push_back(digest_fact(std::move(element.name), number, element.where));
+    facts.back().may_be_new = may_be_new;
+  }
+  add_files(*job.description, !is_all, facts);
   return facts;
 }
 
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
              const Since& since) {
-  auto before = by_name(then);
-  for (const Fact& fact : now) {
-    std::vector<const Fact*>& same = before[fact.name];
+  std::map<std::string_view, std::deque<const Fact*>> before;  // by name
+  for (const Fact* fact : unmatched(then, now)) before[fact->name].push_back(fact);
+  for (const Fact* fact : unmatched(now, then)) {
+    std::deque<const Fact*>& same = before[fact->name];
     if (same.empty()) {
-      diagnostics.error(fact.where, fmt::format("{} is new since {}", fact.name, since.what), since.way_out);
+      if (!fact->may_be_new)
+        diagnostics.error(fact->where, fmt::format("{} is new since {}", fact->name, since.what), since.way_out);
       continue;
     }
-    const Fact& old = *same.back();
-    same.pop_back();
-    if (old.text == fact.text) continue;
-    diagnostics.error(fact.where,
-                      fact.is_digest ? fmt::format("{} has changed since {}", fact.name, since.what)
-                                     : fmt::format("{}: {} now, {} in {}", fact.name, fact.text, old.text, since.what),
+    const Fact& old = *same.front();
+    same.pop_front();
+    diagnostics.error(fact->where,
+                      fact->is_digest
+                          ? fmt::format("{} has changed since {}", fact->name, since.what)
+                          : fmt::format("{}: {} now, {} in {}", fact->name, fact->text, old.text, since.what),
                       since.way_out);
   }
   for (const auto& [name, left] : before)

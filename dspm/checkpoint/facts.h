@@ -14,21 +14,25 @@ struct Fact {
   std::string name, text;
   bool is_digest = false;
   SourceLocation where = {};  // in the scene; not kept in checkpoints
+  bool may_be_new = false;    // it matters to no frame of the part; not kept either
 };
 
 /// To be called after the world is made, as the files read for it are included. Settings that change no pixel are not
-/// (names of images, iterations to go, threads, the accelerator), nor is the memory bound, which only changes rounding.
-std::vector<Fact> facts_of(const Job& job);
+/// (names of images, iterations to go, threads, the accelerator), nor is the memory bound, which only changes rounding,
+/// nor which frames are rendered. `part`: of the file's frames; more may have been added.
+std::vector<Fact> facts_of(const Job& job, const FramesPart& part);
 /// Those of the scene itself: its description and the files that were read.
-std::vector<Fact> facts_of_scene(const Job& job);
+std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& part);
+/// All frames of the file.
+FramesPart all_frames(const Job& job);
 
 /// Whose facts `then` are, and the hint to each error.
 struct Since {
   const char* what = "the checkpoint";
   const char* way_out = "a checkpoint continues only the same scene; to start over, use another checkpoint";
 };
-/// An error for each fact that differs or is in only one of the lists: in the order of `now`, then those only in
-/// `then`.
+/// An error for each fact that differs or is in only one of the lists (but for what may be new): in the order of `now`,
+/// then those only in `then`.
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
              const Since& since = {});
 

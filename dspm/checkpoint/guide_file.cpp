@@ -50,7 +50,7 @@ void save_guide(const std::filesystem::path& path, const Job& job) {
   if (!job.settings.file->has_learned())
     throw UsageError(fmt::format("--save-guide {}: integrator \"{}\" learns nothing here about where photons start",
                                  path.string(), job.integrator));
-  std::vector<Fact> facts = facts_of_scene(job);
+  std::vector<Fact> facts = facts_of_scene(job, job.description->frames.base());
   SavedState content;
   persist(facts, *job.settings.file, content);
   write_file(path, std::string(kMagic) + digest_in_bytes(content.all) + content.all);
@@ -68,7 +68,7 @@ void load_guide(const std::filesystem::path& path, const Job& job) {
     throw std::runtime_error(fmt::format("guide {}: {}", path.string(), error.what()));
   }
   Diagnostics diagnostics;
-  compare(then, facts_of_scene(job), diagnostics, {"the guide", kWayOut});
+  compare(then, facts_of_scene(job, job.description->frames.base()), diagnostics, {"the guide", kWayOut});
   diagnostics.throw_if_errors();
 }
 

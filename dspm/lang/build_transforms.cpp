@@ -126,13 +126,17 @@ void SceneBuilder::coordinate_system(const Directive& directive) {
   }
 }
 
+bool SceneBuilder::may_begin_keys() const {
+  if (!world_where_) return !scene_.camera;
+  return state_.dynamic_block >= 0 || blocks_.innermost_is(Block::Kind::variation) ||
+         (scene_is_whole_ && blocks_.empty());
+}
+
 void SceneBuilder::keyframe(const Directive& directive) {
   const double key = directive.numbers[0];
   if (!(key >= 1 && key <= kMostFrames && key == std::floor(key))) {
     diagnostics_.error(directive.where, fmt::format("expected a frame from 1 to {}", kMostFrames));
-  } else if (!group_ && (!world_where_     ? scene_.camera.has_value()
-                         : scene_is_whole_ ? !blocks_.empty() && state_.dynamic_block < 0
-                                           : state_.dynamic_block < 0)) {
+  } else if (!group_ && !may_begin_keys()) {
     diagnostics_.error(directive.where, "Keyframe must be in a Dynamic block or before Camera");
   }
   if (!group_) {

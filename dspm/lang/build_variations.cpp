@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "dspm/lang/scene_builder.h"
 #include "dspm/lang/source_text.h"
@@ -53,11 +54,33 @@ void expect_name(const std::string& name, const char* thing, const std::set<std:
                     guess.empty() ? known : guess + " " + known);
 }
 
+bool can_replace(DirectiveKind kind) {
+  switch (kind) {
+    case make_named_material:
+    case texture:
+    case camera:
+    case integrator:
+    case light_source:
+    case dynamic_begin:
+    case translate:
+    case rotate:
+    case scale:
+    case look_at:
+    case transform:
+    case concat_transform:
+    case identity:
+    case coord_sys_transform:
+    case keyframe:
+    case keyframe_end: return true;
+    default: return false;
+  }
+}
+
 bool brings_materials(const ShapeUse& shape) { return shape.type == "objmesh"; }
 
 }  // namespace
 
-bool SceneBuilder::apply_variation(const Directive& directive) {
+bool SceneBuilder::apply_variation(Directive& directive) {
   const DirectiveKind kind = directive.info->kind;
   switch (kind) {
     case DirectiveKind::axis_begin: axis_begin(directive); return true;
@@ -69,20 +92,25 @@ bool SceneBuilder::apply_variation(const Directive& directive) {
     case light:
     case show:
     case hide: in_variation(directive); return true;
-    default: return is_out_of_place(directive);
+    default: break;
   }
+  if (is_out_of_place(directive)) return true;
+  Variation* const variation = variation_in_force();
+  return variation != nullptr && replace_job(directive, *variation);
 }
 
 bool SceneBuilder::is_out_of_place(const Directive& directive) {
   const DirectiveKind kind = directive.info->kind;
   const bool in_axis = blocks_.innermost_is(Kind::axis), in_variation = blocks_.innermost_is(Kind::variation);
   if (!in_axis && !in_variation) return false;
-  if (in_variation && (kind == DirectiveKind::make_named_material || kind == DirectiveKind::texture)) return false;
-  diagnostics_.error(directive.where,
-                     fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
-                                 place_of(blocks_.innermost().where, directive.where)),
-                     in_axis ? "an axis contains only VariationBegin .. VariationEnd"
-                             : "a variation contains only MakeNamedMaterial, Texture, Light, Show and Hide");
+  if (in_variation && can_replace(kind)) return false;
+  diagnostics_.error(
+      directive.where,
+      fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
+                  place_of(blocks_.innermost().where, directive.where)),
+      in_axis ? "an axis contains only VariationBegin .. VariationEnd"
+              : "a variation contains MakeNamedMaterial, Texture, Light, LightSource, Show, Hide, Dynamic blocks, "
+                "Camera and Integrator");
   return true;
 }
 
@@ -133,7 +161,9 @@ void SceneBuilder::variation_begin(const Directive& directive) {
   variations_.resize(scene_.axes.size());
   define(variations_[axis_of_variation_], directive);
   open_block(Kind::variation, directive, name.text);
-  axis->variations.push_back({name.text, name.where, {}, {}, {}, {}});
+  around_variation_ = std::exchange(state_.ctm, {});
+  Variation& variation = axis->variations.emplace_back();
+  variation.name = name.text, variation.where = name.where;
   replaced_ = {};
 }
 
@@ -176,11 +206,57 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
   if (diagnostics_.error_count() == errors) variation.lights.push_back({name.text, directive.params, name.where});
 }
 
+void SceneBuilder::replace_light(Variation& variation, LightUse light) {
+  if (light.name.empty())
+    return diagnostics_.error(light.where, "a LightSource in a variation replaces one of the same name",
+                              "\"string name\" \"key\" replaces the light of that name");
+  const auto [first, is_new] = replaced_.light_sources.emplace(light.name, light.where);
+  if (!is_new)
+    diagnostics_.error(light.where, fmt::format("LightSource \"{}\" appears twice", light.name),
+                       fmt::format("the first is on {}", place_of(first->second, light.where)));
+  variation.light_sources.push_back(std::move(light));
+}
+
+/// The directives up to DynamicEnd stand in the place of those in the scene's block.
+void SceneBuilder::replace_block(const Directive& directive) {
+  const Argument& name = directive.words[0];
+  VariationAxis& axis = scene_.axes[axis_of_variation_];
+  const auto found = dynamic_states_.find(name.text);
+  std::vector<std::string> names;
+  for (const auto& [each, place] : dynamic_states_) names.push_back(each);
+  if (found == dynamic_states_.end())
+    diagnostics_.error(name.where, fmt::format("there is no Dynamic block \"{}\" before this variation", name.text),
+                       did_you_mean(name.text, names));
+  else if (!found->second.is_alone)
+    diagnostics_.error(name.where, fmt::format("several Dynamic blocks are named \"{}\"", name.text),
+                       "a variation replaces the contents of one: give them names of their own");
+  define(replaced_.blocks, directive);
+  axis.variations.back().replaced_blocks.push_back(name.text);
+  open_dynamic(directive, found == dynamic_states_.end() ? nullptr : &found->second);
+  DynamicBlock& block = scene_.dynamic_blocks.back();
+  block.axis = static_cast<int>(axis_of_variation_), block.variation = static_cast<int>(axis.variations.size()) - 1;
+}
+
+/// Its Camera or Integrator.
+bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
+  const bool is_camera = directive.info->kind == DirectiveKind::camera;
+  if (!is_camera && directive.info->kind != DirectiveKind::integrator) return false;
+  if (is_camera ? variation.camera.has_value() : variation.integrator.has_value())
+    diagnostics_.error(directive.where, fmt::format("a second {} in this variation", directive.info->name));
+  if (is_camera)
+    variation.camera = CameraUse{plugin_use(directive), std::exchange(state_.ctm, {})};
+  else
+    variation.integrator = plugin_use(directive);
+  return true;
+}
+
 void SceneBuilder::check_replacements() {
   const std::set<std::string> materials = names_of_places(materials_), colours = names_of_places(spectrum_textures_),
                               numbers = names_of_places(float_textures_);
   std::set<std::string> lights, blocks;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
+  std::set<std::string> sources = lights;
+  sources.erase("");
   for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
   const auto add_glowing = [&](const std::vector<MaterialUse>& uses) {
     for (const MaterialUse& use : uses)
@@ -211,6 +287,9 @@ void SceneBuilder::check_replacements() {
         if (!reads_geometry)
           expect("light", scale.light, lights, scale.where,
                  fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
+      for (const LightUse& use : variation.light_sources)
+        expect("LightSource", use.name, sources, use.where,
+               fmt::format("name one with the parameter \"string name\" \"{}\"", use.name));
       for (const BlockSwitch& each : variation.switches)
         expect("Dynamic block", each.block, blocks, each.where,
                fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", each.block));

@@ -1,4 +1,4 @@
-// Directives after WorldBegin: blocks, materials, textures, lights, shapes.
+// Directives after WorldBegin: materials, textures, lights, shapes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,20 +46,6 @@ std::optional<Argument> take_text(ParamList& params, std::string_view name, Diag
 
 }  // namespace
 
-bool SceneBuilder::apply_block(const Directive& directive) {
-  switch (directive.info->kind) {
-    case attribute_begin: open_block(Block::Kind::attribute, directive, {}); return true;
-    case attribute_end: close_block(Block::Kind::attribute, directive); return true;
-    case transform_begin: open_block(Block::Kind::transform, directive, {}); return true;
-    case transform_end: close_block(Block::Kind::transform, directive); return true;
-    case DirectiveKind::dynamic_begin: dynamic_begin(directive); return true;
-    case dynamic_end: close_block(Block::Kind::dynamic, directive); return true;
-    case DirectiveKind::object_begin: object_begin(directive); return true;
-    case object_end: close_block(Block::Kind::object, directive); return true;
-    default: return false;
-  }
-}
-
 bool SceneBuilder::apply_look(Directive& directive) {
   switch (directive.info->kind) {
     case DirectiveKind::attribute: attribute(directive); return true;
@@ -84,66 +70,6 @@ bool SceneBuilder::apply_thing(Directive& directive) {
   }
 }
 
-void SceneBuilder::open_block(Block::Kind kind, const Directive& directive, std::string name) {
-  blocks_.open({kind, std::move(name), directive.where, state_});
-}
-
-void SceneBuilder::close_block(Block::Kind kind, const Directive& directive) {
-  state_ = blocks_.close(kind, directive.where, state_);
-}
-
-void SceneBuilder::dynamic_begin(const Directive& directive) {
-  const std::string& name = directive.words[0].text;
-  open_block(Block::Kind::dynamic, directive, name);
-  MomentInterval moments{Moment(), Moment(scene_.moments)};
-  ParamReader reader(directive.params, "DynamicBegin", directive.where, diagnostics_);
-  const std::vector<int> limits = reader.integers("frames", "the first and the last frame in which its shapes exist");
-  reader.finish();
-  if (reader.has("frames")) {
-    if (limits.size() != 2 || limits[0] < 1 || limits[1] < limits[0])
-      reader.error("frames", "expected the first and the last frame, counted from 1");
-    else {
-      check_key(Moment::numbered(limits[1]), reader.where("frames"));
-      moments = {std::min(Moment::numbered(limits[0]), moments.end), std::min(Moment(limits[1]), moments.end)};
-    }
-  }
-  if (state_.dynamic_block >= 0) {
-    const MomentInterval outer = scene_.dynamic_blocks[static_cast<std::size_t>(state_.dynamic_block)].moments;
-    moments.first = std::clamp(moments.first, outer.first, outer.end);
-    moments.end = std::clamp(moments.end, moments.first, outer.end);
-  }
-  scene_.dynamic_blocks.push_back({name, moments, directive.where, state_.dynamic_block});
-  state_.dynamic_block = static_cast<int>(scene_.dynamic_blocks.size()) - 1;
-}
-
-void SceneBuilder::object_begin(const Directive& directive) {
-  if (const Block* outer = blocks_.find(Block::Kind::object))
-    diagnostics_.error(directive.where,
-                       fmt::format("ObjectBegin inside {} (line {})", begin_of(*outer), outer->where.line),
-                       "objects cannot hold objects");
-  open_block(Block::Kind::object, directive, directive.words[0].text);
-  define(objects_, directive);
-  scene_.objects.push_back({directive.words[0].text, {}, directive.where});
-}
-
-/// After a whole scene, keys may stand outside of blocks: for its Camera.
-void SceneBuilder::expect_still(const Directive& directive) {
-  if (state_.dynamic_block < 0 && state_.ctm.is_keyed())
-    diagnostics_.error(directive.where,
-                       fmt::format("this {} moves, but is not in a Dynamic block", directive.info->name),
-                       "put it and its keys between DynamicBegin \"a name\" and DynamicEnd");
-}
-
-void SceneBuilder::object_instance(const Directive& directive) {
-  expect_still(directive);
-  if (const Block* outer = blocks_.find(Block::Kind::object))
-    diagnostics_.error(directive.where,
-                       fmt::format("ObjectInstance inside {} (line {})", begin_of(*outer), outer->where.line),
-                       "objects cannot hold objects");
-  scene_.instances.push_back({directive.words[0].text, state_.ctm, state_.reverse_orientation, state_.dynamic_block,
-                              directive.words[0].where});
-}
-
 void SceneBuilder::define(Places& names, const Directive& directive) {
   const Argument& name = directive.words[0];
   const auto [first, is_new] = names.emplace(name.text, name.where);
@@ -160,7 +86,9 @@ PluginUse SceneBuilder::plugin_use(Directive& directive) {
 PluginUse SceneBuilder::plugin_use(Directive& directive, AttributeTarget target) const {
   PluginUse use = plugin_use(directive);
   const std::size_t given = use.params.params.size();
-  for (const Param& param : state_.attributes[static_cast<std::size_t>(target)].params) {
+  const std::shared_ptr<const ParamList>& defaults = state_.attributes[static_cast<std::size_t>(target)];
+  if (defaults == nullptr) return use;
+  for (const Param& param : defaults->params) {
     const auto end = use.params.params.begin() + static_cast<std::ptrdiff_t>(given);
     if (std::none_of(use.params.params.begin(), end, [&](const Param& p) { return p.name == param.name; }))
       use.params.params.push_back(param);
@@ -190,16 +118,19 @@ void SceneBuilder::attribute(Directive& directive) {
                        guess.empty() ? "available: shape, light, material, medium, texture" : guess);
     return;
   }
-  ParamList& defaults = state_.attributes[static_cast<std::size_t>(found - kTargets.begin())];
+  std::shared_ptr<const ParamList>& shared = state_.attributes[static_cast<std::size_t>(found - kTargets.begin())];
+  ParamList defaults = shared != nullptr ? *shared : ParamList();
   std::erase_if(defaults.params, [&](const Param& param) { return gives(directive.params, param.name); });
   for (Param& param : directive.params.params) {
     param.is_default = true;
     defaults.params.push_back(std::move(param));
   }
-  if (bytes_of(defaults) <= kMostDefaults) return;
-  diagnostics_.error(directive.where, fmt::format("too many defaults for every {}", target.text),
-                     "move long lists to the directive that needs them");
-  defaults.params.clear();
+  if (bytes_of(defaults) > kMostDefaults) {
+    diagnostics_.error(directive.where, fmt::format("too many defaults for every {}", target.text),
+                       "move long lists to the directive that needs them");
+    defaults.params.clear();
+  }
+  shared = std::make_shared<const ParamList>(std::move(defaults));
 }
 
 void SceneBuilder::material(Directive& directive) {
@@ -240,8 +171,10 @@ void SceneBuilder::texture(Directive& directive) {
   else
     define(is_spectrum ? spectrum_textures_ : float_textures_, directive);
   std::string name = directive.words[0].text;
+  Motion placement = variation ? around_variation_ : Motion();
+  placement.multiply(state_.ctm);
   (variation ? variation->textures : scene_.textures)
-      .push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, state_.ctm});
+      .push_back({plugin_use(directive, AttributeTarget::texture), std::move(name), is_spectrum, std::move(placement)});
 }
 
 std::string SceneBuilder::take_name(ParamList& params) {
@@ -257,10 +190,14 @@ void SceneBuilder::area_light_source(Directive& directive) {
 }
 
 void SceneBuilder::light_source(Directive& directive) {
-  expect_still(directive);
+  Variation* const variation = variation_in_force();
+  if (variation == nullptr) expect_still(directive);
   LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
   light.name = take_name(light.params);
-  scene_.lights.push_back(std::move(light));
+  if (variation != nullptr)
+    replace_light(*variation, std::move(light));
+  else
+    scene_.lights.push_back(std::move(light));
 }
 
 void SceneBuilder::shape(Directive& directive) {

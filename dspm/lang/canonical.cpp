@@ -67,56 +67,69 @@ class Canonical {
 
 class Digests {
  public:
-  explicit Digests(const SceneDescription& scene) : scene_(scene) {}
+  using Kind = ElementDigest::Kind;
+
+  Digests(const SceneDescription& scene, const FramesPart& part) : scene_(scene), part_(part) {}
 
   std::vector<ElementDigest> all() {
     add_frames();
     if (scene_.camera)
       add(named("camera", scene_.camera->type), scene_.camera->where,
-          Canonical().use(*scene_.camera).motion(scene_.camera->camera_from_world, scene_.moments));
+          Canonical().use(*scene_.camera).motion(scene_.camera->camera_from_world, part_.moments));
     for (const TextureUse& use : scene_.textures) add_texture(use);
     for (const MaterialUse& use : scene_.materials) add_material(use);
     for (const LightUse& use : scene_.lights)
       add(named("light", use.type), use.where,
-          Canonical().use(use).text(use.name).motion(use.world_from_light, scene_.moments).number(use.dynamic_block));
+          Canonical().use(use).text(use.name).motion(use.world_from_light, part_.moments).number(use.dynamic_block),
+          Kind::light, use.dynamic_block);
     for (const AreaLightUse& use : scene_.area_lights)
-      add(named("area light", use.type), use.where, Canonical().use(use).text(use.name));
-    for (const ShapeUse& use : scene_.shapes) add(named("shape", use.type), use.where, of_shape(use));
-    for (const DynamicBlock& block : scene_.dynamic_blocks)
-      add(named("dynamic", block.name), block.where,
-          Canonical().number(block.moments.first.frames()).number(block.moments.end.frames()).number(block.outer));
+      add(named("area light", use.type), use.where, Canonical().use(use).text(use.name), Kind::look);
+    for (const ShapeUse& use : scene_.shapes)
+      add(named("shape", use.type), use.where, of_shape(use), Kind::shape, use.dynamic_block);
+    add_blocks();
     add_objects();
-    for (const VariationAxis& axis : scene_.axes)
-      for (const Variation& variation : axis.variations) add_variation(axis, variation);
+    for (std::size_t axis = 0; axis < scene_.axes.size(); ++axis)
+      for (std::size_t v = 0; v < scene_.axes[axis].variations.size(); ++v) add_variation(axis, v);
     return std::move(digests_);
   }
 
  private:
   static std::string named(const char* kind, const std::string& name) { return fmt::format("{} \"{}\"", kind, name); }
 
-  void add(std::string name, const SourceLocation& where, const Canonical& canonical) {
-    digests_.push_back({std::move(name), canonical.digest(), where});
+  void add(std::string name, const SourceLocation& where, const Canonical& canonical, Kind kind = Kind::common,
+           int dynamic_block = -1) {
+    digests_.push_back({std::move(name), canonical.digest(), where, kind, dynamic_block});
   }
 
   void add_frames() {
     Canonical frames;
-    frames.number(scene_.moments);
-    for (const Combination& combination : scene_.frames.combinations()) frames.text(combination.name);
+    frames.number(part_.moments);
+    const std::vector<Combination>& all = scene_.frames.combinations();
+    for (int c = 0; c < part_.combinations; ++c) frames.text(all[static_cast<std::size_t>(c)].name);
     add("the list of frames", scene_.frames_where, frames);
   }
   void add_texture(const TextureUse& use, const std::string& where = {}) {
     add(named("texture", use.name) + where, use.where,
-        Canonical().use(use).number(use.is_spectrum).motion(use.world_from_texture, scene_.moments));
+        Canonical().use(use).number(use.is_spectrum).motion(use.world_from_texture, part_.moments), Kind::look);
   }
   void add_material(const MaterialUse& use, const std::string& where = {}) {
     add(named("material", use.name.empty() ? use.type : use.name) + where, use.where,
-        Canonical().use(use).text(use.name));
+        Canonical().use(use).text(use.name), Kind::look);
+  }
+  void add_blocks() {
+    for (std::size_t i = 0; i < scene_.dynamic_blocks.size(); ++i) {
+      const DynamicBlock& block = scene_.dynamic_blocks[i];
+      const double end = std::min(block.moments.end.frames(), static_cast<double>(part_.moments));
+      add(named("dynamic", block.name), block.where,
+          Canonical().number(block.moments.first.frames()).number(end).number(block.outer), Kind::block,
+          static_cast<int>(i));
+    }
   }
   Canonical of_shape(const ShapeUse& use) const {
     return Canonical()
         .use(use)
         .text(use.name)
-        .motion(use.world_from_object, scene_.moments)
+        .motion(use.world_from_object, part_.moments)
         .number(use.reverse_orientation)
         .number(use.material.index)
         .text(use.material.name)
@@ -125,35 +138,62 @@ class Digests {
   }
   void add_objects() {
     for (const ObjectDefinition& object : scene_.objects) {
-      add(named("object", object.name), object.where, Canonical().number(static_cast<double>(object.shapes.size())));
-      for (const ShapeUse& use : object.shapes)
-        add(fmt::format("shape \"{}\" of object \"{}\"", use.type, object.name), use.where, of_shape(use));
+      add(named("object", object.name), object.where, Canonical().number(static_cast<double>(object.shapes.size())),
+          Kind::object);
+      digests_.back().object = object.name;
+      for (const ShapeUse& use : object.shapes) {
+        add(fmt::format("shape \"{}\" of object \"{}\"", use.type, object.name), use.where, of_shape(use),
+            Kind::object);
+        digests_.back().object = object.name;
+      }
     }
-    for (const ObjectUse& use : scene_.instances)
+    for (const ObjectUse& use : scene_.instances) {
       add(named("instance of", use.name), use.where,
           Canonical()
-              .motion(use.world_from_instance, scene_.moments)
+              .motion(use.world_from_instance, part_.moments)
               .number(use.reverse_orientation)
-              .number(use.dynamic_block));
+              .number(use.dynamic_block),
+          Kind::instance, use.dynamic_block);
+      digests_.back().object = use.name;
+    }
   }
-  void add_variation(const VariationAxis& axis, const Variation& variation) {
+  void add_variation(std::size_t axis_index, std::size_t index) {
+    const VariationAxis& axis = scene_.axes[axis_index];
+    const Variation& variation = axis.variations[index];
+    const std::size_t first = digests_.size();
     Canonical own;
     own.text(axis.name);
     for (const LightScale& scale : variation.lights) own.use(scale.light, scale.params);
     for (const BlockSwitch& each : variation.switches) own.text(each.block).number(each.shown);
     const std::string name = named("variation", variation.name);
     add(name, variation.where, own);
+    if (variation.camera)
+      add(named("camera", variation.camera->type) + " of " + name, variation.camera->where,
+          Canonical().use(*variation.camera).motion(variation.camera->camera_from_world, part_.moments));
+    if (const std::optional<PluginUse>& use = variation.integrator)
+      add(named("integrator", use->type) + " of " + name, use->where,
+          Canonical().use(use->type, use->params, {"iterations"}));
+    for (const LightUse& use : variation.light_sources)
+      add(named("light", use.name) + " of " + name, use.where,
+          Canonical().use(use).text(use.name).motion(use.world_from_light, part_.moments));
     for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
     for (const MaterialUse& use : variation.materials) add_material(use, " of " + name);
+    for (std::size_t i = first; i < digests_.size(); ++i) {
+      digests_[i].kind = Kind::variation;
+      digests_[i].axis = static_cast<int>(axis_index), digests_[i].variation = static_cast<int>(index);
+    }
   }
 
   const SceneDescription& scene_;
+  const FramesPart part_;
   std::vector<ElementDigest> digests_;
 };
 
 }  // namespace
 
-std::vector<ElementDigest> digests_of(const SceneDescription& scene) { return Digests(scene).all(); }
+std::vector<ElementDigest> digests_of(const SceneDescription& scene, const FramesPart& part) {
+  return Digests(scene, part).all();
+}
 
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without) {
   return Canonical().use(type, params, without).digest();

@@ -81,6 +81,8 @@ struct DynamicBlock {
   MomentInterval moments;  // those in which its shapes exist, within the enclosing block's
   SourceLocation where;
   int outer = -1;  // the enclosing block, into SceneDescription::dynamic_blocks
+  // Of a block that stands in the place of the scene's of that name: whose it is.
+  int axis = -1, variation = -1;
 };
 
 /// ObjectBegin .. ObjectEnd.
@@ -131,6 +133,10 @@ struct Variation {
   std::vector<TextureUse> textures;
   std::vector<LightScale> lights;
   std::vector<BlockSwitch> switches;
+  std::vector<LightUse> light_sources;       // placed in the space of the light that they replace
+  std::vector<std::string> replaced_blocks;  // by a Dynamic block of its own
+  std::optional<CameraUse> camera;
+  std::optional<PluginUse> integrator;
 };
 
 /// AxisBegin .. AxisEnd, or all variations outside such blocks.
@@ -157,6 +163,16 @@ struct ModuleUse {
   std::string file;
   SourceLocation where;
 };
+
+/// Of the frame's variations, the last axis's with a definition of its own; null: the scene's holds.
+template <class Find>
+auto replacement(const std::vector<VariationAxis>& axes, const std::vector<int>& choices, Find&& find)
+    -> decltype(find(axes.front().variations.front())) {
+  for (std::size_t axis = axes.size(); axis-- > 0;)
+    if (axis < choices.size())
+      if (const auto found = find(axes[axis].variations[static_cast<std::size_t>(choices[axis])])) return found;
+  return nullptr;
+}
 
 enum class Dialect { pbrt, dsc };  // by the main file's name; standard input counts as dsc
 
@@ -190,6 +206,31 @@ struct SceneDescription {
   std::vector<MediumInterfaceUse> medium_interfaces;
   std::vector<VariationAxis> axes;
   std::vector<CombinationRule> rules;  // which combinations are left
+
+  const std::vector<int>& choices(FileFrame frame) const {
+    return frames.combinations()[frames.combination_of(frame)].choices;
+  }
+  /// Null: none is given.
+  const CameraUse* camera_of(FileFrame frame) const {
+    const CameraUse* own = replacement(
+        axes, choices(frame), [](const Variation& v) -> const CameraUse* { return v.camera ? &*v.camera : nullptr; });
+    return own != nullptr ? own : camera ? &*camera : nullptr;
+  }
+  /// A variation's; null: the scene's holds.
+  const PluginUse* own_integrator_of(FileFrame frame) const {
+    return replacement(axes, choices(frame),
+                       [](const Variation& v) -> const PluginUse* { return v.integrator ? &*v.integrator : nullptr; });
+  }
+  /// What stands in the frame in place of that light.
+  const LightUse& light_of(const LightUse& light, FileFrame frame) const {
+    if (light.name.empty()) return light;
+    const LightUse* own = replacement(axes, choices(frame), [&](const Variation& v) -> const LightUse* {
+      for (const LightUse& each : v.light_sources)
+        if (each.name == light.name) return &each;
+      return nullptr;
+    });
+    return own != nullptr ? *own : light;
+  }
 };
 
 }  // namespace dspm

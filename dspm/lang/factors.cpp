@@ -36,7 +36,8 @@ std::vector<Factor> factors_of(const SceneDescription& scene) {
   std::vector<Factor> factors{{Factor::kMoments, moments_move_paths(scene)}};
   for (std::size_t axis = 0; axis < scene.axes.size(); ++axis)
     factors.push_back({static_cast<int>(axis), any_moves(scene.axes[axis].variations, [](const Variation& variation) {
-                         return !variation.switches.empty();
+                         return !variation.switches.empty() || !variation.replaced_blocks.empty() ||
+                                !variation.light_sources.empty() || variation.camera;
                        })});
   return factors;
 }

@@ -2,6 +2,7 @@
 // variation, without Frames one moment.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,21 +17,60 @@ struct Combination {
   std::vector<int> choices;  // by axis: which of its variations
 };
 
-/// Frame f is moment f % moments(), counted from the first, of combination f / moments().
+/// The first moments and the first combinations of a file.
+struct FramesPart {
+  int moments = 1;
+  int combinations = 1;
+
+  int count() const { return moments * combinations; }
+};
+
+/// What an earlier run knew of a file to which frames have been added since.
+struct KnownFrames {
+  FramesPart base;                      // all that there was at first, see FileFrames::base
+  int moments = 1;                      // of the file then
+  std::vector<std::string> names = {};  // of its combinations, those of the base first
+  std::vector<FileFrame> rendered;      // by their places then
+
+  FramesPart all() const { return {moments, static_cast<int>(names.size())}; }
+};
+
+/// Frames count moment by moment, combination by combination; those of the base come first.
 class FileFrames {
  public:
   FileFrames() : FileFrames(1, {{}}) {}
   FileFrames(int moments, std::vector<Combination> combinations)
-      : moments_(moments), combinations_(std::move(combinations)) {}
+      : FileFrames(moments, std::move(combinations), std::nullopt) {}
+  FileFrames(int moments, std::vector<Combination> combinations, std::optional<FramesPart> base)
+      : moments_(moments),
+        combinations_(std::move(combinations)),
+        base_(base.value_or(FramesPart{moments, static_cast<int>(combinations_.size())})) {}
+  /// With the places of that time; combinations have only names.
+  explicit FileFrames(const KnownFrames& known) : FileFrames(known.moments, {}, known.base) {
+    for (const std::string& name : known.names) combinations_.push_back({name, {}});
+  }
 
   int count() const { return moments_ * static_cast<int>(combinations_.size()); }
   int moments() const { return moments_; }
   const std::vector<Combination>& combinations() const { return combinations_; }
+  /// Whatever sampling derives from the file, it derives from these frames: all, unless frames were added to a render.
+  const FramesPart& base() const { return base_; }
+  bool is_in_base(FileFrame f) const { return f.index() < base_.count(); }
 
   /// Which of the moments, counted from the first.
-  int moment_index(FileFrame f) const { return f.index() % moments_; }
+  int moment_index(FileFrame f) const { return place(f).moment; }
   Moment moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
-  std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(f.index() / moments_); }
+  std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(place(f).combination); }
+  /// Undoes both.
+  FileFrame frame(int combination, int moment) const {
+    const int more = moments_ - base_.moments;
+    if (combination >= base_.combinations) return FileFrame(combination * moments_ + moment);
+    if (moment < base_.moments) return FileFrame(combination * base_.moments + moment);
+    return FileFrame(base_.count() + combination * more + moment - base_.moments);
+  }
+  bool contains(const FramesPart& part, FileFrame f) const {
+    return place(f).moment < part.moments && place(f).combination < part.combinations;
+  }
   const std::string& variation(FileFrame f) const { return combinations_[combination_of(f)].name; }
   /// "12", "oak-red" or "oak-red 12".
   std::string label(FileFrame f) const {
@@ -47,9 +87,20 @@ class FileFrames {
   int choice(FileFrame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 
  private:
+  struct Place {
+    int combination, moment;
+  };
+  Place place(FileFrame f) const {
+    const int added = f.index() - base_.count(), more = moments_ - base_.moments, later = more * base_.combinations;
+    if (added < 0) return {f.index() / base_.moments, f.index() % base_.moments};
+    if (added < later) return {added / more, base_.moments + added % more};
+    return {f.index() / moments_, f.index() % moments_};
+  }
+
   Moment first_moment_;
   int moments_;
   std::vector<Combination> combinations_;
+  FramesPart base_;
 };
 
 }  // namespace dspm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "dspm/colour/colour_space.h"
 #include "dspm/lang/description.h"
@@ -22,7 +23,7 @@ struct GraphicsState {
   MaterialRef material;
   int area_light = -1;
   int dynamic_block = -1;
-  std::array<ParamList, kAttributeTargets> attributes;
+  std::array<std::shared_ptr<const ParamList>, kAttributeTargets> attributes = {};  // null: none; blocks share them
 };
 
 }  // namespace dspm

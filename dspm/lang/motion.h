@@ -51,6 +51,7 @@ class Motion {
   /// Multiplies from the right, as directives in a scene file do.
   void multiply(const Matrix4& matrix);
   void multiply(KeyedTransform keyed);
+  void multiply(const Motion& next) { factors_.insert(factors_.end(), next.factors_.begin(), next.factors_.end()); }
 
   /// All zeros if no inverse exists at that moment.
   Matrix4 at(Moment moment) const;

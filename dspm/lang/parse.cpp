@@ -62,7 +62,7 @@ class SceneReader {
     if (!scene_.files.empty() && !is_full()) builder_.finish();
     std::erase_if(scene_.axes,
                   [](const VariationAxis& axis) { return axis.variations.empty(); });  // after their errors
-    scene_.frames = frames_of(scene_, options_.variations, diagnostics_);
+    scene_.frames = frames_of(scene_, options_.variations, options_.known, diagnostics_);
     if (diagnostics_.error_count() == 0)
       for (const auto& [name, value] : options_.defines)
         if (!is_used(name)) diagnostics_.warning({}, fmt::format("-D {}: the scene has no ${}", name, name));

@@ -1,6 +1,7 @@
 // The entry point of the language: scene files in, SceneDescription and diagnostics out.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace dspm {
 struct ParseOptions {
   Defines defines = {};                      // from -D name=value
   std::vector<std::string> variations = {};  // patterns for those that are wanted, if there are too many
+  std::optional<KnownFrames> known = {};     // of the run that is resumed
 };
 
 /// Reads the files one after the other as if they were one; "-" is standard input. Errors go to `diagnostics`, up to

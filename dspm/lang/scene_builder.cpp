@@ -131,12 +131,13 @@ void SceneBuilder::end_file(const SourceFile& file) {
 }
 
 bool SceneBuilder::may_replace(const Directive& directive) const {
+  const bool in_variation = blocks_.innermost_is(Block::Kind::variation);
   switch (directive.info->kind) {
     case DirectiveKind::camera:
+    case integrator: return in_variation || (scene_is_whole_ && blocks_.empty());
     case film:
     case sampler:
     case pixel_filter:
-    case integrator:
     case accelerator: return scene_is_whole_ && blocks_.empty();
     default: return false;
   }

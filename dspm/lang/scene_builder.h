@@ -35,13 +35,21 @@ class SceneBuilder {
  private:
   using Places = std::map<std::string, SourceLocation>;
 
+  /// Where a Dynamic block begins.
+  struct DynamicPlace {
+    DynamicPlace(int index, const GraphicsState& outer) : block(index), state(outer) {}
+    int block;  // into SceneDescription::dynamic_blocks
+    GraphicsState state;
+    bool is_alone = true;  // of its name
+  };
+
   void close_forgotten_group(const Directive& directive);
   bool check_section(const Directive& directive);
   void check_keys(const Directive& directive);
   void check_key(Moment key, const SourceLocation& where);
 
   // Each applies the directive if it is one of its own (build_variations.cpp, build_options.cpp, ...).
-  bool apply_variation(const Directive& directive);
+  bool apply_variation(Directive& directive);
   bool apply_option(Directive& directive);
   bool apply_transform(const Directive& directive);
   bool apply_block(const Directive& directive);
@@ -64,6 +72,7 @@ class SceneBuilder {
   bool is_blurred(const Directive& directive);
   void active_transform(const Directive& directive);
   void coordinate_system(const Directive& directive);
+  bool may_begin_keys() const;
   void keyframe(const Directive& directive);
   void keyframe_end(const Directive& directive);
   void finish_group();
@@ -79,6 +88,9 @@ class SceneBuilder {
   void check_rules();
   bool find_axis(CombinationRule::Pattern& pattern);
   void check_pattern(const CombinationRule::Pattern& pattern);
+  void replace_light(Variation& variation, LightUse light);
+  void replace_block(const Directive& directive);
+  bool replace_job(Directive& directive, Variation& variation);
   void scale_light(const Directive& directive, Variation& variation);
   /// The variation being read; null outside.
   Variation* variation_in_force();
@@ -87,6 +99,8 @@ class SceneBuilder {
   void open_block(Block::Kind kind, const Directive& directive, std::string name);
   void close_block(Block::Kind kind, const Directive& directive);
   void dynamic_begin(const Directive& directive);
+  /// `place`: of the scene's block whose contents are replaced, or null.
+  void open_dynamic(const Directive& directive, const DynamicPlace* place);
   void object_begin(const Directive& directive);
   void attribute(Directive& directive);
   void material(Directive& directive);
@@ -120,9 +134,11 @@ class SceneBuilder {
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
-    Places float_textures, spectrum_textures, materials, lights, switches;
-  } replaced_;                      // by the current variation
-  std::vector<Places> variations_;  // by axis
+    Places float_textures, spectrum_textures, materials, lights, switches, light_sources, blocks;
+  } replaced_;                                          // by the current variation
+  std::vector<Places> variations_;                      // by axis
+  std::map<std::string, DynamicPlace> dynamic_states_;  // by name, the first of each
+  Motion around_variation_;                             // the current transform when it began
   std::size_t axis_of_variation_ = 0;
 };
 

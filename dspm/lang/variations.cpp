@@ -121,6 +121,30 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
   }
 }
 
+/// The known ones first, in their order.
+std::vector<Combination> in_known_order(std::vector<Combination> combinations, const KnownFrames& known,
+                                        Diagnostics& diagnostics) {
+  std::map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < combinations.size(); ++i) places.emplace(combinations[i].name, i);
+  std::vector<Combination> ordered;
+  std::vector<bool> taken(combinations.size());
+  for (const std::string& name : known.names) {
+    const auto found = places.find(name);
+    if (found == places.end()) {
+      diagnostics.error({},
+                        name.empty() ? "the checkpoint is of this scene without variations"
+                                     : fmt::format("variation {} of the checkpoint is not there any more", name),
+                        "variations can be added to a render, but not taken away");
+      continue;
+    }
+    taken[found->second] = true;
+    ordered.push_back(combinations[found->second]);
+  }
+  for (std::size_t i = 0; i < combinations.size(); ++i)
+    if (!taken[i]) ordered.push_back(std::move(combinations[i]));
+  return ordered;
+}
+
 }  // namespace
 
 std::vector<Combination> matching_combinations(const std::vector<VariationAxis>& axes,
@@ -130,10 +154,11 @@ std::vector<Combination> matching_combinations(const std::vector<VariationAxis>&
 }
 
 FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
-                     Diagnostics& diagnostics) try {
+                     const std::optional<KnownFrames>& known, Diagnostics& diagnostics) try {
   const int most = std::clamp(kMostFrames / scene.moments, 1, kMostCombinations);
   const std::size_t one_more = static_cast<std::size_t>(most) + 1;
-  const auto matching = [&](const std::vector<std::string>& names) {
+  const auto matching = [&](std::vector<std::string> names) {
+    if (known && names.front() != "*") names.insert(names.end(), known->names.begin(), known->names.end());
     return matching_combinations(scene.axes, names, one_more, scene.rules);
   };
   std::vector<Combination> combinations = matching({"*"});
@@ -152,7 +177,13 @@ FileFrames frames_of(const SceneDescription& scene, const std::vector<std::strin
     combinations.clear();
   }
   if (diagnostics.error_count() == 0) refuse_equal_names(scene, combinations, diagnostics);
-  return {scene.moments, std::move(combinations)};
+  if (!known || diagnostics.error_count() > 0) return {scene.moments, std::move(combinations)};
+  if (scene.moments < known->moments)
+    diagnostics.error(scene.frames_where, fmt::format("the checkpoint has {} frames", known->moments),
+                      "frames can be added to a render, but not taken away");
+  combinations = in_known_order(std::move(combinations), *known, diagnostics);
+  if (diagnostics.error_count() > 0) return {scene.moments, std::move(combinations)};
+  return {scene.moments, std::move(combinations), known->base};
 } catch (const TooManyTried&) {
   diagnostics.error(scene.rules.front().where,
                     fmt::format("AxisExclude and AxisOnly leave too few: {} combinations were tried", kMostTried),

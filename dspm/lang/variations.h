@@ -1,6 +1,7 @@
 // The product's variations: all combinations of the axes' variations, or those that patterns choose.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ std::vector<Combination> matching_combinations(const std::vector<VariationAxis>&
                                                const std::vector<CombinationRule>& rules = {});
 
 /// The scene's frames: all combinations if they are few enough, else those that `patterns` choose. Sampling must not
-/// depend on the choice as long as that is possible. Two of the same name are an error, as are too many.
-FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns, Diagnostics& diagnostics);
+/// depend on the choice as long as that is possible. Two of the same name are an error, as are too many. Those that are
+/// `known` keep their places; an error if some are not there any more.
+FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
+                     const std::optional<KnownFrames>& known, Diagnostics& diagnostics);
 
 }  // namespace dspm

@@ -15,6 +15,7 @@
 #include "dspm/output/developed.h"
 #include "dspm/output/image_name.h"
 #include "dspm/output/manifests.h"
+#include "dspm/output/name_template.h"
 #include "dspm/output/trial_writes.h"
 #include "dspm/output/write_image.h"
 #include "dspm/system/atomic_file.h"
@@ -61,8 +62,10 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
   warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!sheet_path_.empty()) sheet_.emplace(sheet_places_.layout(width, height));
-  const bool is_one_variation = job.description->frames.combination_of(job.frames.front()) ==
-                                job.description->frames.combination_of(job.frames.back());
+  const auto variation = [&](FileFrame frame) { return job.description->frames.combination_of(frame); };
+  const bool is_one_variation = std::all_of(job.frames.begin(), job.frames.end(), [&](FileFrame frame) {
+    return variation(frame) == variation(job.frames.front());
+  });
   if (!settings.video.empty() && !is_one_variation)
     throw UsageError("--video shows one variation: choose one with --variation");
   if (!settings.video.empty())
@@ -82,6 +85,7 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
       files.push_back({layer_file(frame, label), whose + "\"" + label + "\""});
   }
   if (settings.stats_in_file()) files.push_back({settings.stats, "the statistics"});
+  if (!settings.index.empty()) files.push_back({settings.index, "the table of images"});
   if (!settings.contact_sheet.empty()) files.push_back({settings.contact_sheet, "the contact sheet"});
   files.insert(files.end(), others.written.begin(), others.written.end());
   return files;
@@ -114,6 +118,8 @@ std::uint64_t Output::bytes_on_disk() const {
 }
 
 std::filesystem::path Output::name(FileFrame frame) const {
+  if (is_template(job_.film.filename))
+    return filled_in(job_.film.filename, parts_of(job_, frame), job_.moment(frame).number());
   return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
                     job_.variation(frame));
 }

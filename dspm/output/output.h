@@ -23,6 +23,7 @@ namespace dspm {
 struct OutputSettings : LayerSettings {
   bool png = false;                  // of every image
   std::string contact_sheet, video;  // files; empty: none
+  std::string index;                 // the table of all images, .csv or .json; empty: none
   std::string stats;                 // "table", or a file for JSON ("-": standard output); empty: no statistics
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 };
@@ -51,6 +52,8 @@ class Output {
 
   /// The path of the image of a frame of the file.
   std::filesystem::path name(FileFrame frame) const;
+  /// A frame's image, and its PNG if that is another file.
+  std::vector<std::filesystem::path> image_files(FileFrame frame) const;
   /// The most memory that writing takes.
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
@@ -66,8 +69,6 @@ class Output {
  private:
   /// All files that the run writes, except the video.
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
-  /// A frame's image, and its PNG if that is another file.
-  std::vector<std::filesystem::path> image_files(FileFrame frame) const;
   /// Of an output that has a file of its own.
   std::filesystem::path layer_file(FileFrame frame, const std::string& label) const;
   /// Of all images, uncompressed.

@@ -9,6 +9,7 @@
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
 #include "dspm/modules/all_plugins.h"
+#include "dspm/output/image_index.h"
 #include "dspm/output/not_finite.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/readable.h"
@@ -106,10 +107,18 @@ void Results::say_end(double seconds, bool interrupted) const {
   messages_.say("{} after {}: {}{}", what, readable_time(seconds), written(), missing);
 }
 
+void Results::write_index() const {
+  if (settings_.index.empty()) return;
+  std::vector<IndexedImage> images;
+  for (const FileFrame frame : written_) images.push_back({frame, output_.image_files(frame)});
+  write_file(settings_.index, image_index(settings_.index, job_, images));
+}
+
 bool Results::finish(const RunReport& report) {
   faults_.retry();
   faults_.attempt(settings_.stats == "-" ? "standard output" : settings_.stats,
                   [&] { write_report(job_, report, settings_); });
+  faults_.attempt(settings_.index, [&] { write_index(); });
   faults_.attempt(settings_.video, [&] { output_.finish_video(); });
   faults_.report_missing();
   return are_whole();

@@ -32,10 +32,13 @@ class Results {
   /// The files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none.
   std::string written() const;
   void say_end(double seconds, bool interrupted) const;
-  /// Writes the statistics and the video. Returns whether all files are written.
+  /// Writes the statistics, the table of images and the video. Returns whether all files are written.
   bool finish(const RunReport& report);
 
  private:
+  /// The table of the images, if one was asked for.
+  void write_index() const;
+
   const Job& job_;
   const World& world_;
   const OutputSettings settings_;

@@ -1,6 +1,7 @@
 #include "dspm/session/frame_intervals.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -46,8 +47,7 @@ FrameList ascending(FrameSpans spans) {
 
 }  // namespace
 
-FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& frames)
-    : file_(scene.frames), sorted_(frames) {
+FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& frames) : file_(scene.frames) {
   std::vector<std::pair<Factor, std::size_t>> factors;  // with the number of places that occur
   for (const Factor& factor : factors_of(scene)) {
     std::set<int> places;
@@ -58,11 +58,18 @@ FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& f
     return std::pair(a.first.moves_paths, a.second) > std::pair(b.first.moves_paths, b.second);
   });
   for (const auto& [factor, places] : factors) factors_.push_back(factor);
-  std::stable_sort(sorted_.begin(), sorted_.end(), [&](FileFrame a, FileFrame b) {
+  FrameList sorted = frames;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](FileFrame a, FileFrame b) {
     for (const Factor& factor : factors_)
       if (const int x = place_along(factor, file_, a), y = place_along(factor, file_, b); x != y) return x < y;
     return false;
   });
+  std::map<const PluginUse*, std::size_t> places;
+  for (const FileFrame frame : sorted) {
+    const auto place = places.try_emplace(scene.own_integrator_of(frame), groups_.size()).first->second;
+    if (place == groups_.size()) groups_.emplace_back();
+    groups_[place].push_back(frame);
+  }
 }
 
 std::vector<FrameSpan> FrameIntervals::blocks(FrameSpan frames, std::size_t factor) const {
@@ -90,7 +97,7 @@ void FrameIntervals::cut(FrameSpan frames, std::size_t factor, std::size_t toget
 
 std::vector<FrameList> FrameIntervals::cut(int together) const {
   std::vector<FrameList> intervals;
-  cut(sorted_, 0, static_cast<std::size_t>(together), intervals);
+  for (const FrameList& group : groups_) cut(group, 0, static_cast<std::size_t>(together), intervals);
   std::sort(intervals.begin(), intervals.end());
   return intervals;
 }

@@ -16,7 +16,7 @@ using FrameSpan = std::span<const FileFrame>;
 
 class FrameIntervals {
  public:
-  /// Factors that move paths vary slowest, then those with the most places: frames that differ only in looks stay
+  /// Frames with different settings of the integrator are never together. Factors that move paths vary slowest, then those with the most places: frames that differ only in looks stay
   /// together.
   FrameIntervals(const SceneDescription& scene, const FrameList& frames);
 
@@ -29,8 +29,8 @@ class FrameIntervals {
   void cut(FrameSpan frames, std::size_t factor, std::size_t together, std::vector<FrameList>& intervals) const;
 
   const FileFrames& file_;
-  std::vector<Factor> factors_;  // slowest first
-  FrameList sorted_;
+  std::vector<Factor> factors_;    // slowest first
+  std::vector<FrameList> groups_;  // with the same settings of the integrator; sorted
 };
 
 }  // namespace dspm

@@ -23,7 +23,7 @@ ParseOptions parse_options_of(const Choices& choices) {
     const std::size_t sign = define.find('=');
     parse.defines[define.substr(0, sign)] = define.substr(sign + 1);
   }
-  parse.variations = choices.variations;
+  parse.variations = choices.variations, parse.known = choices.known;
   return parse;
 }
 

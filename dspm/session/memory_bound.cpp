@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/memory_use.h"
 #include "dspm/system/readable.h"
@@ -48,6 +50,16 @@ std::string in_words(std::size_t intervals, int length, int batches) {
   const std::string frames = counted(static_cast<std::size_t>(length), "frame");
   return (intervals == 1 ? frames + " together" : fmt::format("{} intervals of {}", intervals, frames)) +
          (batches == 1 ? "" : fmt::format(", photons in {} batches", batches));
+}
+
+/// Those in none of the intervals.
+FrameList without(const FrameList& frames, const std::vector<FrameList>& intervals) {
+  std::set<FileFrame> taken;
+  for (const FrameList& interval : intervals) taken.insert(interval.begin(), interval.end());
+  FrameList rest;
+  for (const FileFrame frame : frames)
+    if (!taken.contains(frame)) rest.push_back(frame);
+  return rest;
 }
 
 }  // namespace
@@ -138,8 +150,15 @@ std::size_t MemoryBound::held() const { return kProgram + kThreads + allocated()
 std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
                                          const std::vector<FrameList>& given, const Messages& messages,
                                          const SessionObserver& observer) {
-  const FrameIntervals frames(*job.description, job.frames);
-  if (bytes_ == 0) return given.empty() ? frames.cut(job.plugin->frames_together) : given;
+  const FrameList rest = without(job.frames, given);
+  const FrameIntervals frames(*job.description, rest);
+  const auto cut = [&](int together) {
+    std::vector<FrameList> intervals = given;
+    if (!rest.empty())
+      for (FrameList& each : frames.cut(together)) intervals.push_back(std::move(each));
+    return intervals;
+  };
+  if (bytes_ == 0) return cut(job.plugin->frames_together);
   const std::string bound = "memory " + readable_bytes(bytes_);
   if (const std::size_t peak = peak_memory(); peak > bytes_)
     throw std::runtime_error(fmt::format("{}: reading the scene alone took {}; rendering needs a larger bound", bound,
@@ -149,6 +168,7 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
   const auto accepts = [&](const std::vector<FrameList>& intervals) {
     const std::vector<Trials::Result> results = trials.of(intervals);
     int batches = 1;
+    shares_.clear();
     for (const Trials::Result& result : results) {
       batches = std::max(batches, result.batches);
       shares_.push_back(result.share);
@@ -158,7 +178,7 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
     one_thread_.reset();
     return true;
   };
-  if (!given.empty()) {
+  if (rest.empty()) {
     if (accepts(given)) return given;
     throw std::runtime_error(fmt::format("{}: the checkpoint's {} together take {}", bound,
                                          counted(static_cast<std::size_t>(longest(given)), "frame"),
@@ -169,7 +189,7 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
     return !trials.of(trials.with_largest_trees(frames.cut(candidate)));
   });
   for (; length != lengths.end(); ++length)
-    if (std::vector<FrameList> intervals = frames.cut(*length); accepts(intervals)) return intervals;
+    if (std::vector<FrameList> intervals = cut(*length); accepts(intervals)) return intervals;
   throw std::runtime_error(fmt::format("{}: even one frame at a time takes {}", bound, trials.shortage()));
 }
 

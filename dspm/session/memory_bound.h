@@ -22,7 +22,7 @@ class MemoryBound {
 
   /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the figures if
   /// not even single frames fit. `writing`: bytes that images take while they are written. `given`: the intervals of a
-  /// resumed run, which are kept, or none. `observer`: may want an end.
+  /// resumed run, which are kept and come first, or none. `observer`: may want an end.
   std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing,
                               const std::vector<FrameList>& given, const Messages& messages,
                               const SessionObserver& observer);

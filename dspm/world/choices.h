@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/lang/file_frames.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -26,6 +27,8 @@ struct Choices {
   double until_error = 0;                            // relative; 0: the number of iterations decides
   std::vector<Moment> frames;                        // whole ones of the animation, ascending; empty: all
   std::vector<std::string> variations;               // patterns of names; empty: all
+  std::optional<KnownFrames> known;                  // of the run that is resumed, whose frames are chosen, too
+  bool only_new = false;                             // of the chosen frames, those that it has not rendered
   std::optional<std::array<double, 4>> crop_window;  // x0, x1, y0, y1 as fractions of the image
   std::optional<std::array<int, 4>> pixel_bounds;    // x0, x1, y0, y1 in pixels
   std::optional<std::array<double, 9>> look_at;      // eye, target, up: where the camera stands in all frames

@@ -46,7 +46,25 @@ std::vector<bool> chosen_variations(const SceneDescription& description, const s
   return chosen;
 }
 
+/// By frame of the file. After errors, it may lack some.
+std::vector<bool> rendered_before(const FileFrames& file, const Choices& choices) {
+  std::vector<bool> rendered(static_cast<std::size_t>(file.count()));
+  if (!choices.known) return rendered;
+  for (const FileFrame frame : moved(choices.known->rendered, *choices.known, file))
+    if (frame.slot() < rendered.size()) rendered[frame.slot()] = true;
+  return rendered;
+}
+
 }  // namespace
+
+std::vector<FileFrame> moved(const std::vector<FileFrame>& frames, const KnownFrames& known, const FileFrames& now) {
+  const FileFrames then(known);
+  std::vector<FileFrame> result;
+  for (const FileFrame frame : frames)
+    result.push_back(now.frame(static_cast<int>(then.combination_of(frame)), then.moment_index(frame)));
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
 std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices) {
   const FileFrames& file = description.frames;
@@ -54,12 +72,16 @@ std::vector<FileFrame> chosen_frames(const SceneDescription& description, const 
     throw UsageError(fmt::format("--frames: there is no frame {}, the last one is {}", choices.frames.back().number(),
                                  file.moments()));
   const std::vector<bool> chosen = chosen_variations(description, choices.variations);
+  const std::vector<bool> rendered = rendered_before(file, choices);
   std::vector<FileFrame> frames;
   for (FileFrame f(0); f.index() < file.count(); ++f) {
     const bool in_time =
         choices.frames.empty() || std::binary_search(choices.frames.begin(), choices.frames.end(), file.moment(f));
-    if (in_time && chosen[file.combination_of(f)]) frames.push_back(f);
+    const bool is_chosen = in_time && chosen[file.combination_of(f)];
+    if (rendered[f.slot()] ? !choices.only_new : is_chosen) frames.push_back(f);
   }
+  if (frames.empty() && choices.only_new)
+    throw UsageError("--only-new: the checkpoint holds all chosen frames already");
   return frames;
 }
 

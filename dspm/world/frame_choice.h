@@ -9,6 +9,9 @@
 
 namespace dspm {
 
+/// The same frames of the file as it is now.
+std::vector<FileFrame> moved(const std::vector<FileFrame>& frames, const KnownFrames& known, const FileFrames& now);
+
 /// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.
 std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices);
 

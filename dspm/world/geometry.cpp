@@ -21,11 +21,6 @@
 namespace dspm {
 namespace {
 
-/// In some frame.
-bool is_there(const WorldShape& shape) {
-  return std::find(shape.present.begin(), shape.present.end(), true) != shape.present.end();
-}
-
 bool is_open(const ParamList& params) {
   const Param* const open = params.find(kOpenParam);
   const auto* values = open != nullptr ? std::get_if<std::vector<bool>>(&open->values) : nullptr;
@@ -55,7 +50,7 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   for (const ObjectDefinition& object : description.objects)
     if (const auto found = uses.find(object.name); found != uses.end()) add_sources(object.shapes, found->second);
   for (const WorldShape& shape : shapes_) {
-    if (!is_there(shape)) continue;
+    if (!is_there(shape, description.frames.base().count())) continue;
     for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
   }
 }

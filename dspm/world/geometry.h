@@ -1,6 +1,7 @@
 // The shapes of a scene at all their places over the frames of the file.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -42,13 +43,19 @@ struct Emitter : EmissionUse {
   bool is_hidden = false;   // a hole everywhere, in all frames: its light is there, but cannot be seen
 };
 
+/// In some of the first frames.
+inline bool is_there(const WorldShape& shape, int frames) {
+  const auto end = shape.present.begin() + frames;
+  return std::find(shape.present.begin(), end, true) != end;
+}
+
 class Geometry {
  public:
   Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics);
 
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
-  const Bounds3& bounds() const { return bounds_; }  // over all frames
+  const Bounds3& bounds() const { return bounds_; }  // over the base of the file's frames
   /// By PlacedShape::object.
   const std::vector<std::string>& object_names() const { return objects_.all(); }
 
@@ -61,7 +68,7 @@ class Geometry {
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
                             std::size_t made) const;
-  static std::vector<int> matrices_by_state(const Timeline<Place>& places, std::size_t geometries);
+  static std::vector<int> only_matrices(const Timeline<Place>& places, std::size_t geometries, int base);
   void add_emitter(Emitter emitter);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);
   void check(const ShapeUse& use, Source& source);

@@ -71,13 +71,21 @@ Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeli
       [](const Place& a, const Place& b) { return a == b; });
 }
 
-/// How many matrices place each geometry.
-std::vector<int> Geometry::matrices_by_state(const Timeline<Place>& places, std::size_t geometries) {
-  std::set<std::pair<int, int>> pairs;
-  for (const Place& place : places.states) pairs.emplace(place.geometry, place.matrix);
-  std::vector<int> count(geometries, 0);
-  for (const auto& [geometry, matrix] : pairs) ++count[static_cast<std::size_t>(geometry)];
-  return count;
+/// The only matrix that places each geometry in the base of the file's frames, or in all if it is in none of these; -1
+/// if there are several.
+std::vector<int> Geometry::only_matrices(const Timeline<Place>& places, std::size_t geometries, int base) {
+  constexpr int kNone = -2, kSeveral = -1;
+  std::vector<int> only(geometries, kNone);
+  const auto known = static_cast<std::size_t>(places.states_of_first(base));
+  std::vector<bool> is_in_base(geometries);
+  for (std::size_t p = 0; p < places.states.size(); ++p) {
+    const auto geometry = static_cast<std::size_t>(places.states[p].geometry);
+    if (p < known) is_in_base[geometry] = true;
+    if (p >= known && is_in_base[geometry]) continue;
+    int& matrix = only[geometry];
+    matrix = matrix == kNone || matrix == places.states[p].matrix ? places.states[p].matrix : kSeveral;
+  }
+  return only;
 }
 
 void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
@@ -91,7 +99,8 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   const int object = object_of(use, instance);
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Timeline<Place> places = places_of(source, matrices, present, i);
-    const std::vector<int> matrices_of_state = matrices_by_state(places, source.geometry.shapes.size());
+    const std::vector<int> only =
+        only_matrices(places, source.geometry.shapes.size(), description_.frames.base().count());
     std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
     Emitter emitter{source.lights[i], {}};
     const std::size_t first = shapes_.size();
@@ -102,7 +111,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
       // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
-      if (alone && matrices_of_state[state] == 1 && shape->triangles()) {
+      if (alone && only[state] == place.matrix && shape->triangles()) {
         std::shared_ptr<const Shape>& moved = in_world[place.geometry];
         if (!moved && to_world.is_identity()) moved = shape;
         if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
@@ -137,8 +146,13 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
 /// Its light is made for all frames at once, and so are its holes.
 void Geometry::add_emitter(Emitter emitter) {
   const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
-  emitter.is_hidden = !emitter.shapes.empty() && std::all_of(emitter.shapes.begin(), emitter.shapes.end(),
-                                                             [&](int s) { return shape(s).nowhere; });
+  const int base = description_.frames.base().count();
+  std::vector<int> decisive;
+  for (const int s : emitter.shapes)
+    if (is_there(shape(s), base)) decisive.push_back(s);
+  if (decisive.empty()) decisive = emitter.shapes;
+  emitter.is_hidden =
+      !decisive.empty() && std::all_of(decisive.begin(), decisive.end(), [&](int s) { return shape(s).nowhere; });
   for (const int s : emitter.shapes) {
     if (emitter.is_hidden || shape(s).alpha < 0) continue;
     shape(s).cutout = std::make_shared<TextureCutout>(looks_.number(shape(s).alpha, shape(s).alpha_state));

@@ -88,9 +88,9 @@ int integer_of(const ParamList& list, std::string_view name, int fallback) {
 }
 
 IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
-                                   Diagnostics& diagnostics) {
+                                   Diagnostics& diagnostics, const PluginUse* own) {
   IntegratorChoice choice;
-  const std::optional<PluginUse>& use = description.integrator;
+  const PluginUse* const use = own != nullptr ? own : description.integrator ? &*description.integrator : nullptr;
   const auto by_name = [](const std::string& name) { return find_by_option(integrator_plugins(), "integrator", name); };
   const char* usual = description.dialect == Dialect::dsc ? "dsppm" : "path";
   if (use) choice.where = use->where;

@@ -16,8 +16,9 @@ struct IntegratorChoice {
 
 /// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. If it replaces the scene's
 /// integrator, parameters that it does not know are left out.
+/// `own`: a variation's, which stands in place of the scene's; may be null.
 IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
-                                   Diagnostics& diagnostics);
+                                   Diagnostics& diagnostics, const PluginUse* own = nullptr);
 
 /// Of those that pbrt has and dspm does not: the integrator that renders in its place, unless a module has one of that
 /// name. Empty: none does. "vcm" does it without merging, as bidirectional path tracing.

@@ -143,9 +143,37 @@ std::string accel_of(const SceneDescription& description, const Choices& choices
 }
 
 /// Reports errors in the integrator's parameters before there is a scene to make it for.
-void check_integrator(const Job& job, Diagnostics& diagnostics) {
-  ParamReader reader(job.params, fmt::format("integrator \"{}\"", job.integrator), job.where, diagnostics);
+void check_integrator(const Job& job, const ParamList& params, const SourceLocation& where, Diagnostics& diagnostics) {
+  ParamReader reader(params, fmt::format("integrator \"{}\"", job.integrator), where, diagnostics);
   check(*job.plugin, reader, Scene{}, job.settings);
+}
+
+/// One integrator renders all, with a variation's settings where there are some.
+void add_own_integrators(const SceneDescription& description, const Choices& choices, Job& job,
+                         Diagnostics& diagnostics) {
+  for (const VariationAxis& axis : description.axes)
+    for (const Variation& variation : axis.variations) {
+      if (!variation.integrator) continue;
+      const PluginUse& use = *variation.integrator;
+      IntegratorChoice choice = choose_integrator(description, choices, diagnostics, &use);
+      if (const Param* const seed = choice.params.find("seed"))
+        diagnostics.error(seed->where, "the seed is the same for all variations");
+      if (choice.plugin != nullptr && choice.plugin != job.plugin)
+        diagnostics.error(use.type_where, "the integrator's type is the same for all variations",
+                          fmt::format("the scene's is \"{}\"; other settings of it are possible", job.integrator));
+      else if (choice.plugin != nullptr)
+        check_integrator(job, choice.params, use.where, diagnostics);
+      job.own_integrators.push_back({&use, std::move(choice.params)});
+    }
+}
+
+/// Of the scene's frames, which have the same; null: the job's.
+const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
+  if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
+  const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());
+  for (const Job::OwnIntegrator& own : job.own_integrators)
+    if (own.use == use) return &own;
+  return nullptr;
 }
 
 }  // namespace
@@ -169,7 +197,9 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
                                                  std::size_t memory) const {
   const auto make = [&](std::size_t bytes) {
     RenderSettings bounded = settings;
-    ParamReader reader(params, fmt::format("integrator \"{}\"", plugin->name), where, diagnostics);
+    const OwnIntegrator* const own = own_integrator(*this, scene);
+    ParamReader reader(own != nullptr ? own->params : params, fmt::format("integrator \"{}\"", plugin->name),
+                       own != nullptr ? own->use->where : where, diagnostics);
     bounded.memory = bytes;
     return plugin->make(reader, scene, bounded);
   };
@@ -186,6 +216,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.scene_file = description.files.empty() ? "-" : description.files.front()->name;
   job.description = &description;
   job.frames = chosen_frames(description, choices);
+  job.known = choices.known;
   job.numbered = description.frames_where.file != nullptr;
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, choices, diagnostics);
@@ -217,7 +248,10 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
-  if (job.plugin != nullptr) check_integrator(job, diagnostics);
+  if (job.plugin != nullptr) {
+    check_integrator(job, job.params, job.where, diagnostics);
+    add_own_integrators(description, choices, job, diagnostics);
+  }
   return job;
 }
 

@@ -24,6 +24,7 @@ struct Job {
   std::string scene_file;
   const SceneDescription* description = nullptr;  // outlives the job
   std::vector<FileFrame> frames;                  // ascending
+  std::optional<KnownFrames> known;               // of the run that is resumed
   bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
   FilmSettings film;
@@ -33,7 +34,13 @@ struct Job {
   const IntegratorPlugin* plugin = nullptr;
   ParamList params;      // of the integrator
   SourceLocation where;  // of the Integrator directive
-  std::string accel;     // a plugin's name; empty: the usual one
+  /// Of variations with settings of their own for it.
+  struct OwnIntegrator {
+    const PluginUse* use;
+    ParamList params;
+  };
+  std::vector<OwnIntegrator> own_integrators;
+  std::string accel;  // a plugin's name; empty: the usual one
   std::optional<int> chosen_iterations;
   bool quick = false;      // a quarter of the iterations
   double until_error = 0;  // ends the render, see RenderSettings::estimate_error; 0: iterations do

@@ -68,6 +68,14 @@ class Choices {
   std::vector<std::vector<float>> means_;  // probabilities by choice and light
 };
 
+int best_for(const std::vector<double>& weights, const LightChoices& choices) {
+  const auto& all = choices.probabilities;
+  const auto best = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return worth_of_choice(weights, a) < worth_of_choice(weights, b);
+  });
+  return static_cast<int>(best - all.begin());
+}
+
 }  // namespace
 
 // n paths, of which a fraction p_i starts at light i of power P_i, give the flux of light i as n p_i photons of P_i /
@@ -84,14 +92,19 @@ double worth_of_choice(const std::vector<double>& powers, const std::vector<floa
   return variance > 0 ? flux * flux / variance : 1;
 }
 
-LightChoices make_light_choices(const std::vector<WorldLight>& lights, int frames) {
+std::vector<double> weights_in(const std::vector<WorldLight>& lights, FileFrame frame) {
+  std::vector<double> weights;
+  for (const WorldLight& light : lights)
+    weights.push_back(light.power(frame) * static_cast<double>(light.controls.photons));
+  return weights;
+}
+
+LightChoices make_light_choices(const std::vector<WorldLight>& lights, int base, int frames) {
   std::map<std::vector<double>, std::size_t> numbers;
   std::vector<Kind> kinds;
   std::vector<std::size_t> kind_of;
-  for (FileFrame f(0); f.index() < frames; ++f) {
-    std::vector<double> weights;
-    for (const WorldLight& light : lights)
-      weights.push_back(light.power(f) * static_cast<double>(light.controls.photons));
+  for (FileFrame f(0); f.index() < base; ++f) {
+    std::vector<double> weights = weights_in(lights, f);
     const auto [place, is_new] = numbers.try_emplace(weights, kinds.size());
     if (is_new) kinds.push_back({std::move(weights)});
     ++kinds[place->second].frames;
@@ -101,6 +114,7 @@ LightChoices make_light_choices(const std::vector<WorldLight>& lights, int frame
   found.part();
 
   LightChoices choices;  // in the order of their first frames
+  choices.base = static_cast<std::size_t>(base);
   std::vector<int> place(found.means().size(), -1);
   for (const std::size_t kind : kind_of) {
     int& of = place[kinds[kind].choice];
@@ -110,6 +124,7 @@ LightChoices make_light_choices(const std::vector<WorldLight>& lights, int frame
     }
     choices.of_frame.push_back(of);
   }
+  for (FileFrame f(base); f.index() < frames; ++f) choices.of_frame.push_back(best_for(weights_in(lights, f), choices));
   return choices;
 }
 
@@ -119,8 +134,8 @@ std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) 
     LightChoice& choice = choices.emplace_back();
     choice.probability = probabilities[c];
     const auto is_own = [&](int of) { return of == static_cast<int>(c); };
-    choice.share = static_cast<float>(std::count_if(of_frame.begin(), of_frame.end(), is_own)) /
-                   static_cast<float>(of_frame.size());
+    const auto end = of_frame.begin() + static_cast<std::ptrdiff_t>(base);
+    choice.share = static_cast<float>(std::count_if(of_frame.begin(), end, is_own)) / static_cast<float>(base);
     for (std::size_t j = 0; j < frames.size(); ++j)
       if (is_own(of_frame[frames[j].slot()])) choice.frames |= FrameSet::single(static_cast<Frame>(j));
   }
@@ -129,7 +144,7 @@ std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) 
 
 // A choice without a frame takes the place of one of those with most.
 std::vector<FileFrame> LightChoices::sample() const {
-  const std::size_t all = of_frame.size(), count = std::min(all, kMostChoices);
+  const std::size_t all = base, count = std::min(all, kMostChoices);
   std::vector<int> frames, samples(probabilities.size());
   for (std::size_t i = 0; i < count; ++i) {
     frames.push_back(static_cast<int>(count == 1 ? 0 : i * (all - 1) / (count - 1)));
@@ -153,7 +168,7 @@ std::vector<FileFrame> LightChoices::sample() const {
 std::vector<float> LightChoices::shares(const WorldLight& light) const {
   std::vector<float> shares(probabilities.size());
   float frames = 0;
-  for (FileFrame f(0); f.slot() < of_frame.size(); ++f)
+  for (FileFrame f(0); f.slot() < base; ++f)
     if (light.power(f) > 0) ++shares[static_cast<std::size_t>(of_frame[f.slot()])], ++frames;
   if (frames > 0)
     for (float& share : shares) share /= frames;

@@ -23,6 +23,7 @@ struct LightState {
   int shape = -1;       // of an emitter, into Geometry::shapes
   bool hidden = false;  // see Emitter; the same in all frames
   std::shared_ptr<const EmissionPattern> pattern = nullptr;
+  const PluginUse* use = nullptr;  // null: the light's own
 
   friend bool operator==(const LightState& a, const LightState& b) {
     return a.shape == b.shape && a.placement == b.placement && a.pattern == b.pattern && a.params.same_values(b.params);
@@ -35,20 +36,28 @@ class LightMaker {
              const BoundingSphere& sphere, Diagnostics& diagnostics)
       : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {}
 
-  std::optional<WorldLight> make(const LightUse& use) {
-    const auto* plugin = light_plugins().find(use.type, use.type_where, diagnostics_);
+  /// Of the frames in which the light, or what variations put in its place, is of that type.
+  std::optional<WorldLight> make(const LightUse& own, const PluginUse& typed) {
+    const auto* plugin = light_plugins().find(typed.type, typed.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
-    const std::vector<bool> present = presence(description_, use.dynamic_block);
+    const std::vector<bool> present = presence(description_, own.dynamic_block);
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
-      if (!present[f.slot()]) return std::nullopt;
+      const LightUse& use = description_.light_of(own, f);
+      if (!present[f.slot()] || use.type != typed.type) return std::nullopt;
+      const Moment moment = description_.frames.moment(f);
+      const Matrix4 place = own.world_from_light.at(moment);
       return LightState{light_params(description_, use, use.name, f),
-                        use.world_from_light.at(description_.frames.moment(f))};
+                        &use == &own ? place : place * use.world_from_light.at(moment),
+                        -1,
+                        false,
+                        nullptr,
+                        &use};
     });
-    auto light = finish(use, fmt::format("light \"{}\"", use.type), *plugin, states);
+    auto light = finish(typed, fmt::format("light \"{}\"", typed.type), *plugin, states);
     if (!light) return light;
     light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
     light->is_delta = !light->infinite;
-    light->short_name = use.name.empty() ? use.type : use.name;
+    light->short_name = own.name.empty() ? own.type : own.name;
     return light;
   }
 
@@ -100,17 +109,26 @@ class LightMaker {
     light.name = std::move(name), light.use = &use;
     light.states.state_of = states.state_of;
     const int errors = diagnostics_.error_count();
-    for (const char* each : {kPhotonsParam, kCausticsParam, kGroupParam})
+    for (const char* each : {kPhotonsParam, kCausticsParam, kGroupParam}) {
       expect_same_in_all_frames(use, each, diagnostics_);
+      for (const LightState& state : states.states)
+        if (state.use != nullptr && state.use != &use) expect_same_in_all_frames(*state.use, each, diagnostics_);
+    }
     for (const LightState& state : states.states) {
       LightContext context;
       context.to_world = Transform(state.placement);
       context.scene_center = sphere_.center, context.scene_radius = sphere_.radius;
       context.hidden = state.hidden;
       if (state.shape >= 0) context.shape = &geometry_.shapes()[static_cast<std::size_t>(state.shape)].placed;
-      ParamReader reader(state.params, light.name, use.where, diagnostics_, description_.main_directory());
-      light.controls = read_photon_controls(reader);
-      light.group = read_light_group(reader);
+      const SourceLocation& place = state.use != nullptr ? state.use->where : use.where;
+      ParamReader reader(state.params, light.name, place, diagnostics_, description_.main_directory());
+      const PhotonControls controls = read_photon_controls(reader);
+      const auto group = read_light_group(reader);
+      if (light.states.states.empty()) light.controls = controls, light.group = group;
+      if (group != light.group || controls.photons != light.controls.photons ||
+          controls.caustics != light.controls.caustics)
+        diagnostics_.error(place,
+                           "\"photons\", \"caustics\" and \"group\" must be those of the light that it replaces");
       light.states.states.emplace_back(state.pattern ? make_diffuse_area(reader, context, state.pattern)
                                                      : plugin.make(reader, context));
       if (diagnostics_.error_count() > errors) return std::nullopt;
@@ -126,14 +144,16 @@ class LightMaker {
   Diagnostics& diagnostics_;
 };
 
-/// Over all frames of the file, so that a frame's photons do not depend on which others are rendered.
-std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<const Light>>& states) {
+/// Over all frames of the file, so that a frame's photons do not depend on which others are rendered. States after the
+/// first `base` change no group of these.
+std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<const Light>>& states, int base) {
   std::vector<std::vector<int>> groups;
   const auto at = [&](int s) -> const Light& { return *states[static_cast<std::size_t>(s)]; };
   const auto join = [&](int state) {
     for (std::vector<int>& group : groups) {
       if (at(state).starts_like(at(group.front()))) return group.push_back(state);
-      if (std::all_of(group.begin(), group.end(), [&](int s) { return at(s).starts_like(at(state)); })) {
+      if (state < base &&
+          std::all_of(group.begin(), group.end(), [&](int s) { return at(s).starts_like(at(state)); })) {
         group.insert(group.begin(), state);
         return;
       }
@@ -144,11 +164,11 @@ std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<cons
   return groups;
 }
 
-float mean_power(const WorldLight& light) {
+/// Over the first frames.
+float mean_power(const WorldLight& light, int frames) {
   double sum = 0;
-  for (const int s : light.states.state_of)
-    sum += s < 0 ? 0 : static_cast<double>(light.powers[static_cast<std::size_t>(s)]);
-  return static_cast<float>(sum / static_cast<double>(light.states.state_of.size()));
+  for (FileFrame f(0); f.index() < frames; ++f) sum += light.power(f);
+  return static_cast<float>(sum / static_cast<double>(frames));
 }
 
 /// Variations may dim lights that come with geometry files, so their names are checked once these have been read.
@@ -168,16 +188,29 @@ void refuse_unknown_replacements(const SceneDescription& description, const Geom
                             did_you_mean(scale.light, names));
 }
 
+/// Of the light, and of what variations put in its place: the first use of each.
+std::vector<const PluginUse*> types_of(const SceneDescription& description, const LightUse& own) {
+  std::vector<const PluginUse*> types{&own};
+  if (own.name.empty()) return types;
+  for (const VariationAxis& axis : description.axes)
+    for (const Variation& variation : axis.variations)
+      for (const LightUse& use : variation.light_sources)
+        if (use.name == own.name &&
+            std::none_of(types.begin(), types.end(), [&](const PluginUse* known) { return known->type == use.type; }))
+          types.push_back(&use);
+  return types;
+}
+
 constexpr float kLeastShare = 0x1p-20f;  // a random number of 24 bits chooses it
 
 /// Sets the probabilities.
-void share_out(std::vector<WorldLight>& lights, Diagnostics& diagnostics) {
+void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnostics) {
   double total = 0, all_photons = 0;
   const auto weight = [](const WorldLight& light) {
     return static_cast<double>(light.probability) * static_cast<double>(light.controls.photons);
   };
   for (WorldLight& light : lights) {
-    light.probability = mean_power(light);
+    light.probability = mean_power(light, base);
     if (!std::isfinite(light.probability))
       diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
                         "make it darker, or the scene smaller");
@@ -201,12 +234,15 @@ std::vector<WorldLight> make_lights(const SceneDescription& description, const G
   LightMaker maker(description, geometry, looks, sphere, diagnostics);
   std::vector<WorldLight> lights;
   // One that cannot be made leaves an empty slot, so that emitters keep their numbers; its error stops the scene.
-  for (const LightUse& use : description.lights) lights.push_back(maker.make(use).value_or(WorldLight{}));
+  for (const LightUse& own : description.lights)
+    for (const PluginUse* typed : types_of(description, own))
+      lights.push_back(maker.make(own, *typed).value_or(WorldLight{}));
   for (const Emitter& emitter : geometry.emitters()) lights.push_back(maker.make(emitter).value_or(WorldLight{}));
   refuse_unknown_replacements(description, geometry, diagnostics);
   if (diagnostics.error_count() > 0) return lights;
-  share_out(lights, diagnostics);
-  for (WorldLight& light : lights) light.alike = group_alike(light.states.states);
+  const int base = description.frames.base().count();
+  share_out(lights, base, diagnostics);
+  for (WorldLight& light : lights) light.alike = group_alike(light.states.states, light.states.states_of_first(base));
   return lights;
 }
 

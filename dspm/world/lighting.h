@@ -15,7 +15,7 @@ namespace dspm {
 struct WorldLight {
   Timeline<std::shared_ptr<const Light>> states;
   std::vector<float> powers;  // by state: luminance
-  float probability = 0;      // in proportion to the mean power over all frames
+  float probability = 0;      // in proportion to the mean power over the base of the file's frames
   PhotonControls controls;
   std::string group;
   std::vector<std::vector<int>> alike;  // groups of states whose photons start like the first one's

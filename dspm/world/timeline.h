@@ -1,6 +1,7 @@
 // The distinct states of a thing, and its state in each frame of the file.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,6 +51,13 @@ struct Timeline {
       if (same(states[i], state)) return static_cast<int>(i);
     states.push_back(std::move(state));
     return static_cast<int>(states.size()) - 1;
+  }
+
+  /// How many states the first frames have: they come first.
+  int states_of_first(int frames) const {
+    int count = 0;
+    for (FileFrame f(0); f.index() < frames; ++f) count = std::max(count, at(f) + 1);
+    return count;
   }
 
   int at(FileFrame f) const { return state_of[f.slot()]; }

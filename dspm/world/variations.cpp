@@ -45,6 +45,28 @@ float factor_of(const SceneDescription& scene, const std::string& light, FileFra
   return factor;
 }
 
+/// Of the frame's variations, the one that puts a block of its own in the place of that block; null: none.
+const Variation* replacer(const SceneDescription& scene, const std::string& block, FileFrame frame) {
+  return replacement(scene.axes, scene.choices(frame), [&](const Variation& each) -> const Variation* {
+    const auto& replaced = each.replaced_blocks;
+    return std::find(replaced.begin(), replaced.end(), block) == replaced.end() ? nullptr : &each;
+  });
+}
+
+bool is_replaced_somewhere(const SceneDescription& scene, const std::string& block) {
+  return std::any_of(scene.axes.begin(), scene.axes.end(), [&](const VariationAxis& axis) {
+    return std::any_of(axis.variations.begin(), axis.variations.end(), [&](const Variation& each) {
+      return std::find(each.replaced_blocks.begin(), each.replaced_blocks.end(), block) != each.replaced_blocks.end();
+    });
+  });
+}
+
+/// The variation whose block it is; null: the scene's.
+const Variation* owner(const SceneDescription& scene, const DynamicBlock& block) {
+  if (block.axis < 0 || block.axis >= static_cast<int>(scene.axes.size())) return nullptr;  // or after an error
+  return &scene.axes[static_cast<std::size_t>(block.axis)].variations[static_cast<std::size_t>(block.variation)];
+}
+
 }  // namespace
 
 std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
@@ -54,6 +76,9 @@ std::vector<bool> presence(const SceneDescription& scene, int dynamic_block) {
     const DynamicBlock& block = scene.dynamic_blocks[static_cast<std::size_t>(b)];
     for (FileFrame f(0); f.index() < frames.count(); ++f)
       if (!block.moments.contains(frames.moment(f))) present[f.slot()] = false;
+    if (is_replaced_somewhere(scene, block.name))
+      for (FileFrame f(0); f.index() < frames.count(); ++f)
+        if (replacer(scene, block.name, f) != owner(scene, block)) present[f.slot()] = false;
     for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
       const std::vector<bool> shown = shown_along(scene.axes[axis], block.name);
       for (FileFrame f(0); f.index() < frames.count(); ++f)

@@ -7,6 +7,7 @@
 #include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/world/coverage.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
@@ -17,9 +18,10 @@
 namespace dspm {
 namespace {
 
-const CameraUse& camera_use(const SceneDescription& description) {
+const CameraUse& camera_use(const SceneDescription& description, FileFrame frame) {
   static const CameraUse fallback{{"perspective", {}, {}, {}}, {}};
-  return description.camera ? *description.camera : fallback;
+  const CameraUse* const use = description.camera_of(frame);
+  return use != nullptr ? *use : fallback;
 }
 
 /// The language refuses matrices that have no inverse.
@@ -28,32 +30,35 @@ Transform inverted(const Matrix4& camera_from_world) {
 }
 
 Transform camera_to_world(const SceneDescription& description, FileFrame frame) {
-  return inverted(camera_use(description).camera_from_world.at(description.frames.moment(frame)));
+  return inverted(camera_use(description, frame).camera_from_world.at(description.frames.moment(frame)));
 }
 
 Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& description, const WorldOptions& options,
                                                     Diagnostics& diagnostics) {
   struct State {
+    const CameraUse* use;
     ParamList params;
     Matrix4 camera_from_world;
   };
-  const CameraUse& use = camera_use(description);
-  Timeline<std::shared_ptr<const Camera>> cameras;
-  const auto* plugin = camera_plugins().find(use.type, use.type_where, diagnostics);
-  if (!plugin) return cameras;
-  const bool keyed = use.params.is_keyed();
-  const auto states = Timeline<State>::of_moments(
-      description.frames, presence(description, kAlwaysThere),
-      [&](Moment moment) {
-        return State{keyed ? use.params.at(moment) : use.params, use.camera_from_world.at(moment)};
+  const auto states = Timeline<State>::of(
+      description.frames.count(),
+      [&](FileFrame f) -> std::optional<State> {
+        const CameraUse& use = camera_use(description, f);
+        const Moment moment = description.frames.moment(f);
+        return State{&use, use.params.is_keyed() ? use.params.at(moment) : use.params,
+                     use.camera_from_world.at(moment)};
       },
       [](const State& a, const State& b) {
-        return a.camera_from_world == b.camera_from_world && a.params.same_values(b.params);
+        return a.camera_from_world == b.camera_from_world && a.use->type == b.use->type &&
+               (a.use == b.use && !a.use->params.is_keyed() ? true : a.params.same_values(b.params));
       });
+  Timeline<std::shared_ptr<const Camera>> cameras;
   cameras.state_of = states.state_of;
   const int errors = diagnostics.error_count();
   for (const State& state : states.states) {
-    ParamReader reader(state.params, "camera \"" + use.type + "\"", use.where, diagnostics);
+    const auto* plugin = camera_plugins().find(state.use->type, state.use->type_where, diagnostics);
+    if (!plugin) break;
+    ParamReader reader(state.params, "camera \"" + state.use->type + "\"", state.use->where, diagnostics);
     cameras.states.emplace_back(plugin->make(reader, CameraContext{inverted(state.camera_from_world), options.width,
                                                                    options.height, options.film_diagonal}));
     if (diagnostics.error_count() > errors) break;
@@ -100,7 +105,10 @@ struct World::Impl {
       diagnostics.warning({}, "the scene has no light: its images will be black");
     sphere = sphere_around(geometry.bounds());
     lights = make_lights(text, geometry, looks, sphere, diagnostics);
-    if (diagnostics.error_count() == 0) light_choices = make_light_choices(lights, text.frames.count());
+    if (diagnostics.error_count() == 0) {
+      light_choices = make_light_choices(lights, text.frames.base().count(), text.frames.count());
+      expect_covered(text, geometry, sphere, lights, light_choices, diagnostics);
+    }
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     for (const WorldLight& light : lights)
       if (light.group != kOtherLights) light_groups.push_back(light.group);
@@ -128,7 +136,7 @@ struct World::Impl {
 
   std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames) const {
     std::vector<PlacedShape> shapes;
-    const auto directives = static_cast<int>(description.lights.size());
+    const auto directives = static_cast<int>(lights.size() - geometry.emitters().size());
     for (const WorldShape* shape : shapes_there(frames)) {
       PlacedShape& placed = shapes.emplace_back(shape->placed);
       placed.frames = present_in(*shape, frames);
@@ -212,11 +220,12 @@ const PluginUse& World::use_of(const SceneElement& element, std::span<const File
     case SceneElement::Kind::shape:
       return *impl_->shapes_there({frames.begin(), frames.end()})[static_cast<std::size_t>(element.index)]->use;
   }
-  return camera_use(impl_->description);
+  return camera_use(impl_->description, frames[static_cast<std::size_t>(j)]);
 }
 
 CameraMatrices World::camera_matrices(FileFrame frame) const {
-  const Matrix4 placed = camera_use(impl_->description).camera_from_world.at(impl_->description.frames.moment(frame));
+  const Matrix4 placed =
+      camera_use(impl_->description, frame).camera_from_world.at(impl_->description.frames.moment(frame));
   const int state = impl_->camera.at(frame);
   const auto image_from_camera = impl_->camera.states[static_cast<std::size_t>(state)]->image_from_camera();
   return {placed, image_from_camera ? std::optional(*image_from_camera * placed) : std::nullopt};

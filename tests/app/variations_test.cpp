@@ -272,6 +272,24 @@ TEST(Variations, ThatAreNotThereAreAUsageError) {
   EXPECT_EQ(run(directory, {"finishes.dsc", "--video", "a.mp4"}).code, 2);
 }
 
+TEST(Variations, HaveNamesByATemplateAndATable) {
+  const ProductDirectory directory;
+  directory.render({"--variation", "*-bare", "--png", "-o", "{seat}, {legs}.exr", "--index", "all.csv"});
+  EXPECT_EQ(contents(directory / "all.csv"),
+            "file,png,variation,legs,seat\r\n"
+            "\"bare, oak.exr\",\"bare, oak.png\",oak-bare,oak,bare\r\n"
+            "\"bare, steel.exr\",\"bare, steel.png\",steel-bare,steel,bare\r\n");
+  EXPECT_TRUE(directory.has("bare, oak.exr"));
+  directory.render({"--variation", "oak-bare", "-o", "{variation}.exr", "--index", "all.json"});
+  EXPECT_EQ(contents(directory / "all.json"),
+            "[\n  {\n    \"file\": \"oak-bare.exr\",\n    \"variation\": \"oak-bare\",\n    \"axes\": {\n      "
+            "\"legs\": \"oak\",\n      \"seat\": \"bare\"\n    }\n  }\n]");
+  EXPECT_EQ(run(directory, {"finishes.dsc", "-o", "{seat}.exr"}).code, 2) << "one name for two images";
+  EXPECT_EQ(run(directory, {"finishes.dsc", "-o", "{leg}-{seat}.exr", "--quiet"}).err,
+            "dspm: the images' name {leg}-{seat}.exr: {leg} is not known; did you mean \"legs\"? there are variation, "
+            "legs, seat, frame\n");
+}
+
 TEST(Variations, AreToldInHeadersReportsAndMessages) {
   const ProductDirectory directory;
   const Outcome outcome = run(directory, {"finishes.dsc", "--variation", "steel-*", "--stats=stats.json"});

@@ -32,13 +32,17 @@ FrameList frames_of(std::size_t interval) {
   return {FileFrame(first), FileFrame(first + 100)};
 }
 
+/// Of a file with frames enough.
+CheckpointFile::Render render_with(std::vector<Fact> facts) { return {std::move(facts), {{1000, 1}, 1000, {""}, {}}}; }
+
 /// A file, and what it must hold.
 class Saved {
  public:
   explicit Saved(std::size_t intervals) : model_(intervals) {
     std::vector<IntervalState> states(intervals);
     for (std::size_t i = 0; i < intervals; ++i) states[i].frames = frames_of(i);
-    file_ = CheckpointFile::write(path_, {{"scene", "a b c"}, {"seed", "7", true}}, states, nullptr, nullptr);
+    file_ =
+        CheckpointFile::write(path_, render_with({{"scene", "a b c"}, {"seed", "7", true}}), states, nullptr, nullptr);
   }
 
   void save(std::size_t interval, std::vector<double> numbers, bool from_disk) {
@@ -49,16 +53,16 @@ class Saved {
     std::vector<IntervalState> states = file_->intervals();
     states[interval].iterations = ++model_[interval].iterations;
     states[interval].seconds = model_[interval].seconds += 0.25;
-    file_ = CheckpointFile::write(path_, file_->facts(), states, &state, file_.get());
+    file_ = CheckpointFile::write(path_, file_->render(), states, &state, file_.get());
   }
 
   void expect_all() const {
     const CheckpointFile on_disk(path_);
     for (const CheckpointFile* file : {file_.get(), &on_disk}) {
       ASSERT_EQ(file->intervals().size(), model_.size());
-      ASSERT_EQ(file->facts().size(), 2u);
-      EXPECT_EQ(file->facts()[0].text, "a b c");
-      EXPECT_TRUE(file->facts()[1].is_digest);
+      ASSERT_EQ(file->render().facts.size(), 2u);
+      EXPECT_EQ(file->render().facts[0].text, "a b c");
+      EXPECT_TRUE(file->render().facts[1].is_digest);
       for (std::size_t i = 0; i < model_.size(); ++i) {
         EXPECT_EQ(file->intervals()[i].frames, frames_of(i));
         EXPECT_EQ(file->intervals()[i].iterations, model_[i].iterations);
@@ -105,13 +109,13 @@ TEST(CheckpointFile, IsNotReplacedByWhatCannotBeCopied) {
   const std::filesystem::path path = directory / "cut.ck";
   std::vector<IntervalState> states(2);
   states[0].frames = {FileFrame(0)}, states[1].frames = {FileFrame(1)};
-  auto file = CheckpointFile::write(path, {}, states, nullptr, nullptr);
+  auto file = CheckpointFile::write(path, render_with({}), states, nullptr, nullptr);
   Numbers many(std::vector<double>(100'000, 0.5)), one({1});
   const auto save = [&](std::size_t interval, Numbers& numbers) {
     std::vector<IntervalState> now = file->intervals();
     now[interval].iterations = 1;
     const CheckpointFile::NewState state{interval, numbers};
-    file = CheckpointFile::write(path, {}, now, &state, file.get());
+    file = CheckpointFile::write(path, render_with({}), now, &state, file.get());
   };
   save(0, many);
   std::filesystem::resize_file(path, 400'000);
@@ -125,7 +129,7 @@ TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   const CheckpointFile::NewState state{0, integrator};
   IntervalState interval{{FileFrame(0)}};
   interval.iterations = 1;
-  CheckpointFile::write(directory / "a", {{"scene", "a b c"}}, {interval}, &state, nullptr);
+  CheckpointFile::write(directory / "a", render_with({{"scene", "a b c"}}), {interval}, &state, nullptr);
   const std::string whole = contents(directory / "a");
   EXPECT_NO_THROW(CheckpointFile(directory / "a"));
   for (std::size_t at = 0; at < whole.size(); ++at) {

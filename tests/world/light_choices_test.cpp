@@ -108,7 +108,7 @@ TEST(LightChoices, DoNotDependOnTheFramesRendered) {
 // A moment of light among 300 dark ones, which no even spread over the file would meet.
 TEST(LightChoices, AreAllAmongTheSampleFrames) {
   LightChoices choices;
-  choices.of_frame.assign(300, 0);
+  choices.of_frame.assign(300, 0), choices.base = 300;
   choices.of_frame[123] = 1, choices.of_frame[298] = 2;
   choices.probabilities = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<FileFrame> sample = choices.sample();

@@ -1,0 +1,36 @@
+// Which elements of a scene matter to a part of its frames.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dspm/lang/canonical.h"
+#include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
+
+namespace dspm {
+
+class PartOfScene {
+ public:
+  PartOfScene(const SceneDescription& scene, const FramesPart& part);
+
+  /// Whether the element has a place among others, whose order matters.
+  bool places(const ElementDigest& element) const;
+  /// Whether the frames would be the same without it.
+  bool can_do_without(const ElementDigest& element) const;
+  /// Of a Dynamic block: a sign for each frame, whether it is there.
+  std::string presence_of(const ElementDigest& block) const;
+
+ private:
+  bool is_there(int block) const { return block < 0 || there_[static_cast<std::size_t>(block)]; }
+
+  const SceneDescription& scene_;
+  std::vector<FileFrame> frames_;          // of the part
+  std::vector<bool> there_;                // by Dynamic block: in some of the frames
+  std::vector<std::vector<bool>> chosen_;  // by axis and variation: likewise
+  std::set<std::string> objects_;          // that have instances there
+  bool reads_materials_ = false;           // geometry files may name materials
+};
+
+}  // namespace dspm

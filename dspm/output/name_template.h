@@ -1,0 +1,27 @@
+// Names of images by a template: "{legs}_{seat}_{frame}.exr" becomes "oak_red_0001.exr".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+/// What stands for a name in braces.
+struct NamedPart {
+  std::string name, text;
+};
+
+/// Whether the name has a part in braces.
+bool is_template(std::string_view name);
+/// {frame} has four digits, {frame:2} at least two; {{ and }} are braces. Throws UsageError if a name is not among the
+/// parts.
+std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& parts, int frame);
+
+/// The frame's choices, by axis, after the whole "variation".
+std::vector<NamedPart> parts_of(const Job& job, FileFrame frame);
+
+}  // namespace dspm

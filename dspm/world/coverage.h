@@ -1,0 +1,19 @@
+// Whether what was derived from the first frames of a file (the choice of lights, the sphere around everything) serves
+// the frames that were added to it since.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/world/bounding_sphere.h"
+#include "dspm/world/geometry.h"
+#include "dspm/world/light_choices.h"
+#include "dspm/world/lighting.h"
+
+namespace dspm {
+
+/// An error for each reason why it does not, with the frames: their images would lack light.
+void expect_covered(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
+                    const std::vector<WorldLight>& lights, const LightChoices& choices, Diagnostics& diagnostics);
+
+}  // namespace dspm
