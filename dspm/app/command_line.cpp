@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/app/catalogue.h"
+#include "dspm/app/look_at_images.h"
 #include "dspm/app/new_plugin.h"
 #include "dspm/app/options.h"
 #include "dspm/app/relight.h"
@@ -38,9 +39,13 @@ int run(const Options& options) {
       return print_data(upgraded(options.scenes, options.lenient, messages)), 0;
     }
     case Task::list_variations: return print_data(variation_names(options.scenes, options)), 0;
+    case Task::compare:
+    case Task::flicker: return look_at_images(options), 0;
     case Task::relight: return relight_images(options);
     case Task::check: return check_scene(options);
-    case Task::render: return render_scene(options);
+    case Task::render:
+      if (are_images(options)) return look_at_images(options), 0;
+      return render_scene(options);
   }
   return 0;
 }

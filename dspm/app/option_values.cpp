@@ -171,6 +171,22 @@ std::array<int, 4> parse_pixel_bounds(std::string_view text) {
   return *bounds;
 }
 
+Resolution parse_resolution(std::string_view text) {
+  constexpr double kMostPercent = 10'000;
+  Resolution resolution;
+  if (text.ends_with('%')) {
+    const double percent = number<double>(text.substr(0, text.size() - 1)).value_or(0);
+    if (percent <= kMostPercent) resolution.share = percent / 100;
+  } else if (const std::size_t cross = text.find('x'); cross != text.npos) {
+    resolution.width = number<int>(text.substr(0, cross)).value_or(0);
+    resolution.height = number<int>(text.substr(cross + 1)).value_or(0);
+  }
+  const auto is_side = [](int size) { return 1 <= size && size <= 65536; };
+  if (!(resolution.share > 0) && !(is_side(resolution.width) && is_side(resolution.height)))
+    throw UsageError(fmt::format("--resolution {}: expected a share such as 50%, or pixels such as 800x600", text));
+  return resolution;
+}
+
 std::vector<std::string> canonical_spelling(const std::vector<std::string>& arguments,
                                             const std::vector<std::string>& names) {
   std::vector<std::string> result;

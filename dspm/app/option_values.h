@@ -24,6 +24,9 @@ std::size_t parse_bytes(const char* option, std::string_view text);
 std::array<double, 4> parse_crop_window(std::string_view text);
 std::array<int, 4> parse_pixel_bounds(std::string_view text);
 
+/// "50%" or "800x600".
+Resolution parse_resolution(std::string_view text);
+
 /// "N,albedo": at least one name, none empty.
 std::vector<std::string> parse_names(const char* option, std::string_view text);
 

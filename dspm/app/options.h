@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/app/onlooker_settings.h"
 #include "dspm/checkpoint/checkpoints.h"
 #include "dspm/output/output.h"
 #include "dspm/params/errors.h"
@@ -14,9 +15,21 @@
 
 namespace dspm {
 
-enum class Task { render, check, format, upgrade, list, describe, list_variations, new_plugin, relight };
+enum class Task {
+  render,
+  check,
+  format,
+  upgrade,
+  list,
+  describe,
+  list_variations,
+  new_plugin,
+  relight,
+  compare,
+  flicker
+};
 
-struct Options : Choices, OutputSettings, CheckpointSettings {
+struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   Task task = Task::render;
   std::vector<std::string> scenes;   // "-": standard input; for Task::relight, images and factors
   std::vector<std::string> modules;  // files with plugins
@@ -24,6 +37,8 @@ struct Options : Choices, OutputSettings, CheckpointSettings {
   std::string described;             // [kind:]name
   std::string guide, save_guide;     // files; empty: none
   std::vector<std::string> created;  // a new plugin's kind, name and folder
+  double page_fps = 0;               // of images that exist; 0: as they say
+  std::string progress;              // a kind of progress, see progress_kind(); empty: the usual one
   bool explain = false, quiet = false;
 
   std::optional<ServeAddress> serve;  // where the live page is

@@ -29,10 +29,28 @@ bool stderr_is_terminal() {
   return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
-Progress::Progress(const Extent& extent, bool quiet, bool terminal)
-    : extent_(extent), quiet_(quiet), terminal_(terminal), next_(terminal_ ? 0 : kSecondsBetweenLines) {}
+ProgressKind progress_kind(std::string_view word) {
+  if (word == "none") return ProgressKind::none;
+  if (word == "json") return ProgressKind::json;
+  if (word == "lines" || (word.empty() && !stderr_is_terminal())) return ProgressKind::lines;
+  return ProgressKind::bar;
+}
 
-Progress::~Progress() { clear(); }
+Progress::Progress(const Extent& extent, ProgressKind kind)
+    : extent_(extent), kind_(kind), next_(kind == ProgressKind::lines ? kSecondsBetweenLines : 0) {
+  if (kind_ != ProgressKind::json) return;
+  std::string line = fmt::format(R"({{"event": "begin", "intervals": {})", extent.intervals);
+  if (extent.iterations > 0) line += fmt::format(R"(, "iterations": {})", extent.iterations);
+  if (extent.time_limit > 0) line += fmt::format(R"(, "time_limit": {})", extent.time_limit);
+  if (extent.until_error > 0) line += fmt::format(R"(, "until_error": {})", extent.until_error);
+  print_message(line + "}\n");
+}
+
+Progress::~Progress() {
+  clear();
+  if (kind_ == ProgressKind::json)
+    print_message(fmt::format("{{\"event\": \"end\", \"seconds\": {:.3f}}}\n", elapsed()));
+}
 
 void Progress::clear() {
   if (width_ > 0) print_message(fmt::format("\r{:{}}\r", "", width_));
@@ -46,10 +64,11 @@ void Progress::begin(int interval, int iterations) {
 
 void Progress::step(int interval, int iterations, std::optional<double> error) {
   if (error) trend_.add(iterations, *error);
-  if (quiet_ || elapsed() < next_) return;
-  next_ = elapsed() + (terminal_ ? kSecondsBetweenBars : kSecondsBetweenLines);
+  if (kind_ == ProgressKind::json) return print_message(json(interval, iterations));
+  if (kind_ == ProgressKind::none || elapsed() < next_) return;
+  next_ = elapsed() + (kind_ == ProgressKind::bar ? kSecondsBetweenBars : kSecondsBetweenLines);
   const std::string line = text(interval, iterations);
-  if (terminal_) {
+  if (kind_ == ProgressKind::bar) {
     print_message(fmt::format("\r{:{}}", line, width_));
     width_ = std::max(width_, line.size());
   } else {
@@ -82,7 +101,18 @@ std::string Progress::text(int interval, int iterations) const {
   line += fmt::format(", {}", readable_time(outlook.seconds));
   if (outlook.share == 0) return line;
   if (outlook.seconds_left) line += fmt::format(", {} left", readable_time(*outlook.seconds_left));
-  return terminal_ ? bar(outlook.share) + " " + line : line;
+  return kind_ == ProgressKind::bar ? bar(outlook.share) + " " + line : line;
+}
+
+std::string Progress::json(int interval, int iterations) const {
+  const Outlook outlook = this->outlook(interval, iterations);
+  std::string line = fmt::format(R"({{"event": "iteration", "interval": {}, "iterations": {}, "seconds": {:.3f})",
+                                 interval + 1, iterations, outlook.seconds);
+  if (trend_.now()) line += fmt::format(R"(, "error": {:.6g})", *trend_.now());
+  if (outlook.share > 0)
+    line += fmt::format(R"(, "share_done": {:.4f}, "seconds_left": {:.3f})", outlook.share,
+                        outlook.seconds_left.value_or(0));
+  return line + "}\n";
 }
 
 Progress::Outlook Progress::outlook(int interval, int iterations) const {

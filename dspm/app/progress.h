@@ -1,9 +1,11 @@
-// The progress of a run, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere.
+// The progress of a run, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere, or
+// for programs a JSON object per iteration (docs/looking.md).
 #pragma once
 
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "dspm/app/error_trend.h"
 
@@ -11,6 +13,15 @@ namespace dspm {
 
 /// A terminal on which a line can be overwritten.
 bool stderr_is_terminal();
+
+enum class ProgressKind {
+  none,
+  lines,
+  bar,  // on a line that is overwritten
+  json
+};
+/// "bar", "lines", "json" or "none"; empty: a bar on a terminal, else lines.
+ProgressKind progress_kind(std::string_view word);
 
 class Progress {
  public:
@@ -20,8 +31,7 @@ class Progress {
     int intervals = 1;
     double until_error = 0;  // of each interval; 0: none
   };
-  /// `terminal`: a bar on a line that is overwritten.
-  Progress(const Extent& extent, bool quiet, bool terminal = stderr_is_terminal());
+  Progress(const Extent& extent, ProgressKind kind);
   /// Clears the bar's line.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -43,11 +53,12 @@ class Progress {
  private:
   double elapsed() const;
   std::string text(int interval, int iterations) const;
+  std::string json(int interval, int iterations) const;
   double share_done(int interval, int iterations) const;
 
   Extent extent_;
   ErrorTrend trend_;
-  bool quiet_, terminal_;
+  ProgressKind kind_;
   double before_ = 0;      // the fraction that earlier runs have done
   double next_ = 0;        // seconds at which the next line is due
   std::size_t width_ = 0;  // of the bar's line on the terminal

@@ -53,6 +53,7 @@ int Render::run() {
   const double seconds_before = checkpoints_.seconds();
   const SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
   Session(loaded_, intervals_, memory_, settings, messages_, *this).run();
+  onlookers_.reset();
   progress_.reset();
   if (is_of_no_use()) return 0;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -98,7 +99,7 @@ void Render::announce(const Scene& scene, const Integrator& integrator, int iter
                 readable_bytes(scene.accel->memory()), readable_bytes(integrator.statistics().bytes));
   progress_ = std::make_unique<Progress>(
       Progress::Extent{iterations, options_.time_limit, static_cast<int>(intervals_.size()), options_.until_error},
-      options_.quiet);
+      options_.quiet && options_.progress.empty() ? ProgressKind::none : progress_kind(options_.progress));
 }
 
 }  // namespace dspm

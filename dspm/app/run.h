@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dspm/app/last_words.h"
+#include "dspm/app/onlookers.h"
 #include "dspm/app/options.h"
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
@@ -48,6 +50,7 @@ class Render final : public SessionObserver {
   void ready(const Scene& scene, Integrator& integrator, int iterations) override {
     keep_guide(options_, loaded_.job);
     announce(scene, integrator, iterations);
+    onlookers_.emplace(loaded_.job, options_, View(options_.view), messages_);
     if (live_ != nullptr) live_->begin_run(loaded_.job, scene, integrator, iterations, false);
     checkpoints_.begin(intervals_, integrator);
   }
@@ -63,12 +66,14 @@ class Render final : public SessionObserver {
     progress_->step(static_cast<int>(progress.index), progress.iterations, progress.error);
     if (!std::exchange(has_said_what_is_found_, true)) say_what_is_found(integrator.statistics());
     if (checkpoints_.due(progress.iterations)) save(progress, integrator);
+    look(progress, integrator, false);
     if (live_ != nullptr) show(progress, integrator);
   }
   void images_due(const IntervalProgress& progress, Integrator& integrator, Images images) override {
     if (is_of_no_use()) return;
     if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
     results_.write(intervals_[progress.index], integrator, progress.seconds, images);
+    if (images == Images::last) look(progress, integrator, true);
     last_words_.keep(kept_in_words());
     if (images == Images::so_far) results_.report_faults();
   }
@@ -99,6 +104,11 @@ class Render final : public SessionObserver {
       progress_->clear();
       messages_.say("{}", summary_of(report));
     }
+  }
+  void look(const IntervalProgress& progress, const Integrator& integrator, bool last) {
+    if (!onlookers_ || !onlookers_->any()) return;
+    progress_->clear();
+    onlookers_->look(intervals_[progress.index], integrator, last);
   }
   void save(const IntervalProgress& progress, Integrator& integrator) {
     saved_ = progress.iterations;
@@ -134,6 +144,7 @@ class Render final : public SessionObserver {
   bool has_said_what_is_found_ = false;
   RunReport report_;
   std::unique_ptr<Progress> progress_;
+  std::optional<Onlookers> onlookers_;
 };
 
 }  // namespace dspm

@@ -10,6 +10,8 @@ namespace dspm {
 
 namespace {
 
+constexpr int kMaxSide = 1 << 16;
+
 /// Nullopt if the parameter is absent or, after an error, if it does not have four values.
 template <class T>
 std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, const std::vector<T>& values) {
@@ -23,7 +25,6 @@ std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, cons
 
 /// An invalid side becomes `fallback`, so that one error does not cause others.
 void check_side(ParamReader& reader, const char* name, int& side, int fallback) {
-  constexpr int kMaxSide = 1 << 16;
   if (side >= 1 && side <= kMaxSide) return;
   reader.error(name, "the resolution must be between 1 and 65536");
   side = fallback;
@@ -150,9 +151,24 @@ PixelRect crop_of(const FilmSettings& film) {
   return {0, 0, film.width, film.height};
 }
 
-void make_quick(FilmSettings& film) {
-  film.width = std::max(1, film.width / 4);
-  film.height = std::max(1, film.height / 4);
+FilmSettings scaled(FilmSettings film, int width, int height) {
+  const int old_width = film.width, old_height = film.height;
+  film.width = std::clamp(width, 1, kMaxSide), film.height = std::clamp(height, 1, kMaxSide);
+  if (!film.pixel_bounds) return film;
+  const auto moved = [](int edge, int from, int to) {
+    return static_cast<int>(std::lround(static_cast<double>(edge) * to / from));
+  };
+  auto& [x0, x1, y0, y1] = *film.pixel_bounds;
+  x0 = moved(x0, old_width, film.width), y0 = moved(y0, old_height, film.height);
+  x1 = std::max(moved(x1, old_width, film.width), x0 + 1), y1 = std::max(moved(y1, old_height, film.height), y0 + 1);
+  return film;
+}
+
+FilmSettings scaled(const FilmSettings& film, double share) {
+  const auto side = [&](int size) {
+    return static_cast<int>(std::clamp(std::floor(size * share + 1e-9), 1., double{kMaxSide}));
+  };
+  return scaled(film, side(film.width), side(film.height));
 }
 
 }  // namespace dspm

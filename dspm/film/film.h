@@ -40,8 +40,9 @@ bool is_image_name(const std::string& filename);
 
 /// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.
 PixelRect crop_of(const FilmSettings& film);
-/// A quarter of the resolution, for a quick look.
-void make_quick(FilmSettings& film);
+/// The same picture in another resolution: pixel bounds are scaled, too. At least one pixel, at most 65536 a side.
+FilmSettings scaled(FilmSettings film, int width, int height);
+FilmSettings scaled(const FilmSettings& film, double share);
 
 /// Values of the image file over radiance, for a shutter that is open that long (pbrt's imaging ratio).
 inline float imaging_ratio(const FilmSettings& film, float exposure_seconds) {

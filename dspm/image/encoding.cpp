@@ -42,13 +42,21 @@ std::vector<float> decoding_table(ColorEncoding encoding, int levels) {
 std::string srgb_bytes(const Image& image) {
   std::string bytes;
   bytes.reserve(image.pixels.size() * 3);
+  for (const std::uint16_t value : encoded(image, 256, true)) bytes.push_back(static_cast<char>(value));
+  return bytes;
+}
+
+std::vector<std::uint16_t> encoded(const Image& image, int levels, bool srgb) {
+  std::vector<std::uint16_t> values;
+  values.reserve(image.pixels.size() * 3);
+  const float highest = static_cast<float>(levels - 1);
   for (const Rgb& pixel : image.pixels) {
     for (int c = 0; c < 3; ++c) {
-      const float shown = pixel[c] > 0 ? std::min(linear_to_srgb(pixel[c]), 1.f) : 0.f;
-      bytes.push_back(static_cast<char>(std::lround(shown * 255)));
+      const float shown = pixel[c] > 0 ? std::min(srgb ? linear_to_srgb(pixel[c]) : pixel[c], 1.f) : 0.f;
+      values.push_back(static_cast<std::uint16_t>(std::lround(shown * highest)));
     }
   }
-  return bytes;
+  return values;
 }
 
 std::optional<ColorEncoding> ColorEncoding::parse(std::string_view words) {

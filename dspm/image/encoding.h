@@ -1,6 +1,7 @@
 // Conversion between the numbers of image files and linear light.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,8 @@ std::vector<float> decoding_table(ColorEncoding encoding, int levels);
 /// Bytes for a screen, eight bits per channel in the order of the pixels: linear 0..1 as sRGB, other values are
 /// clamped; NaN is black.
 std::string srgb_bytes(const Image& image);
+
+/// One integer of 0 .. levels - 1 per channel: linear 0..1, encoded as sRGB or left linear; likewise clamped.
+std::vector<std::uint16_t> encoded(const Image& image, int levels, bool srgb);
 
 }  // namespace dspm

@@ -13,7 +13,6 @@
 #include "dspm/image/decoders.h"
 #include "dspm/image/encoding.h"
 #include "dspm/image/samples.h"
-#include "dspm/system/atomic_file.h"
 
 namespace dspm {
 
@@ -89,21 +88,6 @@ Image decode_png(std::string_view bytes, ColorEncoding encoding) {
   if (!reader.read_rows()) throw std::runtime_error(reader.message);
   set_pixels<std::uint16_t>(image, reader.samples, channels, decoding_table(encoding, 1 << 16));
   return image;
-}
-
-void write_png(const std::filesystem::path& path, const Image& image) {
-  const std::string pixels = srgb_bytes(image);
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = static_cast<png_uint_32>(image.width);
-  header.height = static_cast<png_uint_32>(image.height);
-  header.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
-  std::string bytes(size, '\0');
-  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
-    throw WriteError(path, header.message);
-  }
-  write_file(path, std::string_view(bytes).substr(0, size));
 }
 
 }  // namespace dspm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/shrink.h"
@@ -24,41 +25,50 @@ double badness(int count, int columns, double image_aspect) {
 
 }  // namespace
 
-SheetLayout::SheetLayout(int count, int width, int height, int max_width) {
+SheetLayout::SheetLayout(int count, int width, int height, SheetStyle style) : style_(std::move(style)) {
   const double aspect = static_cast<double>(width) / height;
   for (int c = 2; c <= count; ++c) {
     if (badness(count, c, aspect) < badness(count, columns, aspect)) columns = c;
   }
   rows = (count + columns - 1) / columns;
-  fit(width, height, max_width);
+  fit(width, height);
 }
 
-SheetLayout SheetLayout::table(int columns, int rows, int width, int height, int max_width) {
+SheetLayout SheetLayout::table(int columns, int rows, int width, int height, SheetStyle style) {
   SheetLayout layout;
+  layout.style_ = std::move(style);
   layout.columns = columns, layout.rows = rows;
-  layout.fit(width, height, max_width);
+  layout.fit(width, height);
   return layout;
 }
 
-void SheetLayout::fit(int width, int height, int max_width) {
+void SheetLayout::fit(int width, int height) {
   const double aspect = static_cast<double>(width) / height;
-  image_width = std::clamp((max_width - kGap) / columns - kGap, 1, width);
+  const int fitting = std::clamp((style_.max_width - kGap) / columns - kGap, 1, width);
+  image_width = style_.tile_width > 0 ? style_.tile_width : fitting;
   image_height = std::max(1, static_cast<int>(std::lround(image_width / aspect)));
   text_scale = image_width >= 384 ? 2 : 1;
 }
 
+int SheetLayout::title_height() const { return style_.title.empty() ? 0 : kTextHeight * (text_scale + 1) + kGap; }
+
 int SheetLayout::sheet_width() const { return kGap + columns * (image_width + kGap); }
-int SheetLayout::sheet_height() const { return kGap + rows * (image_height + label_height(text_scale) + kGap); }
+int SheetLayout::sheet_height() const {
+  const int below = style_.labels ? label_height(text_scale) : 0;
+  return title_height() + kGap + rows * (image_height + below + kGap);
+}
 
 PixelRect SheetLayout::place(int i) const {
+  const int below = style_.labels ? label_height(text_scale) : 0;
   const int x = kGap + i % columns * (image_width + kGap);
-  const int y = kGap + i / columns * (image_height + label_height(text_scale) + kGap);
+  const int y = title_height() + kGap + i / columns * (image_height + below + kGap);
   return {x, y, x + image_width, y + image_height};
 }
 
 ContactSheet::ContactSheet(const SheetLayout& layout)
     : layout_(layout), sheet_(layout.sheet_width(), layout.sheet_height()) {
   std::fill(sheet_.pixels.begin(), sheet_.pixels.end(), Rgb(0.03f));
+  draw_text(sheet_, kGap, kGap, layout_.style().title, layout_.text_scale + 1, Rgb(0.8f));
 }
 
 void ContactSheet::put(int i, const Image& image, std::string_view label) {
@@ -67,6 +77,7 @@ void ContactSheet::put(int i, const Image& image, std::string_view label) {
   for (int y = 0; y < small.height; ++y) {
     std::copy_n(&small.at(0, y), small.width, &sheet_.at(place.x0, place.y0 + y));
   }
+  if (!layout_.style().labels) return;
   const int advance = kTextAdvance * layout_.text_scale;
   const std::string_view fitting = label.substr(0, static_cast<std::size_t>(std::max(1, place.width() / advance)));
   const int left = place.x0 + (place.width() - advance * static_cast<int>(fitting.size())) / 2;

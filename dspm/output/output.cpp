@@ -10,7 +10,6 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
-#include "dspm/image/png.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/developed.h"
 #include "dspm/output/image_name.h"
@@ -25,8 +24,6 @@
 
 namespace dspm {
 namespace {
-
-constexpr ToneMap kToneMap{.exposure = 1, .shoulder = true};
 
 /// No file may replace another one, or one that is read.
 void expect_all_distinct(std::vector<NamedFile> written, const OutputSettings& settings, const OtherFiles& others) {
@@ -54,14 +51,14 @@ std::array<float, 16> for_rows(const Matrix4& matrix) {
 
 Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
                Video::EndWanted end_wanted)
-    : job_(job), png_(settings.png), layers_(settings), sheet_path_(settings.contact_sheet), sheet_places_(job) {
+    : job_(job), view_(settings.view), png_(settings.png), layers_(settings) {
   layers_.check(job.settings.outputs);
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
   try_writes(paths_of(written));
   warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
-  if (!sheet_path_.empty()) sheet_.emplace(sheet_places_.layout(width, height));
+  if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
   const auto variation = [&](FileFrame frame) { return job.description->frames.combination_of(frame); };
   const bool is_one_variation = std::all_of(job.frames.begin(), job.frames.end(), [&](FileFrame frame) {
     return variation(frame) == variation(job.frames.front());
@@ -125,12 +122,10 @@ std::filesystem::path Output::name(FileFrame frame) const {
 }
 
 std::size_t Output::bytes_while_writing() const {
-  // The image, two copies, the last one in the file's format, and the growing file; of other outputs no copies; for the
-  // sheet only the file.
+  // The image, two copies, the last one in the file's format, and the growing file; of other outputs no copies.
   constexpr std::size_t kImages = 6, kLayerImages = 5;
   const std::size_t images = kImages + kLayerImages * job_.settings.outputs.size();
-  const std::size_t sheet = sheet_ ? sheet_->image().pixels.size() : 0;
-  return (images * static_cast<std::size_t>(job_.settings.crop.count()) + sheet) * sizeof(Rgb);
+  return images * static_cast<std::size_t>(job_.settings.crop.count()) * sizeof(Rgb) + (sheet_ ? sheet_->bytes() : 0);
 }
 
 ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
@@ -180,10 +175,10 @@ void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLaye
   ExrHeader header = this->header(frame, figures);
   if (layers_.aov_files) write_apart(frame, all, header), all.clear();
   const std::vector<ExrLayer> more = exr_layers(all, header);
-  if (sheet_) sheet_->put(sheet_places_.of(frame), shown(image, kToneMap), job_.description->frames.label(frame));
+  if (sheet_) sheet_->put(frame, view_.shown(image));
   std::exception_ptr failure;
   for (const std::filesystem::path& file : image_files(frame)) try {
-      write_image(file, image, job_.film, header, kToneMap, more, layers_.exr);
+      write_image(file, image, job_.film, header, view_, more, layers_.exr);
     } catch (const WriteError&) {
       failure = std::current_exception();
     }
@@ -202,11 +197,11 @@ void Output::write_apart(FileFrame frame, const std::vector<const OutputLayer*>&
 }
 
 void Output::write_contact_sheet() const {
-  if (sheet_) write_png(sheet_path_, sheet_->image());
+  if (sheet_) sheet_->write(view_.png());
 }
 
 void Output::add_to_video(Image radiance) {
-  if (video_) video_->add(shown(developed(std::move(radiance), job_), kToneMap));
+  if (video_) video_->add(view_.for_video().shown(developed(std::move(radiance), job_)));
 }
 
 void Output::finish_video() {

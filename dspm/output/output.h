@@ -10,8 +10,9 @@
 #include "dspm/math/frames.h"
 #include "dspm/output/layer_settings.h"
 #include "dspm/output/output_layer.h"
-#include "dspm/output/sheet_places.h"
+#include "dspm/output/sheet_file.h"
 #include "dspm/output/video.h"
+#include "dspm/output/view.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/messages.h"
 #include "dspm/world/job.h"
@@ -24,6 +25,8 @@ struct OutputSettings : LayerSettings {
   bool png = false;                  // of every image
   std::string contact_sheet, video;  // files; empty: none
   std::string index;                 // the table of all images, .csv or .json; empty: none
+  SheetStyle sheet;                  // of the contact sheet
+  ViewSettings view;                 // of PNGs, the sheet and the video
   std::string stats;                 // "table", or a file for JSON ("-": standard output); empty: no statistics
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 };
@@ -80,11 +83,10 @@ class Output {
   void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
 
   const Job& job_;
+  View view_;
   bool png_;
   LayerSettings layers_;
-  std::filesystem::path sheet_path_;
-  SheetPlaces sheet_places_;
-  std::optional<ContactSheet> sheet_;
+  std::optional<SheetFile> sheet_;
   std::optional<Video> video_;
 };
 

@@ -61,9 +61,9 @@ SheetPlaces::SheetPlaces(const Job& job) {
   }
 }
 
-SheetLayout SheetPlaces::layout(int width, int height) const {
-  if (columns_ == 0) return {static_cast<int>(places_.size()), width, height};
-  return SheetLayout::table(columns_, rows_, width, height);
+SheetLayout SheetPlaces::layout(int width, int height, const SheetStyle& style) const {
+  if (columns_ == 0) return {static_cast<int>(places_.size()), width, height, style};
+  return SheetLayout::table(columns_, rows_, width, height, style);
 }
 
 }  // namespace dspm

@@ -14,9 +14,12 @@ class SheetPlaces {
  public:
   explicit SheetPlaces(const Job& job);
 
-  SheetLayout layout(int width, int height) const;
+  SheetLayout layout(int width, int height, const SheetStyle& style = {}) const;
   /// Counted row by row.
   int of(FileFrame frame) const { return places_.at(frame); }
+  /// Of a table; 0: the frames lie one after the other.
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
 
  private:
   int columns_ = 0, rows_ = 0;  // 0: as SheetLayout chooses

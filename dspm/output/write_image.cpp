@@ -28,8 +28,8 @@ void write_layers(const std::filesystem::path& path, const std::vector<ExrLayer>
 }
 
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
-                 const ToneMap& tone, const std::vector<ExrLayer>& more, const ExrFormat& format) {
-  if (path.extension() == ".png") return write_png(path, shown(std::move(image), tone));
+                 const View& view, const std::vector<ExrLayer>& more, const ExrFormat& format) {
+  if (path.extension() == ".png") return write_png(path, view.shown(std::move(image)), view.png());
   if (path.extension() == ".pfm") return write_pfm(path, image);
   if (path.extension() == ".hdr") return write_hdr(path, image);
   if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));

@@ -6,7 +6,7 @@
 #include "dspm/film/film.h"
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
-#include "dspm/output/tone_map.h"
+#include "dspm/output/view.h"
 
 namespace dspm {
 
@@ -16,10 +16,10 @@ inline ExrPixels pixels_of(const FilmSettings& film) { return film.save_half ? E
 Image in_film_space(Image image, const FilmSettings& film);
 
 /// `image` holds the pixels of crop_of(film), in Rec. 709. The extension chooses OpenEXR, in the film's colour space,
-/// with the place of the crop added to `header` and `more` layers, PNG through `tone`, or PFM or HDR, which hold nothing
+/// with the place of the crop added to `header` and `more` layers, PNG as `view` shows it, or PFM or HDR, which hold nothing
 /// but the pixels. Throws WriteError.
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
-                 const ToneMap& tone = {}, const std::vector<ExrLayer>& more = {}, const ExrFormat& format = {});
+                 const View& view = View(), const std::vector<ExrLayer>& more = {}, const ExrFormat& format = {});
 /// The layers alone, in an OpenEXR file.
 void write_layers(const std::filesystem::path& path, const std::vector<ExrLayer>& layers, const FilmSettings& film,
                   ExrHeader header, const ExrFormat& format);

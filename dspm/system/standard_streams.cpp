@@ -6,9 +6,12 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
 #include <system_error>
+#include <utility>
 
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/message_listener.h"
 
 namespace dspm {
 namespace {
@@ -18,6 +21,9 @@ namespace {
 void occupy(int stream, int flags) {
   if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", flags) != stream) _exit(1);
 }
+
+std::mutex listening;
+std::function<void(std::string_view)> the_listener;
 
 }  // namespace
 
@@ -34,6 +40,19 @@ void print_data(std::string_view text) {
 }
 
 void print_message(std::string_view text) {
+  {
+    const std::lock_guard lock(listening);
+    if (the_listener) the_listener(text);
+  }
+  print_picture(text);
+}
+
+void listen_to_messages(std::function<void(std::string_view)> listener) {
+  const std::lock_guard lock(listening);
+  the_listener = std::move(listener);
+}
+
+void print_picture(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

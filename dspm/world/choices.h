@@ -12,10 +12,20 @@
 
 namespace dspm {
 
+/// A quick look has a quarter of the width, of the height and of the iterations, and as many photons for a pixel.
+inline constexpr int kQuickShare = 4;
+
+/// Of the full image: a share of the scene's, or pixels.
+struct Resolution {
+  double share = 0;  // 0: width and height count
+  int width = 0, height = 0;
+};
+
 struct Choices {
-  std::vector<std::string> defines;  // name=value
-  bool lenient = false;              // unsupported features are warnings, not errors
-  bool quick = false;                // a quarter of the resolution and of the iterations
+  std::vector<std::string> defines;      // name=value
+  bool lenient = false;                  // unsupported features are warnings, not errors
+  bool quick = false;                    // see kQuickShare
+  std::optional<Resolution> resolution;  // none: as the Film says
 
   std::string outfile;               // empty: the Film's filename
   std::optional<bool> half;          // none: as the Film says

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
@@ -32,6 +33,18 @@ void set_integer(ParamList& list, std::string_view name, int value) {
   param.name = name;
   param.values = std::vector<int>{value};
   list.params.push_back(std::move(param));
+}
+
+/// As many for each pixel of a quick look as the scene asks for; -1 means one for each pixel anyway.
+void take_photons_in_proportion(ParamList& list, const std::vector<ParamInfo>& described) {
+  const auto known =
+      std::find_if(described.begin(), described.end(), [](const ParamInfo& info) { return info.name == "photons"; });
+  if (known == described.end()) return;
+  const int usual = std::atoi(known->default_value.c_str());
+  const int asked = integer_of(list, "photons", integer_of(list, kPhotonsAlias, usual));
+  if (asked <= 0) return;
+  std::erase_if(list.params, [](const Param& param) { return param.name == kPhotonsAlias; });
+  set_integer(list, "photons", std::max(1, asked / (kQuickShare * kQuickShare)));
 }
 
 /// The plugin for the scene's own directive.
@@ -118,6 +131,8 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
       throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));
     std::erase_if(choice.params.params, [](const Param& param) { return param.name == kPhotonsAlias; });
     set_integer(choice.params, "photons", *choices.photons);
+  } else if (choices.quick) {
+    take_photons_in_proportion(choice.params, described);
   }
   return choice;
 }

@@ -84,6 +84,11 @@ void check_crop(const FilmSettings& film, const SceneDescription& description, D
                       "--cropwindow renders a part of it");
 }
 
+FilmSettings resized(const FilmSettings& film, const Resolution& wanted) {
+  if (wanted.share > 0) return scaled(film, wanted.share);
+  return scaled(film, wanted.width, wanted.height);
+}
+
 /// What the scene says, but that with --lenient an rgb film stands in for a spectral one: without its buckets, otherwise
 /// the same.
 std::optional<PluginUse> film_of(const SceneDescription& description, Diagnostics& diagnostics) {
@@ -101,7 +106,8 @@ std::optional<PluginUse> film_of(const SceneDescription& description, Diagnostic
 FilmSettings make_film(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   const int errors = diagnostics.error_count();
   FilmSettings film = *make_one(film_plugins(), "rgb", film_of(description, diagnostics), diagnostics);
-  if (choices.quick) make_quick(film);
+  if (choices.resolution) film = resized(film, *choices.resolution);
+  if (choices.quick) film = scaled(film, 1. / kQuickShare);
   if (!choices.outfile.empty()) film.filename = choices.outfile;
   if (choices.half) film.save_half = *choices.half;
   if (choices.crop_window) {
@@ -190,7 +196,7 @@ int Job::iterations(const Integrator& made) const {
   if (chosen_iterations) return *chosen_iterations;
   if (until_error > 0) return 0;
   const int asked = made.iterations();
-  return quick && asked > 0 ? std::max(1, asked / 4) : asked;
+  return quick && asked > 0 ? std::max(1, asked / kQuickShare) : asked;
 }
 
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,

@@ -115,5 +115,14 @@ TEST(CanonicalSpelling, LeavesWhatFollowsTwoDashes) {
   EXPECT_EQ(canonical_spelling(arguments, {"seed"}), (std::vector<std::string>{"--seed", "3", "--", "-SEED"}));
 }
 
+TEST(OptionValues, ResolutionsAreSharesOrPixels) {
+  EXPECT_EQ(parse_resolution("50%").share, 0.5);
+  EXPECT_EQ(parse_resolution("12.5%").share, 0.125);
+  EXPECT_EQ(parse_resolution("800x600").width, 800);
+  EXPECT_EQ(parse_resolution("800x600").height, 600);
+  for (const char* wrong : {"", "%", "0%", "-5%", "nan%", "800", "x", "800x", "0x5", "70000x1", "1e99%", "50", "8x6x4"})
+    EXPECT_THROW(parse_resolution(wrong), UsageError) << wrong;
+}
+
 }  // namespace
 }  // namespace dspm

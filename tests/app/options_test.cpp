@@ -29,6 +29,25 @@ TEST(Options, ReadsTheUsualOnes) {
   EXPECT_EQ(o.half, false);
 }
 
+TEST(Options, ViewsAreChosen) {
+  const Options o = parse_options({"a", "--view", "filmic", "--exposure", "-1.5", "--png-bits", "16", "--png-space",
+                                   "display-p3", "--sheet-title", "All of it", "--sheet-tile", "99", "--no-labels"});
+  EXPECT_EQ(o.view.view, "filmic");
+  EXPECT_EQ(o.view.stops, -1.5);
+  EXPECT_EQ(o.view.png_bits, 16);
+  EXPECT_TRUE(o.view.display_p3);
+  EXPECT_EQ(o.sheet.title, "All of it");
+  EXPECT_EQ(o.sheet.tile_width, 99);
+  EXPECT_FALSE(o.sheet.labels);
+  EXPECT_TRUE(parse_options({"a"}).sheet.labels);
+  for (const Words& wrong : {Words{"--view", "agxx"}, Words{"--png-bits", "12"}, Words{"--png-space", "p3"},
+                             Words{"--exposure", "x"}, Words{"--view", "raw", "--png-space", "display-p3"}}) {
+    Words words = wrong;
+    words.insert(words.begin(), "a");
+    EXPECT_THROW(parse_options(words), UsageError) << wrong.back();
+  }
+}
+
 TEST(Options, UntilErrorIsAShare) { EXPECT_DOUBLE_EQ(parse_options({"a", "--until-error", "2%"}).until_error, 0.02); }
 
 TEST(Options, SppIsAnotherNameOfIterations) { EXPECT_EQ(parse_options({"a", "--spp", "9"}).iterations, 9); }

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
+#include <vector>
+
+#include "tests/output/json_check.h"
 
 namespace dspm {
 namespace {
@@ -12,7 +16,7 @@ namespace {
 TEST(Progress, IsSilentWhereNothingIsDue) {
   testing::internal::CaptureStderr();
   {
-    Progress progress({.iterations = 10, .time_limit = 0, .intervals = 1}, false);
+    Progress progress({.iterations = 10, .time_limit = 0, .intervals = 1}, progress_kind(""));
     for (int i = 1; i <= 10; ++i) progress.step(0, i);
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
@@ -21,7 +25,7 @@ TEST(Progress, IsSilentWhereNothingIsDue) {
 std::string first_bar(const Progress::Extent& extent, int interval, int iterations) {
   testing::internal::CaptureStderr();
   {
-    Progress progress(extent, false, true);
+    Progress progress(extent, ProgressKind::bar);
     progress.step(interval, iterations);
   }
   const std::string text = testing::internal::GetCapturedStderr();
@@ -53,7 +57,7 @@ TEST(Progress, ForetellsWhenAnErrorIsReached) {
 TEST(Progress, ShowsTheError) {
   testing::internal::CaptureStderr();
   {
-    Progress progress({.iterations = 0, .intervals = 1, .until_error = 0.02}, false, true);
+    Progress progress({.iterations = 0, .intervals = 1, .until_error = 0.02}, ProgressKind::bar);
     progress.step(0, 16, 0.04);
   }
   const std::string text = testing::internal::GetCapturedStderr(), quarter(8, '=');
@@ -63,6 +67,27 @@ TEST(Progress, ShowsTheError) {
 }
 
 TEST(Progress, HasNoBarWithoutAnEnd) { EXPECT_EQ(first_bar({.iterations = 0}, 0, 5), "iteration 5"); }
+
+TEST(Progress, SpeaksJsonToPrograms) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress({.iterations = 4, .intervals = 2, .until_error = 0.02}, progress_kind("json"));
+    progress.step(0, 4, 0.08);
+    progress.step(1, 2);
+  }
+  std::istringstream text(testing::internal::GetCapturedStderr());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 4u);
+  for (const std::string& line : lines) EXPECT_TRUE(test::JsonCheck::valid(line)) << line;
+  EXPECT_EQ(lines[0], R"({"event": "begin", "intervals": 2, "iterations": 4, "until_error": 0.02})");
+  EXPECT_TRUE(lines[1].starts_with(R"({"event": "iteration", "interval": 1, "iterations": 4, "seconds": )"))
+      << lines[1];
+  EXPECT_NE(lines[1].find(R"("error": 0.08, "share_done": 0.5000, )"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[2].find(R"("interval": 2, "iterations": 2, )"), std::string::npos);
+  EXPECT_NE(lines[2].find(R"("share_done": 0.7500, "seconds_left": )"), std::string::npos) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with(R"({"event": "end", "seconds": )")) << lines[3];
+}
 
 }  // namespace
 }  // namespace dspm

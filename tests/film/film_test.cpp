@@ -145,12 +145,17 @@ TEST(Film, PixelBoundsAreClampedAndGiveWay) {
             1u);
 }
 
-TEST(Film, QuickIsAQuarter) {
+TEST(Film, ScaledIsTheSamePicture) {
   FilmSettings film;
   film.width = 103, film.height = 3;
-  make_quick(film);
-  EXPECT_EQ(film.width, 25);
-  EXPECT_EQ(film.height, 1);
+  EXPECT_EQ(scaled(film, 0.25).width, 25);
+  EXPECT_EQ(scaled(film, 0.25).height, 1);
+  EXPECT_EQ(scaled(film, 1e9).width, 65536);
+  film.width = 100, film.height = 50;
+  film.pixel_bounds = {10, 20, 20, 50};
+  EXPECT_EQ(crop_of(scaled(film, 0.5)), (PixelRect{5, 10, 10, 25}));
+  EXPECT_EQ(crop_of(scaled(film, 300, 50)), (PixelRect{30, 20, 60, 50}));
+  EXPECT_FALSE(crop_of(scaled(film, 0.01)).empty());
 }
 
 TEST(Film, LimitedKeepsTheHue) {

@@ -5,6 +5,7 @@
 #include <png.h>
 
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -43,6 +44,53 @@ void write_raw_png(const std::filesystem::path& path, const PngKind& kind, std::
   png_write_end(png, nullptr);
   png_destroy_write_struct(&png, &info);
   fclose(file);
+}
+
+/// The chunks of a PNG file before its pixels, by name.
+std::map<std::string, std::string> chunks(const std::string& png) {
+  std::map<std::string, std::string> found;
+  for (std::size_t at = 8; at + 8 < png.size();) {
+    std::uint32_t size = 0;
+    for (std::size_t i = 0; i < 4; ++i) size = size << 8 | static_cast<unsigned char>(png[at + i]);
+    const std::string name = png.substr(at + 4, 4);
+    if (name == "IDAT") break;
+    found[name] = png.substr(at + 8, size);
+    at += 12 + size;
+  }
+  return found;
+}
+
+Image ramp() {
+  Image image(200, 1);
+  for (int x = 0; x < 200; ++x) image.at(x, 0) = Rgb(static_cast<float>(x) / 199, 0.5f, 0.01f);
+  return image;
+}
+
+TEST(Png, SixteenBitsAreExactToHalfAStep) {
+  const std::string png = png_bytes(ramp(), {.bits = 16});
+  EXPECT_EQ(chunks(png).at("IHDR")[8], 16);
+  const Image back = decode_png(png, {});
+  for (int x = 0; x < 200; ++x)
+    EXPECT_NEAR(linear_to_srgb(back.at(x, 0).r), linear_to_srgb(ramp().at(x, 0).r), 0.51 / 65535) << x;
+  EXPECT_NE(back.at(0, 0).g, decode_png(png_bytes(ramp()), {}).at(0, 0).g);
+}
+
+TEST(Png, ChunksSayWhatTheNumbersMean) {
+  const auto srgb = chunks(png_bytes(ramp())), linear = chunks(png_bytes(ramp(), {.space = PngSpace::linear})),
+             p3 = chunks(png_bytes(ramp(), {.space = PngSpace::display_p3}));
+  EXPECT_TRUE(srgb.contains("sRGB") && srgb.contains("gAMA") && srgb.contains("cHRM"));
+  EXPECT_FALSE(srgb.contains("iCCP"));
+  EXPECT_EQ(linear.at("gAMA"), std::string("\x00\x01\x86\xa0", 4));  // 100000: 1
+  EXPECT_FALSE(linear.contains("sRGB"));
+  EXPECT_EQ(p3.at("cICP"), std::string("\x0c\x0d\x00\x01", 4));
+  EXPECT_EQ(p3.at("iCCP").substr(0, 11), std::string("Display P3\0", 11));
+  EXPECT_FALSE(p3.contains("sRGB"));
+  EXPECT_EQ(p3.at("cHRM").substr(8, 4), std::string("\x00\x01\x09\xa0", 4));  // the red x: 68000
+}
+
+TEST(Png, LinearNumbersStayAsTheyAre) {
+  const Image back = decode_png(png_bytes(ramp(), {.bits = 16, .space = PngSpace::linear}), kLinear);
+  for (int x = 0; x < 200; ++x) EXPECT_NEAR(back.at(x, 0).r, ramp().at(x, 0).r, 1e-5) << x;
 }
 
 TEST(Png, RoundTripIsExactToHalfAStep) {

@@ -9,6 +9,7 @@ BEGIN {
   # Headers of a library, and the only files that may include them.
   confined["^(oneapi/)?tbb/"] = "^dspm/system/parallel[.]"
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^dspm/image/exr(_[a-z]+)?[.]"
+  confined["^OpenColorIO/"] = "^dspm/image/ocio_view[.]"
   confined["^embree[0-9]*/"] = "^(dspm/accel/embree_builder|bench/measure/bare_embree)[.]"
   confined["^httplib[.]h"] = "^dspm/serve/server[.]"
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"

@@ -101,6 +101,35 @@ TEST(ContactSheet, LongLabelsAreCutOff) {
   }
 }
 
+TEST(ContactSheet, ATileHasTheWidthThatIsAskedFor) {
+  const SheetLayout small(8, 640, 480, {.tile_width = 100}), large(8, 64, 48, {.tile_width = 128});
+  EXPECT_EQ(small.image_width, 100);
+  EXPECT_EQ(small.image_height, 75);
+  EXPECT_EQ(large.image_height, 96);
+  ContactSheet sheet(large);
+  Image red(64, 48);
+  for (Rgb& pixel : red.pixels) pixel = {1, 0, 0};
+  sheet.put(0, red, "");
+  const PixelRect place = large.place(0);
+  EXPECT_EQ(sheet.image().at(place.x1 - 1, place.y1 - 1), Rgb(1, 0, 0));
+  EXPECT_FALSE(sheet.image().at(place.x1, place.y1 - 1) == Rgb(1, 0, 0));
+}
+
+TEST(ContactSheet, ATitleStandsAboveAllAndLabelsCanBeLeftOut) {
+  const SheetLayout plain(4, 64, 48), bare(4, 64, 48, {.labels = false}), titled(4, 64, 48, {.title = "LL"});
+  EXPECT_LT(bare.sheet_height(), plain.sheet_height());
+  EXPECT_GT(titled.sheet_height(), plain.sheet_height());
+  ContactSheet sheet(titled), silent(bare);
+  const Rgb background = sheet.image().at(0, 0);
+  int text_pixels = 0;
+  for (int y = 0; y < titled.place(0).y0; ++y)
+    for (int x = 0; x < titled.sheet_width(); ++x) text_pixels += sheet.image().at(x, y) == background ? 0 : 1;
+  EXPECT_EQ(text_pixels, 2 * 11 * 4) << "two L of eleven dots, at scale 2";
+  silent.put(0, Image(64, 48), "LL");
+  for (int y = bare.place(0).y1; y < bare.place(bare.columns).y0; ++y)
+    for (int x = 0; x < bare.sheet_width(); ++x) EXPECT_EQ(silent.image().at(x, y), background);
+}
+
 TEST(BitmapFont, AllLettersDiffer) {
   std::vector<Image> glyphs;
   for (char c = ' '; c <= '~'; ++c) {

@@ -36,7 +36,7 @@ LightSource "infinite" "rgb L@1" [{} {} {}] "rgb L@2" [{} {} {}]
                      second.b);
 }
 
-/// Colours up to 0.8 are shown as they are: the sRGB curve, in 255 steps. [IEC 61966-2-1]
+/// The view "standard": the sRGB curve, in 255 steps. [IEC 61966-2-1]
 std::string srgb(const Rgb& color) {
   std::string bytes;
   for (int c = 0; c < 3; ++c) {
@@ -66,8 +66,8 @@ void expect_in_all_files(const std::string& scene, const Rgb& first, const Rgb& 
   const TemporaryDirectory directory;
   const FakeFfmpeg ffmpeg(kKeepAll);
   put_file(directory / "sky.dsc", scene);
-  const Outcome outcome =
-      run(directory, {"sky.dsc", "--float", "--png", "--contact-sheet", "sheet.png", "--video", "sky.mp4"});
+  const Outcome outcome = run(directory, {"sky.dsc", "--float", "--png", "--contact-sheet", "sheet.png", "--video",
+                                          "sky.mp4", "--view", "standard"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
 
   const SheetLayout layout(2, kWidth, kHeight);

@@ -30,13 +30,13 @@ TEST(WriteImage, ACropKnowsItsPlace) {
   EXPECT_EQ(read_image(directory / "a.exr").width, 10);
 }
 
-TEST(WriteImage, PngGoesThroughTheToneMap) {
+TEST(WriteImage, PngGoesThroughTheView) {
   const TemporaryDirectory directory;
   FilmSettings film;
   film.width = film.height = 1;
   Image image(1, 1);
   image.at(0, 0) = {8, 2, 0};
-  write_image(directory / "a.png", image, film, {}, {0.5f, false});
+  write_image(directory / "a.png", image, film, {}, View(ViewCurve::standard, 0.5f));
   EXPECT_EQ(read_image(directory / "a.png").at(0, 0), Rgb(1, 1, 0));
 }
 

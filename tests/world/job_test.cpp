@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dspm/testing/test_scene.h"
+#include "dspm/world/integrator_choice.h"
 
 namespace dspm {
 namespace {
@@ -86,6 +87,37 @@ TEST(Job, AQuickLookTakesAQuarterOfTheIterationsAndOfEachSide) {
   EXPECT_EQ(iterations_of(quick_and_five), 5);
   const test::TestScene test(film + integrator + "\n" + kWorld, quick);
   EXPECT_EQ(test.job().settings.crop, (PixelRect{0, 0, 10, 6}));
+}
+
+TEST(Job, AQuickLookHasAsManyPhotonsForAPixel) {
+  Choices quick, quick_and_chosen;
+  quick.quick = quick_and_chosen.quick = true;
+  quick_and_chosen.photons = 1000;
+  const auto photons_of = [&](const std::string& integrator, const Choices& choices) {
+    const test::TestScene test("Integrator " + integrator + "\n" + kWorld, choices);
+    return integer_of(test.job().params, "photons", 0);
+  };
+  EXPECT_EQ(photons_of(R"("dsppm" "integer photons" 1600)", quick), 100);
+  EXPECT_EQ(photons_of(R"("sppm" "integer photonsperiteration" 1600)", quick), 100);
+  EXPECT_EQ(photons_of(R"("dsppm")", quick), 300'000 / 16) << "in proportion to the default";
+  EXPECT_EQ(photons_of(R"("dsppm" "integer photons" -1)", quick), -1) << "one for each pixel, whatever their number";
+  EXPECT_EQ(photons_of(R"("dsppm" "integer photons" 1600)", quick_and_chosen), 1000);
+  EXPECT_EQ(photons_of(R"("path")", quick), 0);
+}
+
+TEST(Job, TheResolutionIsChosen) {
+  Choices half, other, both;
+  half.resolution = both.resolution = Resolution{.share = 0.5};
+  other.resolution = Resolution{.width = 30, .height = 20};
+  both.quick = true;
+  const auto size_of = [&](const Choices& choices) {
+    const test::TestScene test(
+        R"(Film "rgb" "integer xresolution" 80 "integer yresolution" 64)" + std::string("\n") + kWorld, choices);
+    return std::pair(test.job().settings.width, test.job().settings.height);
+  };
+  EXPECT_EQ(size_of(half), std::pair(40, 32));
+  EXPECT_EQ(size_of(other), std::pair(30, 20));
+  EXPECT_EQ(size_of(both), std::pair(10, 8)) << "a quarter of the chosen one";
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ const clamped = v => Math.min(Math.max(v, 0), 1);
 const srgb = v => v <= .0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - .055;
 const luminance = ([r, g, b]) => .2126 * r + .7152 * g + .0722 * b;
 
-// As tone_map.h does for PNGs: above 0.8, the largest component bends towards 1, and the others keep their ratio to it.
+// A shoulder that keeps hues, for looking only; PNGs go through --view. Above 0.8, the largest component bends towards 1,
+// and the others keep their ratio to it.
 function shoulder(rgb) {
   const largest = Math.max(...rgb), knee = .8;
   if (!(largest > knee)) return rgb;

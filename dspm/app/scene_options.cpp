@@ -1,0 +1,42 @@
+// What is rendered, and by which plugins.
+#include "dspm/app/option_group.h"
+
+namespace dspm {
+namespace {
+
+void add(CLI::App& app, Options& o) {
+  app.add_option("scene", o.scenes,
+                 "scene files (.dsc or .pbrt, optionally .gz), read in this order; -: standard input")
+      ->type_name("");
+  app.add_option("-D", o.defines, "replace $name in the scene's text")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  app.add_option("--plugin", o.modules, "load the plugins of this module, such as ./libambient.so; may be repeated")
+      ->allow_extra_args(false)
+      ->check(kNamesAFile)
+      ->type_name("FILE");
+  app.add_option("--sandbox", o.sandbox, "for untrusted scenes: touch no file outside of DIR, load no plugins")
+      ->check(kNamesAFile)
+      ->type_name("DIR");
+  app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
+  app.add_flag("--explain", o.explain,
+               "say what is shared between frames and what is not, and why; and where photons start");
+  app.add_option("--integrator", o.integrator,
+                 "dsppm, sppm, photonmap, path, vcm or ambientocclusion, whatever the scene says")
+      ->type_name("NAME");
+  app.add_option("--accel", o.accel, "the tree for ray queries: two-level, or bruteforce for tests")->type_name("NAME");
+}
+
+void check(const Options& o) {
+  const bool needs_scene = o.task != Task::list && o.task != Task::describe && o.task != Task::new_plugin;
+  if (needs_scene && o.scenes.empty()) throw UsageError("no scene was given (dspm --help says how)");
+  for (const std::string& define : o.defines)
+    if (define.find('=') == define.npos || define.front() == '=')
+      throw UsageError("-D " + define + ": expected name=value");
+}
+
+}  // namespace
+
+const OptionGroup scene_options = {add, check};
+
+}  // namespace dspm

@@ -1,0 +1,83 @@
+#include "dspm/image/icc_profile.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace dspm {
+namespace {
+
+constexpr Chromaticity kD50 = {0.34567, 0.35850};  // under which all profiles meet
+constexpr std::size_t kHeaderSize = 128, kTagSize = 12;
+
+/// Numbers are stored with the most significant byte first.
+std::string number(std::uint32_t value, int bytes = 4) {
+  std::string text;
+  for (int i = bytes - 1; i >= 0; --i) text.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+  return text;
+}
+
+std::string fixed(double value) { return number(static_cast<std::uint32_t>(std::lround(value * 65536))); }
+
+std::string fixed(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text += fixed(value);
+  return text;
+}
+
+std::string xyz(double x, double y, double z) { return "XYZ " + number(0) + fixed({x, y, z}); }
+
+/// In American English, as readers expect: UTF-16.
+std::string in_words(std::string_view ascii) {
+  std::string text = "mluc" + number(0) + number(1) + number(12) + "enUS" +
+                     number(static_cast<std::uint32_t>(2 * ascii.size())) + number(28);
+  for (const char letter : ascii) text += std::string(1, '\0') + letter;
+  return text;
+}
+
+/// [IEC 61966-2-1] as the parametric curve of type 3.
+std::string srgb_curve() {
+  return "para" + number(0) + number(3, 2) + number(0, 2) + fixed({2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045});
+}
+
+std::string header(std::size_t size) {
+  std::string text = number(static_cast<std::uint32_t>(size)) + number(0) + number(0x04300000) + "mntrRGB XYZ ";
+  for (const int part : {2017, 7, 7, 0, 0, 0}) text += number(static_cast<std::uint32_t>(part), 2);  // a date must be
+  text += "acsp";
+  text.resize(68, '\0');
+  text += fixed({0.9642, 1, 0.8249});
+  text.resize(kHeaderSize, '\0');
+  return text;
+}
+
+struct Tag {
+  std::string_view name;
+  std::string content;
+};
+
+}  // namespace
+
+std::string icc_profile(ColourSpace space, const std::string& name) {
+  const Chromaticities& primaries = chromaticities(space);
+  const ColourMatrix adapted = adaptation(primaries.white, kD50), columns = adapted * xyz_from_rgb(primaries);
+  const auto column = [&](std::size_t i) { return xyz(columns[0][i], columns[1][i], columns[2][i]); };
+  std::string chad = "sf32" + number(0);
+  for (const auto& row : adapted) chad += fixed({row[0], row[1], row[2]});
+  std::vector<Tag> tags = {{"desc", in_words(name)}, {"cprt", in_words("CC0")}, {"wtpt", xyz(0.9642, 1, 0.8249)},
+                           {"chad", chad},           {"rXYZ", column(0)},       {"gXYZ", column(1)},
+                           {"bXYZ", column(2)},      {"rTRC", srgb_curve()},    {"gTRC", srgb_curve()},
+                           {"bTRC", srgb_curve()}};
+  std::string table = number(static_cast<std::uint32_t>(tags.size())), contents;
+  const std::size_t begin = kHeaderSize + 4 + kTagSize * tags.size();
+  for (const Tag& tag : tags) {
+    table += std::string(tag.name) + number(static_cast<std::uint32_t>(begin + contents.size())) +
+             number(static_cast<std::uint32_t>(tag.content.size()));
+    contents += tag.content;
+    contents.resize((contents.size() + 3) / 4 * 4, '\0');
+  }
+  return header(begin + contents.size()) + table + contents;
+}
+
+}  // namespace dspm

@@ -1,0 +1,76 @@
+#include "dspm/looking/image_tasks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include "dspm/image/image.h"
+#include "dspm/image/png.h"
+#include "dspm/looking/error_figures.h"
+#include "dspm/looking/false_colour.h"
+#include "dspm/looking/flicker.h"
+#include "dspm/looking/flip.h"
+#include "dspm/looking/shown_file.h"
+#include "dspm/params/errors.h"
+#include "dspm/session/distinct_files.h"
+
+namespace dspm {
+namespace {
+
+constexpr float kMostFlicker = 0.1f;  // of a screen's scale, as the brightest false colour
+
+std::string written_by(const ImageTask& task, const std::string& usual, const std::vector<std::string>& read) {
+  const std::string name = task.written.empty() ? usual : task.written;
+  if (std::filesystem::path(name).extension() != ".png")
+    throw UsageError(fmt::format("-o {}: the false colour image is a .png", name));
+  std::vector<NamedFile> files;
+  for (const std::string& file : read) files.push_back({file, "an image that is read"});
+  expect_distinct(files, {{name, "the false colour image"}});
+  return name;
+}
+
+std::string stem(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+}  // namespace
+
+std::string compare_images(const ImageTask& task) {
+  if (task.files.size() != 2)
+    throw UsageError("--compare takes two images: the reference, and what to compare with it");
+  const std::string &first = task.files[0], &second = task.files[1];
+  const std::string written = written_by(task, fmt::format("{}-against-{}.png", stem(second), stem(first)), {});
+  written_by(task, written, task.files);
+  const ErrorFigures figures = error_figures(read_image(first), read_image(second));
+  const View view(task.view);
+  const Image reference = shown_file(first, view);
+  const std::vector<float> errors = flip(reference, shown_file(second, view));
+  const double mean = std::accumulate(errors.begin(), errors.end(), 0.) / static_cast<double>(errors.size());
+  write_png(written, false_colours(errors, reference.width));
+  return fmt::format(
+      "{} against {}\nRMSE           {:.6g}\nrelative RMSE  {:.6g}\nbias           {:+.4g}\nlargest error  {:.6g} at "
+      "pixel {}, {}\n"
+      "FLIP           {:.6g}, in false colours: {}\n",
+      second, first, figures.rmse, figures.relative_rmse, figures.bias, figures.largest, figures.x, figures.y, mean,
+      written);
+}
+
+std::string measure_flicker(const ImageTask& task) {
+  const std::string written = written_by(task, "flicker.png", task.files);
+  const View view(task.view);
+  FlickerMeter meter;
+  int width = 1;
+  for (const std::string& file : task.files) {
+    const Image shown = shown_file(file, view);
+    width = shown.width;
+    meter.add(shown);
+  }
+  const Flicker flicker = meter.result();
+  write_png(written, false_colours(flicker.rms_of_pixel, width, kMostFlicker));
+  return fmt::format(
+      "{} frames, of a screen's brightness\nflicker          {:.4g}%\ntypical flicker  {:.4g}%\n"
+      "in false colours, up to {}%: {}\n",
+      task.files.size(), 100 * flicker.rms, 100 * flicker.typical, 100 * kMostFlicker, written);
+}
+
+}  // namespace dspm

@@ -1,0 +1,55 @@
+#include "dspm/looking/preview.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/image/image.h"
+#include "dspm/image/shrink.h"
+
+namespace dspm {
+namespace {
+
+constexpr const char* kSaveCursor =
+    "\x1b"
+    "7";
+constexpr const char* kRestoreCursor =
+    "\x1b"
+    "8";
+
+Image fitted(const Image& image, int width, int height) {
+  const double share =
+      std::min({1., static_cast<double>(width) / image.width, static_cast<double>(height) / image.height});
+  if (share == 1) return image;
+  return shrunk(image, std::max(1, static_cast<int>(image.width * share)),
+                std::max(1, static_cast<int>(image.height * share)));
+}
+
+int ceiled(int a, int b) { return (a + b - 1) / b; }
+
+}  // namespace
+
+std::string Preview::show(const Image& shown) {
+  const Image image = fitted(shown, width(), height());
+  const int rows = ceiled(image.height, size_.cell_height), columns = ceiled(image.width, size_.cell_width);
+  const bool in_place = rows_shown_ == rows && rows + rows_below_ < size_.rows;
+  std::string text;
+  if (!in_place) {
+    text.assign(static_cast<std::size_t>(rows), '\n');  // makes room, which may scroll
+    rows_below_ = 0, rows_shown_ = rows;
+  }
+  const int up = rows + rows_below_;
+  text += fmt::format("\r\x1b[{}A{}", up, kSaveCursor);
+  text += graphics_ == Graphics::kitty ? kitty_image(image, columns, rows) : sixel_image(image);
+  return text + fmt::format("{}\x1b[{}B\r", kRestoreCursor, up);
+}
+
+void Preview::text_follows(std::string_view text) {
+  for (const char letter : text) {
+    const bool wraps = letter != '\n' && letter != '\r' && column_ == size_.columns;
+    if (letter == '\n' || wraps) ++rows_below_;
+    column_ = letter == '\n' || letter == '\r' ? 0 : wraps ? 1 : column_ + 1;
+  }
+}
+
+}  // namespace dspm

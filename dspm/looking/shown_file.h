@@ -1,0 +1,24 @@
+// Image files as a screen shows them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dspm/image/image.h"
+#include "dspm/output/view.h"
+
+namespace dspm {
+
+/// Of the formats that read_image reads: whether a name on the command line means an image and no scene.
+bool names_an_image(const std::string& name);
+
+/// OpenEXR, HDR and PFM hold radiance, which goes through the view; what others hold has been through one. Throws
+/// std::runtime_error.
+Image shown_file(const std::filesystem::path& path, const View& view);
+
+/// The files that "a.####.exr" or "a.%04d.exr" stands for, by number; another name is itself. Throws std::runtime_error
+/// if there are none.
+std::vector<std::string> numbered_files(const std::string& pattern);
+
+}  // namespace dspm

@@ -1,0 +1,159 @@
+#include "dspm/output/view.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "dspm/image/encoding.h"
+#include "tests/support/temporary_directory.h"
+
+namespace dspm {
+namespace {
+
+constexpr ViewCurve kCurves[] = {ViewCurve::standard, ViewCurve::filmic, ViewCurve::agx, ViewCurve::raw};
+
+Rgb one_pixel(const View& view, const Rgb& radiance) {
+  Image image(1, 1);
+  image.at(0, 0) = radiance;
+  return view.shown(image).at(0, 0);
+}
+
+View named(const std::string& name, double stops = 0, bool p3 = false) {
+  return View(ViewSettings{.view = name, .stops = stops, .display_p3 = p3});
+}
+
+TEST(View, StandardClipsComponentsAlone) {
+  EXPECT_EQ(one_pixel(named("standard"), Rgb(0.25f, 1, 3)), Rgb(0.25f, 1, 1));
+  EXPECT_EQ(one_pixel(named("standard", -1), Rgb(0.25f, 1, 3)), Rgb(0.125f, 0.5f, 1));
+}
+
+TEST(View, EverythingRisesAndStaysWithinOne) {
+  for (const ViewCurve curve : kCurves) {
+    float last = -1;
+    for (float radiance = 0; radiance < 1e4f; radiance = radiance * 1.01f + 1e-4f) {
+      const float value = curved(curve, Rgb(radiance)).r;
+      EXPECT_GE(value, last) << static_cast<int>(curve) << " at " << radiance;
+      EXPECT_LE(value, 1.f);
+      last = value;
+    }
+    EXPECT_GT(last, 0.98f);
+    for (const float bright : {1e30f, std::numeric_limits<float>::infinity()})
+      EXPECT_NEAR(curved(curve, Rgb(bright)).r, 1, 1e-2) << static_cast<int>(curve);
+    for (const float none : {-1.f, 0.f, std::numeric_limits<float>::quiet_NaN()})
+      EXPECT_NEAR(curved(curve, Rgb(none)).r, 0, 1e-3);
+  }
+}
+
+/// Hable's own numbers: white is at 11.2, and his curve with an exposure of 2 makes of radiance 1 what it makes of 2.
+TEST(View, FilmicHasItsWhite) {
+  EXPECT_NEAR(curved(ViewCurve::filmic, Rgb(5.6f)).g, 1, 1e-6);
+  EXPECT_LT(curved(ViewCurve::filmic, Rgb(5.4f)).g, 1);
+  const float film_of_2 = 0.704f / 1.66f - 0.02f / 0.3f, film_of_white = 19.38f / 24.476f - 0.02f / 0.3f;
+  EXPECT_NEAR(curved(ViewCurve::filmic, Rgb(1)).g, film_of_2 / film_of_white, 1e-5);
+}
+
+TEST(View, AgxPutsGreyInTheMiddleOfTheScale) {
+  EXPECT_NEAR(linear_to_srgb(curved(ViewCurve::agx, Rgb(0.18f)).g), 0.5f, 1e-4);
+  // Slope 2 on the scale of 16.5 stops: half a stop more is 2 x 0.5 / 16.5.
+  EXPECT_NEAR(linear_to_srgb(curved(ViewCurve::agx, Rgb(0.18f * std::sqrt(2.f))).g), 0.5f + 1 / 16.5f, 2e-3);
+  EXPECT_NEAR(curved(ViewCurve::agx, Rgb(0.18f * std::exp2(6.5f))).g, 1, 1e-3);
+  EXPECT_NEAR(curved(ViewCurve::agx, Rgb(0.18f * std::exp2(-10.f))).g, 0, 1e-4);
+}
+
+/// What the other curves do not: bright orange light turns pale step by step, instead of flat orange or yellow.
+TEST(View, AgxLetsBrightColoursFade) {
+  const auto saturation = [](float stops) {
+    const Rgb c = curved(ViewCurve::agx, Rgb(1, 0.35f, 0.05f) * std::exp2(stops));
+    return 1 - std::min({c.r, c.g, c.b}) / max_component(c);
+  };
+  for (float stops = 0; stops < 6; stops += 0.5f) EXPECT_LT(saturation(stops + 0.5f), saturation(stops)) << stops;
+  EXPECT_LT(saturation(6), 0.25f);
+}
+
+TEST(View, RawIsNotEncoded) {
+  EXPECT_EQ(one_pixel(named("raw"), Rgb(0.25f, 0.5f, 3)), Rgb(0.25f, 0.5f, 1));
+  EXPECT_EQ(named("raw").png().space, PngSpace::linear);
+  EXPECT_EQ(named("raw").for_video().png().space, PngSpace::srgb);
+}
+
+/// Display P3's numbers for the colours of sRGB, as other programs compute them: red is (0.9175, 0.2003, 0.1386).
+TEST(View, DisplayP3ShowsTheSameColours) {
+  const Rgb red = one_pixel(named("standard", 0, true), Rgb(1, 0, 0)),
+            grey = one_pixel(named("agx", 0, true), Rgb(0.3f));
+  EXPECT_NEAR(linear_to_srgb(red.r), 0.9175f, 1e-3);
+  EXPECT_NEAR(linear_to_srgb(red.g), 0.2003f, 1e-3);
+  EXPECT_NEAR(linear_to_srgb(red.b), 0.1386f, 1e-3);
+  EXPECT_NEAR(grey.r, one_pixel(named("agx"), Rgb(0.3f)).r, 1e-4);
+}
+
+TEST(View, ExposureIsInStops) {
+  EXPECT_EQ(one_pixel(named("agx", 2), Rgb(0.1f, 0.2f, 0.3f)), one_pixel(named("agx"), Rgb(0.4f, 0.8f, 1.2f)));
+}
+
+TEST(View, UnknownOnesAreRefusedByName) {
+  try {
+    named("agxx");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "there is no view \"agxx\"; there are standard, filmic, agx, raw, ocio and ocio:DISPLAY/VIEW");
+  }
+}
+
+/// A configuration whose one view doubles the light and stores its square root.
+constexpr const char* kConfiguration = R"(ocio_profile_version: 1
+search_path: luts
+roles:
+  default: raw
+  scene_linear: Linear
+displays:
+  screen:
+    - !<View> {name: Twice, colorspace: twice}
+    - !<View> {name: None, colorspace: Linear}
+active_displays: [screen]
+active_views: [Twice, None]
+colorspaces:
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: Linear
+    isdata: false
+  - !<ColorSpace>
+    name: twice
+    isdata: false
+    from_reference: !<GroupTransform>
+      children:
+        - !<MatrixTransform> {matrix: [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1]}
+        - !<ExponentTransform> {value: [0.5, 0.5, 0.5, 1]}
+)";
+
+TEST(View, OcioFollowsTheConfiguration) {
+  const test::TemporaryDirectory directory;
+  std::ofstream(directory / "config.ocio") << kConfiguration;
+  setenv("OCIO", (directory / "config.ocio").c_str(), 1);
+  std::optional<View> view;
+  try {
+    view = named("ocio");
+  } catch (const std::runtime_error& error) {
+    if (std::string(error.what()).find("built without") != std::string::npos) GTEST_SKIP() << error.what();
+    throw;
+  }
+  EXPECT_NEAR(linear_to_srgb(one_pixel(*view, Rgb(0.125f)).g), 0.5f, 1e-4);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio:screen/None"), Rgb(0.125f)).g), 0.125f, 1e-4);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio", 1), Rgb(0.0625f)).g), 0.5f, 1e-4);
+  EXPECT_THROW(named("ocio:screen/Thrice"), std::runtime_error);
+  setenv("OCIO", (directory / "missing.ocio").c_str(), 1);
+  EXPECT_THROW(named("ocio"), std::runtime_error);
+  unsetenv("OCIO");
+  EXPECT_THROW(named("ocio"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace dspm
