@@ -82,7 +82,8 @@ void OcioView::apply(Image& image) const {
 struct OcioView::Processor {};
 
 OcioView::OcioView(const std::string&, const std::string&) {
-  throw std::runtime_error("this dspm was built without OpenColorIO: install libopencolorio-dev and build again");
+  throw std::runtime_error(
+      "this dspm was built without OpenColorIO: install libopencolorio-dev and build with -DDSPM_OCIO=ON");
 }
 
 void OcioView::apply(Image&) const {}
