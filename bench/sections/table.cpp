@@ -25,10 +25,10 @@ struct Example {
 std::vector<Example> examples(const Setup& setup) {
   if (!setup.scene.empty()) return {{setup.scene, setup.scene, false, setup.defines}};
   const std::filesystem::path light = std::filesystem::path(DSPM_SOURCE_DIR) / "bench/light";
-  std::vector<Example> all;
-  for (const char* name : {"veach-mis", "cornell-box", "water-caustic"})
-    all.push_back({name, fmt::format("data/pbrt/{}/scene-v4.pbrt", name)});
-  all.push_back({"open", "bench/open.dsc", false});
+  std::vector<Example> all = {{"veach-mis", "data/pbrt/veach-mis/scene-v4.pbrt"},
+                              {"cornell-box", "data/pbrt/cornell-box/scene-v4.pbrt"},
+                              {"water-caustic", "data/pbrt/water-caustic/scene-v4.pbrt"},
+                              {"open", "bench/open.dsc", false}};
   for (const char* name : {"product", "horse", "disco", "lamp"}) all.push_back({name, our_scene(name)});
   all.push_back({"rough", light / "rough.dsc", false});
   all.push_back({"house with 50 lamps", light / "house.dsc", false, {"lamps=1"}});
@@ -68,26 +68,30 @@ Row measure_one(const Example& example, double seconds) {
   return row;
 }
 
+// The smallest error is bold.
+std::vector<std::string> cells_of(const std::string& name, const Row& row) {
+  const double best = *std::min_element(row.errors.begin(), row.errors.end());
+  std::vector<std::string> cells(1 + row.errors.size() + 1);
+  cells.front() = name;
+  std::transform(row.errors.begin(), row.errors.end(), cells.begin() + 1, [best](double error) {
+    return error == best ? fmt::format("**{:.4f}**", error) : fmt::format("{:.4f}", error);
+  });
+  cells.back() = fmt::format("{:.4f}", row.uncertainty);
+  return cells;
+}
+
 }  // namespace
 
 Findings measure_table(const Setup& setup) {
   const double seconds = setup.quick ? 2 : 5;
-  std::vector<std::string> head = {fmt::format("error after {} s", seconds)};
-  head.insert(head.end(), std::begin(kIntegrators), std::end(kIntegrators));
-  head.push_back("the reference is uncertain by");
+  std::vector<std::string> head(std::begin(kIntegrators), std::end(kIntegrators));
+  head.insert(head.begin(), fmt::format("error after {} s", seconds));
+  head.insert(head.end(), "the reference is uncertain by");
   Table table(head);
   std::string skipped;
   for (const Example& example : examples(setup)) {
     try {
-      const Row row = measure_one(example, seconds);
-      const double best = *std::min_element(row.errors.begin(), row.errors.end());
-      std::vector<std::string> cells = {example.name};
-      for (const double error : row.errors) {
-        const char* mark = error == best ? "**" : "";
-        cells.push_back(fmt::format("{}{:.4f}{}", mark, error, mark));
-      }
-      cells.push_back(fmt::format("{:.4f}", row.uncertainty));
-      table.row(cells);
+      table.row(cells_of(example.name, measure_one(example, seconds)));
     } catch (const Skipped& why) {
       skipped += fmt::format("\n{}: SKIPPED, {}\n", example.name, why.what());
     }
