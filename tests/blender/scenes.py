@@ -1,0 +1,220 @@
+"""Scenes made by script in Blender, one function each. Each takes Blender's empty scene and leaves one to render."""
+import math
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+
+def startup():
+    """Blender's own, as it is."""
+    bpy.ops.wm.read_factory_settings()
+    bpy.context.scene.frame_end = 1
+
+
+def lamps():
+    """Every kind of light over one floor, far enough apart to be told by their blocks."""
+    empty(camera=(0, 0, 14), target=(0, 0, 0), lens=35)
+    plane(40, material("floor", lambda tree: bsdf(tree, "Diffuse", Color=(.8, .7, .6, 1))))
+    lamp("POINT", (-4, 2.5, 1.5), 120, shadow_soft_size=0.0)
+    lamp("POINT", (-4, -2.5, 1.5), 120, shadow_soft_size=0.3)
+    lamp("SPOT", (0, 2.5, 3), 600, shadow_soft_size=0.0, spot_size=0.9, spot_blend=0.4)
+    lamp("SUN", (0, 0, 5), 0.4, turn=(0.5, 0.2, 0), angle=0.0)
+    lamp("AREA", (0, -2.5, 2), 90, shape="RECTANGLE", size=1.5, size_y=0.5)
+    disk = lamp("AREA", (4, 2.5, 2), 90, turn=(0.4, 0, 0), shape="ELLIPSE", size=1.2, size_y=0.6)
+    disk.scale = (1.5, 1, 1)
+    glow = plane(1, material("glow", lambda tree: bsdf(tree, "Emission", Color=(.3, .6, 1, 1), Strength=6)))
+    glow.location, glow.rotation_euler = (4, -2.5, 1.5), (math.radians(180), 0, 0)
+
+
+def glass_monkey():
+    """A glass Suzanne turns before a wall, under a large lamp and a sky."""
+    empty(camera=(0, -6, 1.5), target=(0, 0, 0.6), lens=45, frames=2)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.5, .5, .45, 1))))
+    wall = plane(30, material("wall", lambda tree: bsdf(tree, "Diffuse", Color=(.7, .25, .15, 1))))
+    wall.location, wall.rotation_euler = (0, 3, 0), (math.pi / 2, 0, 0)
+    bpy.ops.mesh.primitive_monkey_add(location=(0, 0, 1))
+    monkey = bpy.context.object
+    bpy.ops.object.shade_smooth()
+    subdivision = monkey.modifiers.new("subdivision", "SUBSURF")
+    subdivision.levels, subdivision.render_levels = 0, 2
+    monkey.data.materials.append(material("glass", lambda tree: bsdf(tree, "Glass", IOR=1.45, Roughness=0.0)))
+    for frame, angle in ((1, -0.6), (2, 0.6)):
+        monkey.rotation_euler.z = angle
+        monkey.keyframe_insert("rotation_euler", frame=frame)
+    lamp("AREA", (0, -1, 6), 900, size=2)
+    sky((.4, .5, .7, 1), 0.5)
+
+
+def waves():
+    """A sheet that deforms like cloth: a lattice of vertices under a driver that Blender evaluates in each frame."""
+    empty(camera=(0, -5, 3), target=(0, 0, 0), lens=40, frames=2)
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=40, y_subdivisions=40, size=4)
+    sheet = bpy.context.object
+    bpy.ops.object.shade_smooth()
+    wave = sheet.modifiers.new("wave", "WAVE")
+    wave.height, wave.width, wave.narrowness, wave.speed, wave.time_offset = 0.5, 1.0, 1.5, 0.2, -20
+    sheet.data.materials.append(material("cloth", lambda tree: bsdf(
+        tree, "Principled", **{"Base Color": (.1, .3, .7, 1), "Roughness": 0.4})))
+    lamp("AREA", (2, -1, 4), 500, size=2)
+    sky((1, 1, 1, 1), 0.3)
+
+
+def instances():
+    """A collection of two meshes, in nine places, turned and stretched."""
+    empty(camera=(0, -9, 6), target=(0, 0, 0), lens=40)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.6, .6, .6, 1))))
+    bpy.ops.mesh.primitive_cone_add(radius1=0.4, depth=1, location=(0, 0, 0.5))
+    cone = bpy.context.object
+    cone.data.materials.append(material("paint", lambda tree: bsdf(tree, "Diffuse", Color=(.8, .1, .1, 1))))
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=0.3, location=(0, 0, 1.2))
+    ball = bpy.context.object
+    bpy.ops.object.shade_smooth()
+    ball.data.materials.append(material("metal", lambda tree: bsdf(tree, "Glossy", Color=(.9, .8, .5, 1), Roughness=0.3)))
+    group = bpy.data.collections.new("chess piece")
+    for each in (cone, ball):
+        group.objects.link(each)
+        bpy.context.collection.objects.unlink(each)
+    for i in range(9):
+        piece = bpy.data.objects.new("piece", None)
+        piece.instance_type, piece.instance_collection = "COLLECTION", group
+        piece.location = (2 * (i % 3 - 1), 2 * (i // 3 - 1), 0)
+        piece.rotation_euler.z, piece.scale = i, (1, 1, 0.6 + 0.1 * i)
+        bpy.context.scene.collection.objects.link(piece)
+    lamp("SUN", (0, 0, 5), 2, turn=(0.6, 0.3, 0), angle=0.0)
+    sky((.5, .6, .8, 1), 0.6)
+
+
+def pictures():
+    """Textures, their mapping, colours computed from them, a mix, holes, a normal map, a sky of a picture, a shifted camera."""
+    empty(camera=(0, -7, 2.5), target=(0, 0, 1), lens=40)
+    bpy.context.scene.camera.data.shift_x, bpy.context.scene.camera.data.shift_y = 0.1, -0.05
+    plane(30, material("tiles", tiles))
+    for x, paint in ((-2, mixed), (0, holes), (2, bumpy)):
+        panel = plane(1.6, material(paint.__name__, paint))
+        panel.location, panel.rotation_euler = (x, 0, 1), (math.radians(70), 0, 0.3)
+    lamp("AREA", (-2, -4, 5), 500, size=2)
+    world = sky((1, 1, 1, 1), 1.0)
+    environment = world.node_tree.nodes.new("ShaderNodeTexEnvironment")
+    environment.image = image("sky", lambda x, y: (0.2 + 1.5 * (np.abs(x - 0.3) < 0.1), 0.4 + 0 * x, 0.2 + 0.8 * y), 64, 32, True)
+    mapping = world.node_tree.nodes.new("ShaderNodeMapping")
+    mapping.inputs["Rotation"].default_value = (0, 0, 0.7)
+    place = world.node_tree.nodes.new("ShaderNodeTexCoord")
+    world.node_tree.links.new(place.outputs["Generated"], mapping.inputs["Vector"])
+    world.node_tree.links.new(mapping.outputs["Vector"], environment.inputs["Vector"])
+    world.node_tree.links.new(environment.outputs["Color"], world.node_tree.nodes["Background"].inputs["Color"])
+
+
+def tiles(tree):
+    picture = texture(tree, image("tiles", lambda x, y: (x, ((x > .5) ^ (y > .5)) * 0.8 + 0.1, y), 64, 64), scale=(8, 4, 1))
+    hue = tree.nodes.new("ShaderNodeHueSaturation")
+    hue.inputs["Hue"].default_value, hue.inputs["Saturation"].default_value = 0.6, 0.7
+    tree.links.new(picture.outputs["Color"], hue.inputs["Color"])
+    shader = bsdf(tree, "Principled", Roughness=0.6)
+    tree.links.new(hue.outputs["Color"], shader.inputs["Base Color"])
+    return shader
+
+
+def mixed(tree):
+    shader = tree.nodes.new("ShaderNodeMixShader")
+    tree.links.new(texture(tree, image("share", lambda x, y: (x, x, x), 32, 32, True)).outputs["Color"], shader.inputs[0])
+    tree.links.new(bsdf(tree, "Diffuse", Color=(.1, .6, .1, 1)).outputs[0], shader.inputs[1])
+    tree.links.new(bsdf(tree, "Glossy", Color=(.9, .9, .9, 1), Roughness=0.2).outputs[0], shader.inputs[2])
+    return shader
+
+
+def holes(tree):
+    shader = bsdf(tree, "Principled", **{"Base Color": (.9, .5, .1, 1)})
+    dots = image("dots", lambda x, y: (((x * 4) % 1 - .5)**2 + ((y * 4) % 1 - .5)**2 < 0.1,) * 3, 128, 128, True)
+    tree.links.new(texture(tree, dots).outputs["Color"], shader.inputs["Alpha"])
+    return shader
+
+
+def bumpy(tree):
+    shader = bsdf(tree, "Principled", **{"Base Color": (.6, .6, .7, 1), "Roughness": 0.5})
+    normal = tree.nodes.new("ShaderNodeNormalMap")
+    relief = image("relief", lambda x, y: (0.5 + 0.35 * np.sin(12 * x), 0.5 + 0 * x, 0.9 + 0 * x), 128, 128, True)
+    tree.links.new(texture(tree, relief).outputs["Color"], normal.inputs["Color"])
+    tree.links.new(normal.outputs[0], shader.inputs["Normal"])
+    return shader
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures)
+
+
+# What they are made of.
+
+def empty(camera, target, lens, frames=1):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.frame_end = frames
+    data = bpy.data.cameras.new("camera")
+    data.lens = lens
+    scene.camera = bpy.data.objects.new("camera", data)
+    scene.camera.location = camera
+    scene.camera.rotation_euler = (Vector(target) - Vector(camera)).to_track_quat("-Z", "Y").to_euler()
+    scene.collection.objects.link(scene.camera)
+
+
+def material(name, shader_of):
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    tree = made.node_tree
+    tree.nodes.clear()
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(shader_of(tree).outputs[0], output.inputs["Surface"])
+    return made
+
+
+def bsdf(tree, kind, **inputs):
+    node = tree.nodes.new(f"ShaderNode{'' if kind == 'Emission' else 'Bsdf'}{kind}")
+    for name, value in inputs.items():
+        node.inputs[name].default_value = value
+    return node
+
+
+def image(name, colours, width, height, linear=False):
+    """`colours` gives red, green and blue at places in 0..1."""
+    made = bpy.data.images.new(name, width, height, float_buffer=linear and name == "sky")
+    made.colorspace_settings.name = "Linear" if made.is_float else "Non-Color" if linear else "sRGB"
+    x, y = np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
+    made.pixels.foreach_set(np.dstack([*(each + 0.0 * x for each in colours(x, y)), np.ones_like(x)]).astype(np.float32).ravel())
+    made.pack()
+    return made
+
+
+def texture(tree, picture, scale=None):
+    node = tree.nodes.new("ShaderNodeTexImage")
+    node.image = picture
+    if scale:
+        mapping, place = tree.nodes.new("ShaderNodeMapping"), tree.nodes.new("ShaderNodeTexCoord")
+        mapping.inputs["Scale"].default_value = scale
+        tree.links.new(place.outputs["UV"], mapping.inputs["Vector"])
+        tree.links.new(mapping.outputs["Vector"], node.inputs["Vector"])
+    return node
+
+
+def plane(size, paint):
+    bpy.ops.mesh.primitive_plane_add(size=size)
+    bpy.context.object.data.materials.append(paint)
+    return bpy.context.object
+
+
+def lamp(kind, place, strength, turn=(0, 0, 0), **settings):
+    data = bpy.data.lights.new(kind.lower(), kind)
+    data.energy = strength
+    for name, value in settings.items():
+        setattr(data, name, value)
+    made = bpy.data.objects.new(kind.lower(), data)
+    made.location, made.rotation_euler, made.visible_camera = place, turn, False
+    bpy.context.scene.collection.objects.link(made)
+    return made
+
+
+def sky(colour, strength):
+    world = bpy.data.worlds.new("sky")
+    world.use_nodes = True
+    background = world.node_tree.nodes["Background"]
+    background.inputs["Color"].default_value, background.inputs["Strength"].default_value = colour, strength
+    bpy.context.scene.world = world
+    return world

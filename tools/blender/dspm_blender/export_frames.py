@@ -1,0 +1,21 @@
+"""Frames of a Blender scene into a .dsc file. Only a render engine sees the scene as it renders, and may change its frame."""
+from .scene_export import SceneExport
+
+
+def export_frames(engine, depsgraph, path, frames):
+    """`frames` are Blender's; the file's are numbered from 1. Returns the notes."""
+    scene = depsgraph.scene
+    current, part = scene.frame_current, scene.frame_subframe
+    export = SceneExport(path)
+    for number, frame in enumerate(frames, 1):
+        engine.update_stats("dspm", f"exporting frame {frame}")
+        if len(frames) > 1:
+            engine.frame_set(frame, 0.0)
+        export.see(number, depsgraph)
+    engine.frame_set(current, part)
+    export.write(scene, scene.dspm, len(frames))
+    return export.notes.texts
+
+
+def animation_frames(scene):
+    return list(range(scene.frame_start, scene.frame_end + 1, scene.frame_step))

@@ -1,0 +1,59 @@
+"""Blender's images as arrays, and files for the scene."""
+import os
+import struct
+import zlib
+
+import bpy
+import numpy as np
+
+from .fields import Field
+
+LINEAR = {"Linear", "Non-Color", "Raw", "Linear Rec.709"}
+
+
+def is_linear(image):
+    return image.is_float or image.colorspace_settings.name in LINEAR
+
+
+def image_field(image, place):
+    return Field(pixels(image), place, image)
+
+
+def pixels(image):
+    """Linear, from the lowest row."""
+    width, height = image.size
+    if width == 0:
+        raise RuntimeError(f'image "{image.name}" cannot be read: {image.filepath}')
+    values = np.empty(width * height * 4, dtype=np.float32)
+    image.pixels.foreach_get(values)
+    values = values.reshape(height, width, 4)
+    if not is_linear(image):
+        values[..., :3] = decoded(values[..., :3])
+    return values
+
+
+def decoded(values):
+    """sRGB [IEC 61966-2-1]."""
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def file_of(image):
+    """The absolute path of the image's file, or None if it is only in the .blend file or has been painted on."""
+    path = bpy.path.abspath(image.filepath, library=image.library)
+    on_disk = image.source == "FILE" and not image.packed_file and not image.is_dirty and os.path.isfile(path)
+    return os.path.realpath(path) if on_disk else None
+
+
+def write_png(path, values):
+    """Linear colours, or numbers if there is no last axis, in 16 bits; row 0 is the lowest."""
+    numbers = (np.clip(values, 0, 1)[::-1] * 65535 + 0.5).astype(">u2")
+    height, width = numbers.shape[:2]
+    rows = numbers.reshape(height, -1)
+    scanlines = np.zeros((height, 1 + rows.shape[1] * 2), dtype=np.uint8)
+    scanlines[:, 1:] = rows.view(np.uint8)
+    header = struct.pack(">IIBBBBB", width, height, 16, 0 if numbers.ndim == 2 else 2, 0, 0, 0)
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        for kind, data in ((b"IHDR", header), (b"IDAT", zlib.compress(scanlines, 1)), (b"IEND", b"")):
+            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+

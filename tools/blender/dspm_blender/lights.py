@@ -1,0 +1,112 @@
+"""Lights in Blender's units, as Cycles renders them.
+
+With P the power in W: a point or spot light has the intensity P / (4 pi), whatever the spot's cone; a point light with
+a radius r is a sphere of radiance P / (4 pi) / (pi r^2); an area light of area A has the radiance P / (4 A). A sun's strength is
+irradiance. tests/blender compares each of them with Cycles.
+"""
+import math
+
+from mathutils import Matrix
+
+from .blocks import placed
+from .camera import unscaled
+from .colours import constant_colour
+from .directive import Directive, over_frames
+from .light_groups import light_group
+
+BLACK = 'Material "diffuse" "rgb reflectance" [0 0 0]'
+
+
+class Light:
+    """One placed light over the frames."""
+
+    def __init__(self, name, notes):
+        self.name, self.notes = name, notes
+        self.matrices, self.lights, self.shapes = [], [], []
+
+    def see(self, frame, instance):
+        light = instance.object.data
+        matrix, directive, shape = KINDS[light.type](self, light, instance.matrix_world)
+        self.hidden = not instance.object.visible_camera
+        self.mirrored = instance.object.visible_glossy
+        self.common = {"string name": self.name, **light_group(instance.object)}
+        self.matrices.append((frame, matrix))
+        self.lights.append((frame, directive.with_params(self.common)))
+        self.shapes.append((frame, shape))
+
+    def lines(self, all_frames, camera):
+        """A lamp that the camera is not to see is a hole if it would; else mirrors show it, as in Cycles."""
+        if self.hidden and (not self.mirrored or camera.shows(self.matrices)):
+            for _, shape in self.shapes:
+                if shape:
+                    shape.params["float alpha"] = 0.0
+        return placed(self.name, self.matrices, all_frames, self._inside)
+
+    def _inside(self, frames):
+        among = lambda states: [(frame, state) for frame, state in states if frame in frames]
+        light = over_frames(among(self.lights), self.notes)
+        if self.shapes[0][1] is None:
+            return [light]
+        return [light, BLACK, over_frames(among(self.shapes), self.notes)]
+
+    def point(self, light, matrix):
+        intensity = self._colour(light, 1 / (4 * math.pi))
+        radius = light.shadow_soft_size
+        if radius == 0:
+            return unscaled(matrix), Directive("LightSource", "point").with_params({"rgb I": intensity}), None
+        return unscaled(matrix) @ Matrix.Scale(2 * radius, 4), area_light(times(intensity, 1 / (math.pi * radius**2))), Directive(
+            "Shape", "sphere").with_params({"float radius": 0.5})
+
+    def spot(self, light, matrix):
+        if light.shadow_soft_size > 0:
+            self.notes.add(f'light "{self.name}": a spot shines from a point, so its shadows are sharp')
+        outer = math.cos(light.spot_size / 2)
+        inner = math.acos(min(1, outer + (1 - outer) * light.spot_blend))
+        cone = math.degrees(light.spot_size / 2)
+        return unscaled(matrix), Directive("LightSource", "spot").with_params(
+            {"rgb I": self._colour(light, 1 / (4 * math.pi)), "float coneangle": cone,
+             "float conedeltaangle": cone - math.degrees(inner), "point3 to": (0, 0, -1)}), None
+
+    def sun(self, light, matrix):
+        if light.angle > math.radians(1):
+            self.notes.add(f'light "{self.name}": a sun is a point in the sky, so its shadows are sharp')
+        return unscaled(matrix), Directive("LightSource", "distant").with_params(
+            {"rgb L": self._colour(light, 1), "point3 to": (0, 0, -1)}), None
+
+    def area(self, light, matrix):
+        """It shines along -z."""
+        if light.spread < math.pi - 1e-4:
+            self.notes.add(f'light "{self.name}": its spread is 180 degrees')
+        size = (light.size, light.size if light.shape in {"SQUARE", "DISK"} else light.size_y, 1)
+        scale = matrix.to_scale()
+        area = abs(size[0] * scale.x * size[1] * scale.y)
+        round_one = light.shape in {"DISK", "ELLIPSE"}
+        turned = matrix @ Matrix.Rotation(math.pi, 4, "X") @ Matrix.Diagonal((*size, 1))
+        shape = Directive("Shape", "disk").with_params({"float radius": 0.5}) if round_one else Directive(
+            "Shape", "trianglemesh").with_params({
+                "point3 P": [-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0], "integer indices": [0, 1, 2, 0, 2, 3],
+                "bool open": True})
+        return turned, area_light(self._colour(light, 1 / (4 * area * (math.pi / 4 if round_one else 1)))), shape
+
+    def _colour(self, light, factor):
+        colour = times(light.color, light.energy * factor)
+        if not light.use_nodes:
+            return colour
+        emission = next((node for node in light.node_tree.nodes if node.bl_idname == "ShaderNodeEmission"), None)
+        if emission is None:
+            self.notes.add(f'light "{self.name}": it has no Emission node; its own colour holds')
+            return colour
+        tint = constant_colour(emission.inputs["Color"], self.notes)
+        strength = constant_colour(emission.inputs["Strength"], self.notes)[0]
+        return [a * b * strength for a, b in zip(colour, tint)]
+
+
+KINDS = {"POINT": Light.point, "SPOT": Light.spot, "SUN": Light.sun, "AREA": Light.area}
+
+
+def area_light(radiance):
+    return Directive("AreaLightSource", "diffuse").with_params({"rgb L": radiance})
+
+
+def times(colour, factor):
+    return [component * factor for component in colour]

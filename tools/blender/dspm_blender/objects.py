@@ -1,0 +1,99 @@
+"""What is placed in the scene: meshes, each of which may stand in many places."""
+from .blocks import placed
+from .directive import quoted
+from .geometry import Geometry
+from .light_groups import light_group
+from .textures import file_name
+
+MESH_TYPES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+
+
+class Placement:
+    """An object or instance over the frames."""
+
+    def __init__(self, name, params):
+        self.name, self.params, self.matrices = name, params, []
+
+
+class Objects:
+    """Geometries with their materials, and where they stand."""
+
+    def __init__(self, folder, materials):
+        self.folder, self.materials = folder, materials
+        self.geometries, self.stems = {}, set()
+        self.placements = {}  # (geometry's key, materials' names) -> {the instance's key: Placement}
+
+    def see(self, frame, instance):
+        object = instance.object
+        mesh = object.data if object.type == "MESH" else object.to_mesh()
+        if mesh and mesh.polygons:
+            key = geometry_key(object)
+            if key not in self.geometries:
+                self.geometries[key] = Geometry(self._stem(key[-1]), self.folder)
+            self.geometries[key].see(frame, mesh)
+            names = tuple(self.materials.see(frame, material) for material in slots(object, mesh))
+            placement = self.placements.setdefault((key, names), {}).setdefault(
+                instance_key(instance), Placement(object.name, hidden(object)))
+            placement.matrices.append((frame, instance.matrix_world.copy()))
+        if object.type != "MESH":
+            object.to_mesh_clear()
+
+    def lines(self, all_frames):
+        for geometry in self.geometries.values():
+            geometry.finish()
+        for i, ((key, names), placements) in enumerate(self.placements.items()):
+            geometry, placements = self.geometries[key], list(placements.values())
+            if len(placements) == 1:
+                yield from self._alone(geometry, names, placements[0], all_frames)
+            else:
+                yield from self._many(f"{geometry.name}.{i}", geometry, names, placements, all_frames)
+
+    def _alone(self, geometry, names, placement, all_frames):
+        inside = lambda frames: self._shapes(geometry, names, placement.name, frames, all_frames, placement.params)
+        return placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms())
+
+    def _many(self, name, geometry, names, placements, all_frames):
+        frames = list(range(1, all_frames + 1))
+        yield f"ObjectBegin {quoted(name)}"
+        yield from (f"  {line}" for line in self._shapes(geometry, names, name, frames, all_frames, placements[0].params))
+        yield "ObjectEnd"
+        for placement in placements:
+            yield from placed(placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"])
+
+    def _shapes(self, geometry, names, name, frames, all_frames, params):
+        lines = []
+        for slot in sorted(geometry.files):
+            material = names[min(slot, len(names) - 1)]
+            lines += [f"NamedMaterial {quoted(material)}", *geometry.shapes(name, slot, frames, all_frames, params)]
+        return lines
+
+    def _stem(self, name):
+        stem = file_name(name)
+        while stem in self.stems:
+            stem += "_"
+        self.stems.add(stem)
+        return stem
+
+
+def slots(object, mesh):
+    """The materials by slot. Geometry nodes may give the mesh more of them than its object has."""
+    of_object = [slot.material for slot in object.material_slots]
+    return (of_object if len(of_object) >= len(mesh.materials) else list(mesh.materials)) or [None]
+
+
+def geometry_key(object):
+    """Objects share a mesh unless modifiers or nodes make it their own."""
+    if object.type != "MESH" or object.modifiers or object.data.shape_keys:
+        return (object.name_full, object.data.name_full, object.name)
+    return (object.data.name_full, object.data.name)
+
+
+def instance_key(instance):
+    if not instance.is_instance:
+        return instance.object.name_full
+    return (instance.parent.name_full, tuple(instance.persistent_id), instance.object.name_full)
+
+
+def hidden(object):
+    """Seen by nothing but shadow rays is seen by nothing here."""
+    return {} if object.visible_camera or object.visible_glossy or object.visible_diffuse else {"float alpha": 0.0}

@@ -1,0 +1,72 @@
+"""A Blender scene as a .dsc file with its meshes and textures beside it."""
+import os
+
+from .camera import Camera
+from .directive import Directive, quoted
+from .lights import KINDS, Light
+from .materials import Materials
+from .notes import Notes
+from .objects import MESH_TYPES, Objects, instance_key
+from .textures import Textures
+from .world import World
+
+
+class SceneExport:
+    """Looks at one frame after the other, and then writes."""
+
+    def __init__(self, path):
+        self.path, self.notes = path, Notes()
+        stem = os.path.splitext(path)[0]
+        self.meshes = folder(f"{stem}.meshes")
+        self.textures = Textures(f"{stem}.textures")
+        self.materials = Materials(self.textures, self.notes)
+        self.camera, self.world = Camera(self.notes), World(self.textures.folder, self.notes)
+        self.objects, self.lights = Objects(self.meshes, self.materials), {}
+
+    def see(self, frame, depsgraph):
+        """Frames count from 1."""
+        scene = depsgraph.scene
+        self.camera.see(frame, scene.camera and scene.camera.evaluated_get(depsgraph), scene)
+        self.world.see(frame, scene.world and scene.world.evaluated_get(depsgraph))
+        for instance in depsgraph.object_instances:
+            if not instance.show_self:
+                continue
+            object = instance.object
+            if object.type == "LIGHT":
+                self.lights.setdefault(instance_key(instance), Light(object.name, self.notes)).see(frame, instance)
+            elif object.type in MESH_TYPES:
+                self.objects.see(frame, instance)
+            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL", "CURVES"}:
+                self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
+
+    def write(self, scene, settings, frames):
+        """`frames` is their number."""
+        world = self.world.lines()
+        for light in self.lights.values():
+            world += light.lines(frames, self.camera)
+        world += self.objects.lines(frames)
+        lines = [*head(scene, settings, frames, self.path), *self.camera.lines(), "", "WorldBegin",
+                 *self.textures.lines, *self.materials.lines(), *world]
+        with open(self.path, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+
+def folder(path):
+    os.makedirs(path, exist_ok=True)
+    return path
+
+
+def head(scene, settings, frames, path):
+    """What stands before the camera."""
+    render = scene.render
+    if frames > 1:
+        yield f'Frames {frames} "float fps" {render.fps / render.fps_base:g}'
+    yield str(settings.integrator_directive())
+    film = {"integer xresolution": render.resolution_x * render.resolution_percentage // 100,
+            "integer yresolution": render.resolution_y * render.resolution_percentage // 100,
+            "string filename": os.path.splitext(os.path.basename(path))[0] + ".exr"}
+    if render.film_transparent:
+        film["bool transparent"] = True
+    if render.use_border:
+        film["float cropwindow"] = [render.border_min_x, render.border_max_x, 1 - render.border_max_y, 1 - render.border_min_y]
+    yield str(Directive("Film", "rgb").with_params(film))

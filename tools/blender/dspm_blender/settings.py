@@ -1,0 +1,38 @@
+"""What a scene says about dspm."""
+import bpy
+
+from .directive import Directive
+
+INTEGRATORS = [
+    ("dsppm", "dsppm", "Photons that all frames share; caustics. The default"),
+    ("path", "path", "Path tracing: no caustics of point lights"),
+    ("vcm", "vcm", "Vertex connection and merging"),
+    ("sppm", "sppm", "Photons, frame by frame"),
+]
+
+
+class DspmSettings(bpy.types.PropertyGroup):
+    integrator: bpy.props.EnumProperty(name="Integrator", items=INTEGRATORS, default="dsppm")
+    iterations: bpy.props.IntProperty(name="Iterations", default=64, min=1, description="Paths per pixel")
+    photons: bpy.props.IntProperty(
+        name="Photons", default=100000, min=1, description="Photon paths per iteration, for all frames together")
+    max_depth: bpy.props.IntProperty(name="Bounces", default=8, min=1)
+    until_error: bpy.props.FloatProperty(
+        name="Until Error", default=0, min=0, max=100, subtype="PERCENTAGE",
+        description="Ends when half of every frame's pixels are estimated to be this good; 0: after the iterations")
+    time_limit: bpy.props.IntProperty(name="Time Limit", default=0, min=0, description="Minutes for all frames; 0: none")
+    seed: bpy.props.IntProperty(name="Seed", default=0, min=0)
+
+    def integrator_directive(self):
+        directive = Directive("Integrator", self.integrator).with_params(
+            {"integer iterations": self.iterations, "integer maxdepth": self.max_depth})
+        if self.integrator in {"dsppm", "sppm"}:
+            directive.params["integer photons"] = self.photons
+        if self.seed:
+            directive.params["integer seed"] = self.seed
+        return directive
+
+
+class DspmLayerSettings(bpy.types.PropertyGroup):
+    """Passes that Blender has no switch for."""
+    albedo: bpy.props.BoolProperty(name="Albedo", description="The share of light that surfaces scatter")

@@ -1,0 +1,124 @@
+"""Each shader node and what stands for it."""
+from dataclasses import replace
+
+import numpy as np
+
+from .fields import Field, complement, is_one, is_zero, product
+from .principled_node import principled
+from .shader import HOLE, Shader, black, diffuse
+
+
+def diffuse_node(tree, source):
+    if not is_zero(tree.field(source, "Roughness")):
+        tree.note(source, "is Lambert's, without roughness")
+    return replace(diffuse(tree.field(source, "Color")), plain=tree.relief(source))
+
+
+def glossy(tree, source):
+    return Shader("principled", {"basecolor": tree.field(source, "Color"), "metallic": Field.of(1),
+                                 "roughness": tree.field(source, "Roughness")}, tree.relief(source))
+
+
+def anisotropic(tree, source):
+    turned = tree.field(source, "Rotation")
+    shader = glossy(tree, source)
+    return replace(shader, fields=shader.fields | {"anisotropy": tree.field(source, "Anisotropy"),
+                                                   "anisotropyrotation": turned.with_values(turned.values * 360)})
+
+
+def glass(tree, source):
+    """Cycles colours what passes each boundary; principled takes the root of basecolor there."""
+    colour, roughness, eta = tree.field(source, "Color"), tree.field(source, "Roughness"), tree.number(source, "IOR")
+    if is_one(colour) and roughness.is_constant():
+        return Shader("dielectric", {}, {"float eta": eta, "float roughness": roughness.number() ** 2,
+                                         "bool remaproughness": False} | tree.relief(source))
+    return Shader("principled", {"basecolor": product(colour, colour), "roughness": roughness, "transmission": Field.of(1)},
+                  {"float eta": eta} | tree.relief(source))
+
+
+def refraction(tree, source):
+    tree.note(source, "also mirrors, as glass does")
+    return glass(tree, source)
+
+
+def translucent(tree, source):
+    return Shader("diffusetransmission", {"reflectance": Field.of(0), "transmittance": tree.field(source, "Color")},
+                  tree.relief(source))
+
+
+def transparent(tree, source):
+    colour = tree.field(source, "Color")
+    if is_one(colour):
+        return HOLE
+    return Shader("thindielectric", {"tint": colour}, {"float eta": 1.0})
+
+
+def velvet(tree, source):
+    return Shader("principled", {"basecolor": Field.of(0), "specular": Field.of(0), "sheen": tree.field(source, "Color")})
+
+
+def subsurface(tree, source):
+    tree.note(source, "scatters at its surface only")
+    return diffuse(tree.field(source, "Color"))
+
+
+def emission(tree, source):
+    return black(product(tree.field(source, "Color"), tree.field(source, "Strength")))
+
+
+def hair(tree, source):
+    return Shader("hair", {"reflectance": tree.field(source, "Color")})
+
+
+def mix(tree, source):
+    share = tree.field(source, 0)
+    first, second = (tree.of(source.input(i)) for i in (1, 2))
+    if is_zero(share) or is_one(share):
+        return second if is_one(share) else first
+    if first.is_hole() or second.is_hole():
+        return second.with_holes(share) if first.is_hole() else first.with_holes(complement(share))
+    if first.shines_only() or second.shines_only():
+        lamp, other, its = (first, second, complement(share)) if first.shines_only() else (second, first, share)
+        return shining(tree, source, other.dimmed(complement(its)), product(lamp.emission, its))
+    factor = source.input(0).source()
+    if factor and factor.node.bl_idname in {"ShaderNodeFresnel", "ShaderNodeLayerWeight"}:
+        return varnished(tree, source, factor, first, second)
+    return Shader("mix", {"amount": share}, {"string materials": [tree.part(first), tree.part(second)]})
+
+
+def varnished(tree, source, factor, first, second):
+    """A gloss that grows at grazing angles over something: principled has that itself."""
+    base = first.principled()
+    if base is None or second.kind != "principled":
+        return Shader("mix", {"amount": Field.of(0.1)}, {"string materials": [tree.part(first), tree.part(second)]})
+    tree.note(source, "principled stands in for a gloss by angle")
+    eta = tree.number(factor, "IOR") if factor.node.bl_idname == "ShaderNodeFresnel" else 1.5
+    gloss = {"roughness": second.fields["roughness"], "specular": Field.of(1)}
+    return replace(base, fields=base.fields | gloss, plain=base.plain | {"float eta": max(eta, 1.0)})
+
+
+def add(tree, source):
+    first, second = (tree.of(source.input(i)) for i in (0, 1))
+    for lamp, other in ((first, second), (second, first)):
+        if lamp.shines_only() and not lamp.is_hole():
+            return shining(tree, source, other, lamp.emission)
+    tree.note(source, "half of each shader stands in for their sum")
+    return Shader("mix", {"amount": Field.of(0.5)}, {"string materials": [tree.part(first), tree.part(second)]})
+
+
+def shining(tree, source, shader, light):
+    base = shader.principled()
+    if base is None:
+        tree.note(source, f"{shader.kind} does not emit")
+        return shader
+    return replace(base, emission=light if is_zero(base.emission) else Field.with_values(
+        base.emission, np.asarray(base.emission.values + light.mean().values)))
+
+
+SHADERS = {
+    "ShaderNodeBsdfPrincipled": principled, "ShaderNodeBsdfDiffuse": diffuse_node, "ShaderNodeBsdfGlossy": glossy,
+    "ShaderNodeBsdfAnisotropic": anisotropic, "ShaderNodeBsdfGlass": glass, "ShaderNodeBsdfRefraction": refraction,
+    "ShaderNodeBsdfTranslucent": translucent, "ShaderNodeBsdfTransparent": transparent, "ShaderNodeBsdfVelvet": velvet,
+    "ShaderNodeBsdfSheen": velvet, "ShaderNodeSubsurfaceScattering": subsurface, "ShaderNodeEmission": emission,
+    "ShaderNodeBsdfHair": hair, "ShaderNodeBsdfHairPrincipled": hair, "ShaderNodeMixShader": mix, "ShaderNodeAddShader": add,
+}
