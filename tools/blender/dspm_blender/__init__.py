@@ -9,23 +9,16 @@ bl_info = {
     "category": "Render",
 }
 
-import bpy
+from . import engine, export_operator, panels, preferences, settings
 
-from . import engine, export_operator, settings
-
-CLASSES = (settings.DspmSettings, settings.DspmLayerSettings, engine.DspmEngine, export_operator.ExportDspm)
+MODULES = (preferences, settings, engine, export_operator, panels)
 
 
 def register():
-    for each in CLASSES:
-        bpy.utils.register_class(each)
-    bpy.types.Scene.dspm = bpy.props.PointerProperty(type=settings.DspmSettings)
-    bpy.types.ViewLayer.dspm = bpy.props.PointerProperty(type=settings.DspmLayerSettings)
-    bpy.types.TOPBAR_MT_file_export.append(export_operator.menu_entry)
+    for each in MODULES:
+        each.register()
 
 
 def unregister():
-    bpy.types.TOPBAR_MT_file_export.remove(export_operator.menu_entry)
-    del bpy.types.ViewLayer.dspm, bpy.types.Scene.dspm
-    for each in reversed(CLASSES):
-        bpy.utils.unregister_class(each)
+    for each in reversed(MODULES):
+        each.unregister()

@@ -1,45 +1,61 @@
-"""The render engine."""
-from contextlib import contextmanager
-
+"""The render engine: F12 renders a frame, Render Animation all frames together."""
 import bpy
 
-from .export_frames import export_frames
-
-
-class Export:
-    """What the operator wants of the next render: a file and no picture."""
-    wanted = None
-
-    def __init__(self, path, frames):
-        self.path, self.frames, self.notes, self.error = path, frames, [], None
-
-
-@contextmanager
-def engine_of(scene, request):
-    """The scene is rendered by dspm, for `request`, without anything after it."""
-    render = scene.render
-    kept = {name: getattr(render, name) for name in ("engine", "use_compositing", "use_sequencer")}
-    render.engine, render.use_compositing, render.use_sequencer = DspmEngine.bl_idname, False, False
-    Export.wanted = request
-    try:
-        yield
-    finally:
-        Export.wanted = None
-        for name, value in kept.items():
-            setattr(render, name, value)
+from .export_frames import animation_frames, export_frames
+from .export_request import ExportRequest
+from .passes import passes
+from .rendering import Rendering
 
 
 class DspmEngine(bpy.types.RenderEngine):
     bl_idname = "DSPM"
     bl_label = "dspm"
     bl_use_shading_nodes_custom = False  # Cycles' nodes
+    animations = {}                      # of the render that Blender is at: view layer -> Rendering
 
     def render(self, depsgraph):
+        """Blender asks for each frame of an animation; the first question renders them all."""
+        request = ExportRequest.wanted
         try:
-            if Export.wanted:
-                Export.wanted.notes = export_frames(self, depsgraph, Export.wanted.path, Export.wanted.frames)
+            if request:
+                request.notes = export_frames(self, depsgraph, request.path, request.frames)
+            else:
+                self._rendering(depsgraph).show(self, depsgraph.scene.frame_current)
         except Exception as problem:
-            if not Export.wanted:
-                raise
-            Export.wanted.error = str(problem)
-            raise
+            if request:
+                request.error = str(problem)
+            self.error_set(str(problem))
+
+    def _rendering(self, depsgraph):
+        if not self.is_animation:
+            return Rendering(self, depsgraph, [depsgraph.scene.frame_current])
+        layer = depsgraph.view_layer.name
+        if layer not in self.animations:
+            self.animations[layer] = Rendering(self, depsgraph, animation_frames(depsgraph.scene))
+        return self.animations[layer]
+
+    def update_render_passes(self, scene=None, renderlayer=None):
+        self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
+        for each in passes(renderlayer):
+            self.register_pass(scene, renderlayer, each.name, len(each.letters), each.letters, each.kind)
+
+
+@bpy.app.handlers.persistent
+def forget_animations(*_):
+    """When Blender begins a render, and when it has ended."""
+    DspmEngine.animations.clear()
+
+
+HANDLERS = (bpy.app.handlers.render_init, bpy.app.handlers.render_complete, bpy.app.handlers.render_cancel)
+
+
+def register():
+    bpy.utils.register_class(DspmEngine)
+    for handlers in HANDLERS:
+        handlers.append(forget_animations)
+
+
+def unregister():
+    for handlers in HANDLERS:
+        handlers.remove(forget_animations)
+    bpy.utils.unregister_class(DspmEngine)

@@ -2,8 +2,8 @@
 import bpy
 from bpy_extras.io_utils import ExportHelper
 
-from . import engine
 from .export_frames import animation_frames
+from .export_request import ExportRequest
 
 
 class ExportDspm(bpy.types.Operator, ExportHelper):
@@ -17,8 +17,8 @@ class ExportDspm(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         scene = context.scene
         frames = animation_frames(scene) if self.animation else [scene.frame_current]
-        request = engine.Export(bpy.path.abspath(self.filepath), frames)
-        with engine.engine_of(scene, request):
+        request = ExportRequest(bpy.path.abspath(self.filepath), frames)
+        with request.in_scene(scene):
             bpy.ops.render.render()
         if request.error:
             self.report({"ERROR"}, request.error)
@@ -30,3 +30,13 @@ class ExportDspm(bpy.types.Operator, ExportHelper):
 
 def menu_entry(self, _context):
     self.layout.operator(ExportDspm.bl_idname, text="dspm (.dsc)")
+
+
+def register():
+    bpy.utils.register_class(ExportDspm)
+    bpy.types.TOPBAR_MT_file_export.append(menu_entry)
+
+
+def unregister():
+    bpy.types.TOPBAR_MT_file_export.remove(menu_entry)
+    bpy.utils.unregister_class(ExportDspm)

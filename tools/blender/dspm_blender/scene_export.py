@@ -68,5 +68,11 @@ def head(scene, settings, frames, path):
     if render.film_transparent:
         film["bool transparent"] = True
     if render.use_border:
-        film["float cropwindow"] = [render.border_min_x, render.border_max_x, 1 - render.border_max_y, 1 - render.border_min_y]
+        film["integer pixelbounds"] = border(render, film["integer xresolution"], film["integer yresolution"])
     yield str(Directive("Film", "rgb").with_params(film))
+
+
+def border(render, width, height):
+    """In whole pixels, as Blender cuts them; dspm counts rows from above."""
+    return [int(width * render.border_min_x), int(width * render.border_max_x),
+            height - int(height * render.border_max_y), height - int(height * render.border_min_y)]

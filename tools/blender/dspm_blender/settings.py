@@ -32,7 +32,25 @@ class DspmSettings(bpy.types.PropertyGroup):
             directive.params["integer seed"] = self.seed
         return directive
 
+    def arguments(self):
+        """Of the program, when Blender runs it."""
+        limits = ["--until-error", f"{self.until_error:g}%"] if self.until_error else []
+        return limits + (["--time-limit", f"{self.time_limit}m"] if self.time_limit else [])
+
 
 class DspmLayerSettings(bpy.types.PropertyGroup):
     """Passes that Blender has no switch for."""
     albedo: bpy.props.BoolProperty(name="Albedo", description="The share of light that surfaces scatter")
+
+
+def register():
+    bpy.utils.register_class(DspmSettings)
+    bpy.utils.register_class(DspmLayerSettings)
+    bpy.types.Scene.dspm = bpy.props.PointerProperty(type=DspmSettings)
+    bpy.types.ViewLayer.dspm = bpy.props.PointerProperty(type=DspmLayerSettings)
+
+
+def unregister():
+    del bpy.types.ViewLayer.dspm, bpy.types.Scene.dspm
+    bpy.utils.unregister_class(DspmLayerSettings)
+    bpy.utils.unregister_class(DspmSettings)

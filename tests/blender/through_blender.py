@@ -1,0 +1,95 @@
+"""Runs in Blender: what comes back into Blender is, to the bit, what dspm renders of the exported scene.
+usage: blender -b --factory-startup --python through_blender.py -- dspm folder"""
+import os
+import subprocess
+import sys
+
+import addon_utils
+import bpy
+import numpy as np
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
+import scenes
+from dspm_blender.exr import Exr
+from dspm_blender.process import find_program
+
+program, folder = sys.argv[sys.argv.index("--") + 1:][:2]
+FRAMES = 3
+
+
+def prepare():
+    """A turning monkey with two light groups, and all passes."""
+    scenes.glass_monkey()
+    addon_utils.enable("dspm_blender", default_set=True)
+    bpy.context.preferences.addons["dspm_blender"].preferences.program = program
+    scene, layer = bpy.context.scene, bpy.context.view_layer
+    scene.frame_end = FRAMES
+    scene.dspm.iterations, scene.dspm.photons = 2, 2000
+    scene.render.engine = "DSPM"
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 48, 36, 100
+    format = scene.render.image_settings
+    format.file_format, format.color_depth, format.exr_codec = "OPEN_EXR_MULTILAYER", "32", "NONE"
+    layer.use_pass_z = layer.use_pass_normal = layer.use_pass_position = layer.use_pass_uv = True
+    layer.use_pass_cryptomatte_object = layer.dspm.albedo = True
+    layer.lightgroups.add(name="big lamp")
+    bpy.data.objects["area"].lightgroup = "big lamp"
+    return scene
+
+
+# Blender's channel, and dspm's.
+CHANNELS = {"Combined.R": "R", "Combined.G": "G", "Combined.B": "B", "Depth.Z": "Z", "Normal.X": "N.X", "Normal.Z": "N.Z",
+            "Position.Y": "P.Y", "UV.U": "u", "Albedo.G": "Albedo.G", "CryptoObject00.R": "CryptoObject00.r",
+            "CryptoObject01.G": "CryptoObject01.g", "Combined_big lamp.R": "light_big_lamp.R"}
+failures = []
+
+
+def expect(holds, text):
+    if not holds:
+        failures.append(text)
+        print("FAILED:", text)
+
+
+def compare(blenders, dspms, whose):
+    theirs, ours = Exr(blenders), Exr(dspms)
+    for name, own in CHANNELS.items():
+        found = theirs.channels.get(f"ViewLayer.{name}")
+        expect(found is not None, f"{whose} has no {name}, but {sorted(theirs.channels)}")
+        if found is not None:
+            same = found.shape == ours.channels[own].shape and np.array_equal(found.view(np.uint32), ours.channels[own].view(np.uint32))
+            expect(same, f"{whose}: {name} is not what dspm gives")
+    expect(ours.channels["Z"].max() > 0 and ours.channels["Albedo.G"].max() > 0, f"{whose} is empty")
+
+
+def rendered_alone(scene, name, animation):
+    path = os.path.join(folder, name + ".dsc")
+    bpy.ops.export_scene.dspm(filepath=path, animation=animation)
+    subprocess.run([program, path, "-o", path[:-4] + (".####.exr" if animation else ".exr"), "--float", "--compression", "none",
+                    "--quiet", "--aov", "N,P,Z,albedo,cryptoobject,lights,uv"], check=True)
+    return path[:-4]
+
+
+def main():
+    scene = prepare()
+    alone = rendered_alone(scene, "all", True)
+    scene.render.filepath = os.path.join(folder, "blender.")
+    bpy.ops.render.render(animation=True)
+    for frame in range(1, FRAMES + 1):
+        compare(os.path.join(folder, f"blender.{frame:04}.exr"), f"{alone}.{frame:04}.exr", f"frame {frame}")
+    scene.frame_set(2)
+    scene.render.use_border = scene.render.use_crop_to_border = True
+    scene.render.border_min_x, scene.render.border_max_x, scene.render.border_min_y, scene.render.border_max_y = .25, .75, .1, .5
+    alone = rendered_alone(scene, "part", False)
+    scene.render.filepath = os.path.join(folder, "part.blender.exr")
+    bpy.ops.render.render(write_still=True)
+    compare(scene.render.filepath, alone + ".exr", "a border")
+    try:
+        find_program("/nowhere/dspm")
+        expect(False, "a missing program is an error")
+    except RuntimeError as error:
+        expect("not found" in str(error), f"the error says what is missing, not: {error}")
+    print(f"{len(CHANNELS)} channels of {FRAMES} frames and of a border: {len(failures)} failures")
+    sys.exit(1 if failures else 0)
+
+
+main()

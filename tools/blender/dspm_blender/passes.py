@@ -1,0 +1,48 @@
+"""Blender's passes and the outputs of dspm that they are."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .light_groups import group_name
+
+
+@dataclass(frozen=True)
+class Pass:
+    name: str       # Blender's
+    letters: str    # one for each of its channels
+    kind: str       # of its socket
+    output: str     # dspm's --aov
+    channels: tuple
+
+
+def passes(layer):
+    """Those that a view layer asks for, besides Combined."""
+    if layer.use_pass_z:
+        yield Pass("Depth", "Z", "VALUE", "Z", ("Z",))
+    if layer.use_pass_normal:
+        yield Pass("Normal", "XYZ", "VECTOR", "N", ("N.X", "N.Y", "N.Z"))
+    if layer.use_pass_position:
+        yield Pass("Position", "XYZ", "VECTOR", "P", ("P.X", "P.Y", "P.Z"))
+    if layer.use_pass_uv:
+        yield Pass("UV", "UVA", "VECTOR", "uv", ("u", "v"))
+    if layer.dspm.albedo:
+        yield Pass("Albedo", "RGB", "COLOR", "albedo", ("Albedo.R", "Albedo.G", "Albedo.B"))
+    for wanted, output, name in ((layer.use_pass_cryptomatte_object, "cryptoobject", "CryptoObject"),
+                                 (layer.use_pass_cryptomatte_material, "cryptomaterial", "CryptoMaterial")):
+        for i in range(3 if wanted else 0):
+            yield Pass(f"{name}{i:02}", "RGBA", "COLOR", output, tuple(f"{name}{i:02}.{letter}" for letter in "rgba"))
+    for group in layer.lightgroups:
+        channels = tuple(f"light_{group_name(group.name)}.{letter}" for letter in "RGB")
+        yield Pass(f"Combined_{group.name}", "RGB", "COLOR", "lights", channels)
+
+
+def picture(exr, channels, width):
+    """Rows of pixels, `width` numbers in each; what the file does not have is 0."""
+    nothing = np.zeros((exr.height, exr.width), dtype=np.float32)
+    columns = [exr.channels.get(name, nothing) for name in channels]
+    return np.dstack(columns + [nothing] * (width - len(columns))).reshape(-1, width)
+
+
+def combined(exr):
+    alpha = exr.channels.get("A", np.ones((exr.height, exr.width), dtype=np.float32))
+    return np.dstack([*(exr.channels[name] for name in "RGB"), alpha]).reshape(-1, 4)
