@@ -42,6 +42,11 @@ def dynamic(name, first, last, all_frames, inside):
     return [f"DynamicBegin {quoted(name)}{limits}", *indented(inside), "DynamicEnd"]
 
 
+def in_block(name, lines):
+    """Lines that variations show and hide; without a name they are always there."""
+    return [f"DynamicBegin {quoted(name)}", *indented(lines), "DynamicEnd"] if name else lines
+
+
 def placed(name, matrices, all_frames, inside, deforms=False):
     """`inside(frames)` yields lines that stand where (frame, matrix) pairs say; in other frames there is nothing."""
     lines = []

@@ -18,7 +18,7 @@ class DspmEngine(bpy.types.RenderEngine):
         request = ExportRequest.wanted
         try:
             if request:
-                request.notes = export_frames(self, depsgraph, request.path, request.frames)
+                request.notes = export_frames(self, depsgraph, request.path, request.frames, request.variations)
             else:
                 self._rendering(depsgraph).show(self, depsgraph.scene.frame_current)
         except Exception as problem:

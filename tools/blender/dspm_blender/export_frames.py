@@ -2,11 +2,12 @@
 from .scene_export import SceneExport
 
 
-def export_frames(engine, depsgraph, path, frames):
-    """`frames` are Blender's; the file's are numbered from 1. Returns the notes."""
+def export_frames(engine, depsgraph, path, frames, variations=False):
+    """`frames` are Blender's; the file's are numbered from 1. Without variations it is the scene as Blender shows it. Returns
+    the notes."""
     scene = depsgraph.scene
     current, part = scene.frame_current, scene.frame_subframe
-    export = SceneExport(path)
+    export = SceneExport(path, variations)
     for number, frame in enumerate(frames, 1):
         engine.update_stats("dspm", f"exporting frame {frame}")
         if len(frames) > 1:

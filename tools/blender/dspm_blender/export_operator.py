@@ -13,11 +13,13 @@ class ExportDspm(bpy.types.Operator, ExportHelper):
     filename_ext = ".dsc"
     filter_glob: bpy.props.StringProperty(default="*.dsc", options={"HIDDEN"})
     animation: bpy.props.BoolProperty(name="Animation", default=True, description="All frames; else the current one")
+    variations: bpy.props.BoolProperty(
+        name="Variations", default=True, description="Of materials and collections that have them; else as it is here")
 
     def execute(self, context):
         scene = context.scene
         frames = animation_frames(scene) if self.animation else [scene.frame_current]
-        request = ExportRequest(bpy.path.abspath(self.filepath), frames)
+        request = ExportRequest(bpy.path.abspath(self.filepath), frames, self.variations)
         with request.in_scene(scene):
             bpy.ops.render.render()
         if request.error:

@@ -5,8 +5,8 @@ from contextlib import contextmanager
 class ExportRequest:
     wanted = None
 
-    def __init__(self, path, frames):
-        self.path, self.frames, self.notes, self.error = path, frames, [], None
+    def __init__(self, path, frames, variations):
+        self.path, self.frames, self.variations, self.notes, self.error = path, frames, variations, [], None
 
     @contextmanager
     def in_scene(self, scene):

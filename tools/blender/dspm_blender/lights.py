@@ -8,7 +8,7 @@ import math
 
 from mathutils import Matrix
 
-from .blocks import placed
+from .blocks import in_block, placed
 from .camera import unscaled
 from .colours import constant_colour
 from .directive import Directive, over_frames
@@ -20,8 +20,9 @@ BLACK = 'Material "diffuse" "rgb reflectance" [0 0 0]'
 class Light:
     """One placed light over the frames."""
 
-    def __init__(self, name, notes):
-        self.name, self.notes = name, notes
+    def __init__(self, name, notes, block):
+        """`block` is the Dynamic block that it comes and goes with, or None."""
+        self.name, self.notes, self.block = name, notes, block
         self.matrices, self.lights, self.shapes = [], [], []
 
     def see(self, frame, instance):
@@ -40,7 +41,7 @@ class Light:
             for _, shape in self.shapes:
                 if shape:
                     shape.params["float alpha"] = 0.0
-        return placed(self.name, self.matrices, all_frames, self._inside)
+        return in_block(self.block, placed(self.name, self.matrices, all_frames, self._inside))
 
     def _inside(self, frames):
         among = lambda states: [(frame, state) for frame, state in states if frame in frames]

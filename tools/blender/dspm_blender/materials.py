@@ -31,6 +31,12 @@ class Materials:
             for each in zip(*([(frame, directive) for directive in directives] for frame, directives in states)):
                 yield over_frames(list(each), self.notes)
 
+    def replacement(self, name, replaced):
+        """The definition of a material in the place of another one."""
+        states = [(frame, Directive("MakeNamedMaterial", replaced).with_params(directives[-1].params))
+                  for frame, directives in self.states[name]]
+        return over_frames(states, self.notes)
+
     def _directives(self, material):
         tree = ShaderTree(material.name_full, self.textures, self.notes)
         if not material.use_nodes or material.node_tree is None:

@@ -1,5 +1,5 @@
 """What is placed in the scene: meshes, each of which may stand in many places."""
-from .blocks import placed
+from .blocks import in_block, placed
 from .directive import quoted
 from .geometry import Geometry
 from .light_groups import light_group
@@ -11,8 +11,8 @@ MESH_TYPES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
 class Placement:
     """An object or instance over the frames."""
 
-    def __init__(self, name, params):
-        self.name, self.params, self.matrices = name, params, []
+    def __init__(self, name, params, block):
+        self.name, self.params, self.block, self.matrices = name, params, block, []
 
 
 class Objects:
@@ -23,7 +23,8 @@ class Objects:
         self.geometries, self.stems = {}, set()
         self.placements = {}  # (geometry's key, materials' names) -> {the instance's key: Placement}
 
-    def see(self, frame, instance):
+    def see(self, frame, instance, block):
+        """`block` is the Dynamic block that it comes and goes with, or None."""
         object = instance.object
         mesh = object.data if object.type == "MESH" else object.to_mesh()
         if mesh and mesh.polygons:
@@ -33,7 +34,7 @@ class Objects:
             self.geometries[key].see(frame, mesh)
             names = tuple(self.materials.see(frame, material) for material in slots(object, mesh))
             placement = self.placements.setdefault((key, names), {}).setdefault(
-                instance_key(instance), Placement(object.name, hidden(object)))
+                instance_key(instance), Placement(object.name, hidden(object), block))
             placement.matrices.append((frame, instance.matrix_world.copy()))
         if object.type != "MESH":
             object.to_mesh_clear()
@@ -50,7 +51,8 @@ class Objects:
 
     def _alone(self, geometry, names, placement, all_frames):
         inside = lambda frames: self._shapes(geometry, names, placement.name, frames, all_frames, placement.params)
-        return placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms())
+        return in_block(placement.block,
+                        placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms()))
 
     def _many(self, name, geometry, names, placements, all_frames):
         frames = list(range(1, all_frames + 1))
@@ -58,7 +60,8 @@ class Objects:
         yield from (f"  {line}" for line in self._shapes(geometry, names, name, frames, all_frames, placements[0].params))
         yield "ObjectEnd"
         for placement in placements:
-            yield from placed(placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"])
+            yield from in_block(placement.block, placed(
+                placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"]))
 
     def _shapes(self, geometry, names, name, frames, all_frames, params):
         lines = []

@@ -8,14 +8,15 @@ from .materials import Materials
 from .notes import Notes
 from .objects import MESH_TYPES, Objects, instance_key
 from .textures import Textures
+from .variations import Variations
 from .world import World
 
 
 class SceneExport:
     """Looks at one frame after the other, and then writes."""
 
-    def __init__(self, path):
-        self.path, self.notes = path, Notes()
+    def __init__(self, path, variations):
+        self.path, self.notes, self.variations = path, Notes(), Variations(variations)
         stem = os.path.splitext(path)[0]
         self.meshes = folder(f"{stem}.meshes")
         self.textures = Textures(f"{stem}.textures")
@@ -33,18 +34,20 @@ class SceneExport:
                 continue
             object = instance.object
             if object.type == "LIGHT":
-                self.lights.setdefault(instance_key(instance), Light(object.name, self.notes)).see(frame, instance)
+                light = Light(object.name, self.notes, self.variations.block(instance))
+                self.lights.setdefault(instance_key(instance), light).see(frame, instance)
             elif object.type in MESH_TYPES:
-                self.objects.see(frame, instance)
+                self.objects.see(frame, instance, self.variations.block(instance))
             elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL", "CURVES"}:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
+        self.variations.see(frame, self.materials)
 
     def write(self, scene, settings, frames):
         """`frames` is their number."""
         world = self.world.lines()
         for light in self.lights.values():
             world += light.lines(frames, self.camera)
-        world += self.objects.lines(frames)
+        world += [*self.objects.lines(frames), *self.variations.lines(self.materials)]
         lines = [*head(scene, settings, frames, self.path), *self.camera.lines(), "", "WorldBegin",
                  *self.textures.lines, *self.materials.lines(), *world]
         with open(self.path, "w", encoding="utf-8") as file:
