@@ -8,19 +8,22 @@ set(public_headers
   film/pixel_filter.h film/pixel_rect.h
   image/image.h
   integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h
-  integrators/output_info.h
+  integrators/light_groups.h integrators/output_info.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
   integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
   math/bins.h math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
+  lang/file_frames.h
   modules/module.h modules/stamp.h
+  output/renderer.h
   params/errors.h params/params.h params/registry.h
   scene/scene.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
-  textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h)
+  textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
+  world/choices.h)
 set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)

@@ -191,7 +191,6 @@ void SceneBuilder::area_light_source(Directive& directive) {
 
 void SceneBuilder::light_source(Directive& directive) {
   Variation* const variation = variation_in_force();
-  if (variation == nullptr) expect_still(directive);
   LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
   light.name = take_name(light.params);
   if (variation != nullptr)

@@ -196,7 +196,7 @@ TEST(Film, OtherColourSpacesKeepWhite) {
 
 TEST(Film, DescribesItsParameters) {
   const auto described = describe(film_plugins().front());
-  EXPECT_EQ(described.size(), 12u);
+  EXPECT_EQ(described.size(), 13u);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 
-find dspm bench scenes \( -name '*.h' -o -name '*.cpp' \) -print 2>/dev/null | LC_ALL=C sort | xargs awk '
+find dspm bench scenes python \( -name '*.h' -o -name '*.cpp' \) -print 2>/dev/null | LC_ALL=C sort | xargs awk '
 BEGIN {
   # Headers of a library, and the only files that may include them.
   confined["^(oneapi/)?tbb/"] = "^dspm/system/parallel[.]"

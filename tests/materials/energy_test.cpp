@@ -3,6 +3,8 @@
 // integrals of evaluate, which know nothing of sampling.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dspm/materials/fresnel.h"
 #include "dspm/testing/scattering.h"
 #include "tests/materials/materials.h"
@@ -23,14 +25,15 @@ double albedo(const Material& material, const Vec3& wo, int samples = 60'000) {
 /// The integral of f cos over the sphere by a midpoint rule, of the greatest colour.
 double integral(const Bsdf& bsdf, const Vec3& wo) {
   constexpr int kRows = 800, kColumns = 800;
-  double sum = 0;
+  double sums[3] = {};
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) {
       const float z = 2 * (static_cast<float>(row) + 0.5f) / kRows - 1;
       const Vec3 wi = direction(z, 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns);
-      sum += static_cast<double>(max_component(bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes())) * std::abs(z));
+      const Rgb f = bsdf.evaluate(wo, wi, Transport::flux, bsdf.all_lobes());
+      for (int c = 0; c < 3; ++c) sums[c] += static_cast<double>(f[c] * std::abs(z));
     }
-  return sum * 4 * std::acos(-1.) / (kRows * kColumns);
+  return *std::max_element(sums, sums + 3) * 4 * std::acos(-1.) / (kRows * kColumns);
 }
 
 TEST(Energy, NothingGains) {

@@ -62,7 +62,16 @@ example() {
   [[ -s $image ]] || fail "$1 has rendered nothing"
 }
 
-examples() { each example ambient lighttracer velvet roundbox; }
+# Not a plugin: links the library.
+program() {
+  cp -r "$source_dir/examples/$1" "$work/"
+  build "$work/$1"
+}
+
+examples() {
+  each example ambient lighttracer velvet roundbox
+  program turntable
+}
 
 project() {
   local commands

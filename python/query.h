@@ -1,0 +1,43 @@
+// The query that dspm stands on, for arrays of rays: what do they meet first in each of these frames?
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/frame_intervals.h"
+#include "dspm/session/load.h"
+#include "python/rays.h"
+
+namespace dspm::python {
+
+/// The partitions of rays by their first hits, one after the other. A miss is a part, with shape -1 and infinite t.
+struct Parts {
+  std::vector<int> ray;
+  std::vector<FrameSet> frames;
+  std::vector<float> t;
+  std::vector<int> shape, primitive;
+  std::vector<Vec2> uv;
+
+  std::size_t size() const { return ray.size(); }
+  FrameHit at(std::size_t i) const { return {frames[i], {t[i], shape[i], primitive[i], uv[i]}}; }
+  void add(int of, const FrameHit& part) {
+    ray.push_back(of), frames.push_back(part.frames), t.push_back(part.hit.t);
+    shape.push_back(part.hit.shape), primitive.push_back(part.hit.primitive), uv.push_back(part.hit.uv);
+  }
+  Parts& operator+=(const Parts& o) {
+    append(ray, o.ray), append(frames, o.frames), append(t, o.t);
+    append(shape, o.shape), append(primitive, o.primitive), append(uv, o.uv);
+    return *this;
+  }
+};
+
+/// The scene of up to 64 frames, which may be queried.
+struct Query {
+  std::shared_ptr<const LoadedScene> loaded;
+  std::unique_ptr<const Scene> scene;
+};
+
+}  // namespace dspm::python

@@ -1,0 +1,134 @@
+#include "python/scene.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <map>
+#include <variant>
+
+#include "dspm/math/frames.h"
+#include "dspm/session/frame_intervals.h"
+#include "python/module.h"
+
+namespace dspm::python {
+
+namespace py = pybind11;
+
+void KeptWarnings::raise() const {
+  for (const std::string& text : texts_)
+    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) throw py::error_already_set();
+}
+
+namespace {
+
+using Share = double;
+using Size = std::pair<int, int>;
+using Number = std::variant<int, double, std::string>;
+
+std::vector<Moment> moments_of(std::vector<int> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<Moment> moments;
+  for (const int number : numbers) moments.push_back(Moment::numbered(number));
+  return moments;
+}
+
+std::string text_of(const Number& value) {
+  return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
+}
+
+Resolution resolution_of(const std::variant<Size, Share>& asked) {
+  if (const auto* share = std::get_if<Share>(&asked)) {
+    if (!(*share > 0)) throw UsageError("resolution: expected a share above 0, or (width, height)");
+    return {.share = *share};
+  }
+  const auto [width, height] = std::get<Size>(asked);
+  if (width < 1 || height < 1) throw UsageError("resolution: expected a width and a height of at least one pixel");
+  return {.width = width, .height = height};
+}
+
+ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesystem::path>>& files,
+               const std::map<std::string, Number>& define, const std::string& integrator,
+               std::optional<int> iterations, std::optional<int> photons, std::optional<std::uint64_t> seed,
+               const std::vector<int>& frames, const std::vector<std::string>& variations,
+               const std::optional<std::variant<Size, Share>>& resolution, const std::vector<std::string>& outputs,
+               bool lenient) {
+  Choices choices;
+  for (const auto& [name, value] : define) choices.defines.push_back(fmt::format("{}={}", name, text_of(value)));
+  choices.integrator = integrator, choices.iterations = iterations, choices.photons = photons, choices.seed = seed;
+  choices.frames = moments_of(frames), choices.variations = variations, choices.outputs = outputs;
+  choices.lenient = lenient;
+  if (resolution) choices.resolution = resolution_of(*resolution);
+  std::vector<std::string> names;
+  if (const auto* one = std::get_if<std::filesystem::path>(&files))
+    names.push_back(one->string());
+  else
+    for (const auto& file : std::get<1>(files)) names.push_back(file.string());
+  ReadScene scene;
+  KeptWarnings warnings;
+  {
+    const py::gil_scoped_release without_python;
+    scene.loaded = load_scene(names, choices, warnings.keeper());
+  }
+  warnings.raise();
+  return scene;
+}
+
+std::vector<std::string> labels_of(const ReadScene& scene) {
+  std::vector<std::string> labels;
+  for (const FileFrame frame : scene.loaded->job.frames)
+    labels.push_back(scene.loaded->description->frames.label(frame));
+  return labels;
+}
+
+}  // namespace
+
+void add_scene(py::module_& module) {
+  py::class_<ReadScene>(module, "Scene", R"(A scene that was read, with the caller's choices.
+
+load() makes it. It does not change; load it again for other choices.)")
+      .def_property_readonly("labels", labels_of, "What its frames are called: '12', 'oak-red' or 'oak-red 12'.")
+      .def_property_readonly(
+          "size", [](const ReadScene& s) { return Size(s.loaded->job.settings.width, s.loaded->job.settings.height); },
+          "Width and height of the full image in pixels.")
+      .def_property_readonly(
+          "shape",
+          [](const ReadScene& s) {
+            const PixelRect& crop = s.loaded->job.settings.crop;
+            return std::pair(crop.height(), crop.width());
+          },
+          "Height and width of the images: of what the Film crops.")
+      .def_property_readonly("integrator", [](const ReadScene& s) { return s.loaded->job.integrator; })
+      .def_property_readonly(
+          "fps", [](const ReadScene& s) { return s.loaded->job.fps; }, "Frames a second; 0: no animation.")
+      .def(
+          "__len__", [](const ReadScene& s) { return s.loaded->job.frames.size(); }, "How many frames it has.")
+      .def("__repr__",
+           [](const ReadScene& s) {
+             return fmt::format("<dspm.Scene {}: {}>", s.loaded->job.scene_file, summary_of(*s.loaded));
+           })
+      .def(
+          "explain",
+          [](const ReadScene& s) {
+            const FrameList& all = s.loaded->job.frames;
+            const std::size_t count = std::min<std::size_t>(all.size(), kMaxFrames);
+            return s.loaded->world->explain({all.data(), count});
+          },
+          "What is shared between the frames and what is not, and why: sentences. Of the first 64 frames.");
+
+  module.def("load", load, py::arg("files"), py::kw_only(), py::arg("define") = std::map<std::string, Number>(),
+             py::arg("integrator") = "", py::arg("iterations") = std::nullopt, py::arg("photons") = std::nullopt,
+             py::arg("seed") = std::nullopt, py::arg("frames") = std::vector<int>(),
+             py::arg("variations") = std::vector<std::string>(), py::arg("resolution") = std::nullopt,
+             py::arg("outputs") = std::vector<std::string>(), py::arg("lenient") = false,
+             R"(Reads a scene from a file, or from several that follow one another.
+
+The choices are those of the command line: define={"roughness": 0.1} sets what the scene calls $roughness; frames are
+numbers as in the scene, from 1 on; variations are patterns of names ("steel-*"); resolution is a share or (width, height);
+outputs are names as of --aov. Without them the scene decides.
+
+Warnings go to Python's `warnings`. Raises SceneError with the errors of the scene, UsageError if a choice does not fit it.)");
+}
+
+}  // namespace dspm::python

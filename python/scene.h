@@ -1,0 +1,31 @@
+// A scene as Python sees it, and warnings as Python raises them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dspm/output/renderer.h"
+#include "dspm/session/load.h"
+
+namespace dspm::python {
+
+/// Held by a type of its own: Python's Scene is what was read, not the scene of a frame interval.
+struct ReadScene {
+  std::shared_ptr<const LoadedScene> loaded;
+};
+
+/// Keeps warnings while Python's lock is given away.
+class KeptWarnings {
+ public:
+  Warn keeper() {
+    return [this](const std::string& text) { texts_.push_back(text); };
+  }
+  /// Gives them to Python's `warnings`.
+  void raise() const;
+
+ private:
+  std::vector<std::string> texts_;
+};
+
+}  // namespace dspm::python
