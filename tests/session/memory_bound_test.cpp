@@ -46,7 +46,7 @@ double bytes_taken(const std::string& message) {
 }
 
 /// The bytes that a run of this scene takes at least.
-double least_bytes(const TemporaryDirectory& directory) { return bytes_taken(run_within(directory, "20M").err); }
+double least_bytes(const TemporaryDirectory& directory) { return bytes_taken(run_within(directory, "27M").err); }
 
 std::string megabytes(double bytes) { return fmt::format("{:.1f}M", bytes / kMegabyte + 0.1); }
 
@@ -81,7 +81,7 @@ TEST_P(MemoryBound, IsKeptAndChangesNoImage) {
   const Outcome unbounded = run(directory, {"tiny.dsc", "--float"});
   ASSERT_EQ(unbounded.code, 0) << unbounded.err;
   const Images images(directory);
-  const Outcome none = run_within(directory, "20M");
+  const Outcome none = run_within(directory, "27M");
   EXPECT_EQ(none.code, 1);
   double least = bytes_taken(none.err);
   ASSERT_GT(least, 20 * kMegabyte) << none.err;
@@ -253,7 +253,7 @@ TEST(Memory, IsPlannedByACheck) {
   GTEST_SKIP();
 #endif
   const Directory directory;
-  const Outcome none = run_within(directory, "20M", {"--check"});
+  const Outcome none = run_within(directory, "27M", {"--check"});
   EXPECT_EQ(none.code, 1);
   const Outcome least = run_within(directory, megabytes(bytes_taken(none.err)), {"--check"});
   EXPECT_EQ(least.code, 0) << least.err;
@@ -306,14 +306,14 @@ TEST(Memory, HoldsForRunsWithAVideo) {
 
 TEST(Memory, TooLittleIsAnErrorBeforeRendering) {
   const Directory directory;
-  for (const char* memory : {"1", "3M", "20M"}) {
+  for (const char* memory : {"1", "3M", "27M"}) {
     const Outcome outcome = run_within(directory, memory, {"--png", "--contact-sheet", "sheet.png", "--stats=s.json"});
     EXPECT_EQ(outcome.code, 1) << outcome.err;
     EXPECT_NE(outcome.err.find("dspm: memory "), std::string::npos) << outcome.err;
     EXPECT_EQ(directory.file_count(), 3) << memory;  // the scene, and what was said
   }
 #ifndef DSPM_MEMORY_OF_ITS_OWN
-  const std::string message = run_within(directory, "20M").err;
+  const std::string message = run_within(directory, "27M").err;
   for (const char* what : {"scene and program", "trees", "pixels", "hit points", "photons", "writing of images"})
     EXPECT_NE(message.find(what), std::string::npos) << message;
 #endif
