@@ -139,7 +139,21 @@ def bumpy(tree):
     return shader
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures)
+def hair():
+    """A ball of particle hair that turns, with the hair in its own space."""
+    empty(camera=(0, -4, 1), target=(0, 0, 0), lens=45)
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=0.8)
+    ball = bpy.context.object
+    ball.rotation_euler = (0.3, 0.2, 0.5)
+    ball.data.materials.append(material("skin", lambda tree: bsdf(tree, "Diffuse", Color=(.7, .5, .3, 1))))
+    settings = ball.modifiers.new("hair", "PARTICLE_SYSTEM").particle_system.settings
+    settings.type, settings.count, settings.hair_length, settings.render_step = "HAIR", 300, 0.5, 2
+    settings.root_radius, settings.tip_radius, settings.radius_scale = 1.0, 0.5, 0.04
+    lamp("AREA", (2, -3, 4), 300, size=2)
+    sky((.6, .7, .9, 1), 0.7)
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair)
 
 
 # What they are made of.

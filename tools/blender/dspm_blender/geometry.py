@@ -44,8 +44,8 @@ class Geometry:
     def deforms(self):
         return len(self.written) > 1
 
-    def shapes(self, name, slot, frames, all_frames, params):
-        """The lines of a slot's shape in these frames, named `name`."""
+    def shapes(self, name, slot, frames, all_frames, params, in_their_block):
+        """The lines of a slot's shape in these frames, named `name`. Are they in a Dynamic block of these frames?"""
         files = self.files[slot]
         def shape(number):
             file = f"{os.path.basename(self.folder)}/{os.path.basename(self._path(slot, number))}"
@@ -55,8 +55,9 @@ class Geometry:
             return [shape("")]
         lines = []
         for first, last, same in runs([(frame, files[frame]) for frame in frames if frame in files]):
-            number = f".{files[first]:04}" if same else ".%04d"
-            lines += dynamic(name, first, last, all_frames, [shape(number)])
+            line = shape(f".{files[first]:04}" if same else ".%04d")
+            whole = in_their_block and (first, last) == (frames[0], frames[-1])
+            lines += [line] if whole else dynamic(name, first, last, all_frames, [line])
         return lines
 
     def _path(self, slot, number):

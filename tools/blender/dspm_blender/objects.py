@@ -1,5 +1,5 @@
 """What is placed in the scene: meshes, each of which may stand in many places."""
-from .blocks import in_block, placed
+from .blocks import in_block, indented, placed
 from .directive import quoted
 from .geometry import Geometry
 from .light_groups import light_group
@@ -50,24 +50,24 @@ class Objects:
                 yield from self._many(f"{geometry.name}.{i}", geometry, names, placements, all_frames)
 
     def _alone(self, geometry, names, placement, all_frames):
-        inside = lambda frames: self._shapes(geometry, names, placement.name, frames, all_frames, placement.params)
+        inside = lambda frames: self._shapes(geometry, names, placement.name, frames, all_frames, placement.params, True)
         return in_block(placement.block,
                         placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms()))
 
     def _many(self, name, geometry, names, placements, all_frames):
         frames = list(range(1, all_frames + 1))
         yield f"ObjectBegin {quoted(name)}"
-        yield from (f"  {line}" for line in self._shapes(geometry, names, name, frames, all_frames, placements[0].params))
+        yield from indented(self._shapes(geometry, names, name, frames, all_frames, placements[0].params, False))
         yield "ObjectEnd"
         for placement in placements:
             yield from in_block(placement.block, placed(
                 placement.name, placement.matrices, all_frames, lambda _: [f"ObjectInstance {quoted(name)}"]))
 
-    def _shapes(self, geometry, names, name, frames, all_frames, params):
+    def _shapes(self, geometry, names, name, frames, all_frames, params, in_their_block):
         lines = []
         for slot in sorted(geometry.files):
             material = names[min(slot, len(names) - 1)]
-            lines += [f"NamedMaterial {quoted(material)}", *geometry.shapes(name, slot, frames, all_frames, params)]
+            lines += [f"NamedMaterial {quoted(material)}", *geometry.shapes(name, slot, frames, all_frames, params, in_their_block)]
         return lines
 
     def _stem(self, name):

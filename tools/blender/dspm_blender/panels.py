@@ -47,7 +47,7 @@ CLASSES = (RenderPanel, PassesPanel)
 OURS_TOO = {"DATA_PT_camera_dof", "DATA_PT_camera_dof_aperture", "DATA_PT_EEVEE_light", "EEVEE_MATERIAL_PT_context_material",
             "EEVEE_MATERIAL_PT_surface", "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface",
             "VIEWLAYER_PT_layer_passes_lightgroups"}
-NOT_OURS = {"DATA_PT_light", "DATA_PT_area", "DATA_PT_spot", "RENDER_PT_gpencil"}
+NOT_OURS = {"DATA_PT_light", "DATA_PT_area", "DATA_PT_spot", "RENDER_PT_gpencil", "RENDER_PT_freestyle", "VIEWLAYER_PT_freestyle"}
 
 
 def descendants(kind):

@@ -3,11 +3,13 @@ import os
 
 from .camera import Camera
 from .directive import Directive, quoted
+from .hair import Hair
 from .lights import KINDS, Light
 from .materials import Materials
 from .notes import Notes
 from .objects import MESH_TYPES, Objects, instance_key
-from .textures import Textures
+from .strands import curves_strands, hair_systems, particle_strands
+from .textures import Textures, file_name
 from .variations import Variations
 from .world import World
 
@@ -22,7 +24,7 @@ class SceneExport:
         self.textures = Textures(f"{stem}.textures")
         self.materials = Materials(self.textures, self.notes)
         self.camera, self.world = Camera(self.notes), World(self.textures.folder, self.notes)
-        self.objects, self.lights = Objects(self.meshes, self.materials), {}
+        self.objects, self.lights, self.hair = Objects(self.meshes, self.materials), {}, {}
 
     def see(self, frame, depsgraph):
         """Frames count from 1."""
@@ -30,21 +32,36 @@ class SceneExport:
         self.camera.see(frame, scene.camera and scene.camera.evaluated_get(depsgraph), scene)
         self.world.see(frame, scene.world and scene.world.evaluated_get(depsgraph))
         for instance in depsgraph.object_instances:
+            object = instance.object
+            for system in hair_systems(object) if instance.show_particles and not instance.is_instance else ():
+                slots = object.material_slots
+                material = slots[min(system.settings.material, len(slots)) - 1].material if slots else None
+                self._see_hair(frame, instance, system.name, material, particle_strands(object, system))
             if not instance.show_self:
                 continue
-            object = instance.object
             if object.type == "LIGHT":
                 light = Light(object.name, self.notes, self.variations.block(instance))
                 self.lights.setdefault(instance_key(instance), light).see(frame, instance)
             elif object.type in MESH_TYPES:
                 self.objects.see(frame, instance, self.variations.block(instance))
-            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL", "CURVES"}:
+            elif object.type == "CURVES":
+                self._see_hair(frame, instance, object.name, object.active_material, curves_strands(object.data))
+            elif object.type in {"VOLUME", "POINTCLOUD", "GPENCIL"}:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
+
+    def _see_hair(self, frame, instance, name, material, strands):
+        key = (instance_key(instance), name)
+        if key not in self.hair:
+            self.hair[key] = Hair(f"{file_name(name)}.{len(self.hair)}", self.meshes, name,
+                                  self.materials.see(frame, material), self.variations.block(instance))
+        self.hair[key].see(frame, instance.matrix_world.copy(), strands)
 
     def write(self, scene, settings, frames):
         """`frames` is their number."""
         world = self.world.lines()
+        for hair in self.hair.values():
+            world += hair.lines(frames)
         for light in self.lights.values():
             world += light.lines(frames, self.camera)
         world += [*self.objects.lines(frames), *self.variations.lines(self.materials)]
