@@ -153,7 +153,35 @@ def hair():
     sky((.6, .7, .9, 1), 0.7)
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair)
+def moving():
+    """A camera with a lens goes by and zooms; text, a tube and metaballs; a lamp that grows brighter, and one that comes later."""
+    empty(camera=(-1, -6, 2), target=(0, 0, 0.6), lens=40, frames=2)
+    camera = bpy.context.scene.camera
+    camera.data.dof.use_dof, camera.data.dof.aperture_fstop = True, 0.4
+    camera.data.dof.focus_object = bpy.data.objects.new("focus", None)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.6, .6, .6, 1))))
+    paint = material("paint", lambda tree: bsdf(tree, "Diffuse", Color=(.2, .5, .8, 1)))
+    bpy.ops.object.text_add(location=(-1.5, -1, 0.3), rotation=(math.pi / 2, 0, 0))
+    bpy.context.object.data.extrude = 0.1
+    bpy.ops.curve.primitive_bezier_circle_add(location=(1.5, 2, 0.6))
+    bpy.context.object.data.bevel_depth = 0.2
+    bpy.ops.object.metaball_add(radius=1, location=(0.6, 0, 0.6))
+    for shape in bpy.context.scene.objects:
+        if shape.type in {"FONT", "CURVE", "META"}:
+            shape.data.materials.append(paint)
+    glow = material("glow", lambda tree: bsdf(tree, "Emission"))
+    strength = glow.node_tree.nodes["Emission"].inputs["Strength"]
+    panels = [plane(1.5, glow), plane(1, glow)]
+    panels[0].location, panels[1].location = (-2, 0, 3), (2, 0, 2.5)
+    for frame in (1, 2):
+        camera.location.x, camera.data.lens = (-1, 0.5)[frame - 1], (40, 55)[frame - 1]
+        strength.default_value, panels[1].hide_render = (3, 10)[frame - 1], frame == 1
+        for owner, name in ((camera, "location"), (camera.data, "lens"), (strength, "default_value"), (panels[1], "hide_render")):
+            owner.keyframe_insert(name, frame=frame)
+    sky((.6, .7, .9, 1), 0.5)
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving)
 
 
 # What they are made of.

@@ -44,9 +44,11 @@ def constant_colour(socket, notes):
 
 
 def unknown(colours, source):
-    colours.notes.add(f"{colours.named(source.node)}: {source.node.bl_label} is not known; the mean of what enters it stands in")
+    """A colour may be made of those that enter; numbers, such as a noise's scale, say nothing about what leaves."""
     entering = [colours.of(LinkedSocket(socket, source.groups)) for socket in source.node.inputs
-                if socket.type in {"RGBA", "VALUE"} and socket.enabled and socket.type == source.socket.type]
+                if socket.type == source.socket.type == "RGBA" and socket.enabled]
+    instead = "the mean of the colours that enter it stands in" if entering else "0.5 stands in"
+    colours.notes.add(f"{colours.named(source.node)}: {source.node.bl_label} is not known; {instead}")
     if not entering:
         return Field.of(0.5)
     return Field(np.mean([field.mean().values for field in entering], axis=0))

@@ -72,6 +72,11 @@ def product(*fields):
     return fields[0] if all(is_one(field) for field in fields[1:]) else leader.with_values(result)
 
 
+def total(a, b):
+    values, leader = together([a, b])
+    return b if is_zero(a) else leader.with_values(values[0] + values[1])
+
+
 def complement(field):
     return field.with_values(1 - field.values)
 

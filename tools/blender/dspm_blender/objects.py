@@ -5,9 +5,6 @@ from .geometry import Geometry
 from .light_groups import light_group
 from .textures import file_name
 
-MESH_TYPES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
-
-
 class Placement:
     """An object or instance over the frames."""
 
@@ -26,18 +23,16 @@ class Objects:
     def see(self, frame, instance, block):
         """`block` is the Dynamic block that it comes and goes with, or None."""
         object = instance.object
-        mesh = object.data if object.type == "MESH" else object.to_mesh()
-        if mesh and mesh.polygons:
-            key = geometry_key(object)
-            if key not in self.geometries:
-                self.geometries[key] = Geometry(self._stem(key[-1]), self.folder)
-            self.geometries[key].see(frame, mesh)
-            names = tuple(self.materials.see(frame, material) for material in slots(object, mesh))
-            placement = self.placements.setdefault((key, names), {}).setdefault(
-                instance_key(instance), Placement(object.name, hidden(object), block))
-            placement.matrices.append((frame, instance.matrix_world.copy()))
-        if object.type != "MESH":
-            object.to_mesh_clear()
+        if not object.data.polygons:
+            return
+        key = geometry_key(object)
+        if key not in self.geometries:
+            self.geometries[key] = Geometry(self._stem(key[-1]), self.folder)
+        self.geometries[key].see(frame, object.data)
+        names = tuple(self.materials.see(frame, material) for material in slots(object))
+        placement = self.placements.setdefault((key, names), {}).setdefault(
+            instance_key(instance), Placement(object.name, hidden(object), block))
+        placement.matrices.append((frame, instance.matrix_world.copy()))
 
     def lines(self, all_frames):
         for geometry in self.geometries.values():
@@ -78,15 +73,15 @@ class Objects:
         return stem
 
 
-def slots(object, mesh):
+def slots(object):
     """The materials by slot. Geometry nodes may give the mesh more of them than its object has."""
-    of_object = [slot.material for slot in object.material_slots]
-    return (of_object if len(of_object) >= len(mesh.materials) else list(mesh.materials)) or [None]
+    of_object, of_mesh = [slot.material for slot in object.material_slots], list(object.data.materials)
+    return (of_object if len(of_object) >= len(of_mesh) else of_mesh) or [None]
 
 
 def geometry_key(object):
     """Objects share a mesh unless modifiers or nodes make it their own."""
-    if object.type != "MESH" or object.modifiers or object.data.shape_keys:
+    if object.modifiers or object.data.shape_keys:
         return (object.name_full, object.data.name_full, object.name)
     return (object.data.name_full, object.data.name)
 

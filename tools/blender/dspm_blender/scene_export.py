@@ -7,7 +7,7 @@ from .hair import Hair
 from .lights import KINDS, Light
 from .materials import Materials
 from .notes import Notes
-from .objects import MESH_TYPES, Objects, instance_key
+from .objects import Objects, instance_key
 from .strands import curves_strands, hair_systems, particle_strands
 from .textures import Textures, file_name
 from .variations import Variations
@@ -42,7 +42,7 @@ class SceneExport:
             if object.type == "LIGHT":
                 light = Light(object.name, self.notes, self.variations.block(instance))
                 self.lights.setdefault(instance_key(instance), light).see(frame, instance)
-            elif object.type in MESH_TYPES:
+            elif object.type == "MESH":  # so do curves, surfaces, text and metaballs come, besides as themselves
                 self.objects.see(frame, instance, self.variations.block(instance))
             elif object.type == "CURVES":
                 self._see_hair(frame, instance, object.name, object.active_material, curves_strands(object.data))

@@ -1,9 +1,7 @@
 """Each shader node and what stands for it."""
 from dataclasses import replace
 
-import numpy as np
-
-from .fields import Field, complement, is_one, is_zero, product
+from .fields import Field, complement, is_one, is_zero, product, total
 from .principled_node import principled
 from .shader import HOLE, Shader, black, diffuse
 
@@ -71,8 +69,11 @@ def hair(tree, source):
 
 
 def mix(tree, source):
-    share = tree.field(source, 0)
     first, second = (tree.of(source.input(i)) for i in (1, 2))
+    factor = source.input(0).source()
+    if factor and factor.node.bl_idname in {"ShaderNodeFresnel", "ShaderNodeLayerWeight"}:
+        return varnished(tree, source, factor, first, second)
+    share = tree.field(source, 0)
     if is_zero(share) or is_one(share):
         return second if is_one(share) else first
     if first.is_hole() or second.is_hole():
@@ -80,16 +81,14 @@ def mix(tree, source):
     if first.shines_only() or second.shines_only():
         lamp, other, its = (first, second, complement(share)) if first.shines_only() else (second, first, share)
         return shining(tree, source, other.dimmed(complement(its)), product(lamp.emission, its))
-    factor = source.input(0).source()
-    if factor and factor.node.bl_idname in {"ShaderNodeFresnel", "ShaderNodeLayerWeight"}:
-        return varnished(tree, source, factor, first, second)
     return Shader("mix", {"amount": share}, {"string materials": [tree.part(first), tree.part(second)]})
 
 
 def varnished(tree, source, factor, first, second):
     """A gloss that grows at grazing angles over something: principled has that itself."""
     base = first.principled()
-    if base is None or second.kind != "principled":
+    if base is None or second.kind != "principled" or "roughness" not in second.fields:
+        tree.note(source, "a tenth of the second shader stands in for a share by angle")
         return Shader("mix", {"amount": Field.of(0.1)}, {"string materials": [tree.part(first), tree.part(second)]})
     tree.note(source, "principled stands in for a gloss by angle")
     eta = tree.number(factor, "IOR") if factor.node.bl_idname == "ShaderNodeFresnel" else 1.5
@@ -111,8 +110,7 @@ def shining(tree, source, shader, light):
     if base is None:
         tree.note(source, f"{shader.kind} does not emit")
         return shader
-    return replace(base, emission=light if is_zero(base.emission) else Field.with_values(
-        base.emission, np.asarray(base.emission.values + light.mean().values)))
+    return replace(base, emission=total(base.emission, light))
 
 
 SHADERS = {
