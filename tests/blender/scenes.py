@@ -220,7 +220,8 @@ def image(name, colours, width, height, linear=False):
     made = bpy.data.images.new(name, width, height, float_buffer=linear and name == "sky")
     made.colorspace_settings.name = "Linear" if made.is_float else "Non-Color" if linear else "sRGB"
     x, y = np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
-    made.pixels.foreach_set(np.dstack([*(each + 0.0 * x for each in colours(x, y)), np.ones_like(x)]).astype(np.float32).ravel())
+    rgba = np.dstack([*(each + 0.0 * x for each in colours(x, y)), np.ones_like(x)])
+    made.pixels.foreach_set(rgba.astype(np.float32).ravel())
     made.pack()
     return made
 

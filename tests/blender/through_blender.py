@@ -6,7 +6,6 @@ import sys
 
 import addon_utils
 import bpy
-import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
@@ -56,8 +55,10 @@ def compare(blenders, dspms, whose):
         found = theirs.channels.get(f"ViewLayer.{name}")
         expect(found is not None, f"{whose} has no {name}, but {sorted(theirs.channels)}")
         if found is not None:
-            same = found.shape == ours.channels[own].shape and np.array_equal(found.view(np.uint32), ours.channels[own].view(np.uint32))
-            expect(same, f"{whose}: {name} is not what dspm gives")
+            expect(found.tobytes() == ours.channels[own].tobytes(), f"{whose}: {name} is not what dspm gives")
+    mattes = {name.split("/")[-1]: text for name, text in theirs.texts.items() if name.startswith("cryptomatte/")}
+    expect(mattes.get("name") == "ViewLayer.CryptoObject" and "Suzanne" in mattes["manifest"],
+           f"{whose} does not name mattes but has {sorted(theirs.texts)}")
     expect(ours.channels["Z"].max() > 0 and ours.channels["Albedo.G"].max() > 0, f"{whose} is empty")
 
 

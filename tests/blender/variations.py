@@ -52,7 +52,8 @@ def pixels(path):
 def main():
     prepare()
     everything = rendered("all")
-    names = subprocess.run([program, everything + ".dsc", "--list-variations", "--quiet"], capture_output=True, text=True).stdout.split()
+    listing = subprocess.run([program, everything + ".dsc", "--list-variations"], capture_output=True, text=True)
+    names = listing.stdout.split()
     expected = [f"{paint}-{thing}" for paint in ("red", "mixed", "metal") for thing in ("ball", "cone")]
     failures = [] if names == expected else [f"the variations are {names}"]
     ground = bpy.data.objects["Plane"]

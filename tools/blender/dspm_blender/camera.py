@@ -29,12 +29,14 @@ class Camera:
     def shows(self, matrices):
         """Does the picture of any frame show a part of the unit square, or ball, that (frame, matrix) pairs place?"""
         camera, states = dict(self.matrices), dict(self.states)
-        return any(overlaps([camera[frame] @ (matrix @ corner) for corner in CORNERS], states[frame]) for frame, matrix in matrices)
+        return any(overlaps([camera[frame] @ (matrix @ corner) for corner in CORNERS], states[frame])
+                   for frame, matrix in matrices)
 
     def _directive(self, camera, scene):
         data = camera.data
         if data.type == "PANO":
-            if data.cycles.panorama_type != "EQUIRECTANGULAR":
+            settings = data if hasattr(data, "panorama_type") else data.cycles  # of Cycles before Blender 5
+            if settings.panorama_type != "EQUIRECTANGULAR":
                 self.notes.add(f'camera "{camera.name}": a panorama of all directions stands in')
             return Directive("Camera", "spherical").with_params({"string mapping": "equirectangular"})
         corners = data.view_frame(scene=scene)  # includes shift and the picture's shape

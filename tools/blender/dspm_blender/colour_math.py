@@ -63,4 +63,5 @@ def hue_shifted(colour, turn, saturation, strength):
     saturated = np.clip(np.where(high > 0, span / np.where(high > 0, high, 1), 0) * saturation, 0, 1)
     value = high * strength
     away = [np.clip(np.abs((hue * 6 + shift) % 6 - 3) - 1, 0, 1) for shift in (0, 4, 2)]
-    return np.stack([*(value * (1 - saturated * (1 - each)) for each in away), np.broadcast_to(colour[..., 3], value.shape)], axis=-1)
+    rgb = [value * (1 - saturated * (1 - each)) for each in away]
+    return np.stack([*rgb, np.broadcast_to(colour[..., 3], value.shape)], axis=-1)

@@ -50,7 +50,7 @@ class Geometry:
         def shape(number):
             file = f"{os.path.basename(self.folder)}/{os.path.basename(self._path(slot, number))}"
             return str(Directive("Shape", "plymesh").with_params(
-                {"string filename": file, "string name": name, "bool open": True, **params}))
+                {"string filename": file, "string name": name, **params}))
         if not self.deforms():
             return [shape("")]
         lines = []

@@ -85,8 +85,7 @@ class Light:
         turned = matrix @ Matrix.Rotation(math.pi, 4, "X") @ Matrix.Diagonal((*size, 1))
         shape = Directive("Shape", "disk").with_params({"float radius": 0.5}) if round_one else Directive(
             "Shape", "trianglemesh").with_params({
-                "point3 P": [-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0], "integer indices": [0, 1, 2, 0, 2, 3],
-                "bool open": True})
+                "point3 P": [-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0], "integer indices": [0, 1, 2, 0, 2, 3]})
         return turned, area_light(self._colour(light, 1 / (4 * area * (math.pi / 4 if round_one else 1)))), shape
 
     def _colour(self, light, factor):

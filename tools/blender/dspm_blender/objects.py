@@ -45,7 +45,8 @@ class Objects:
                 yield from self._many(f"{geometry.name}.{i}", geometry, names, placements, all_frames)
 
     def _alone(self, geometry, names, placement, all_frames):
-        inside = lambda frames: self._shapes(geometry, names, placement.name, frames, all_frames, placement.params, True)
+        inside = lambda frames: self._shapes(
+            geometry, names, placement.name, frames, all_frames, placement.params, True)
         return in_block(placement.block,
                         placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms()))
 

@@ -20,10 +20,10 @@ def find_program(preferred):
 class Run:
     """Renders a scene's frames into `picture(frame)`, frames from 1. Ends when it is left."""
 
-    def __init__(self, program, scene, frames, arguments, seconds_between_pictures=2):
+    def __init__(self, program, scene, frames, arguments, seconds_between_pictures):
         stem = os.path.splitext(scene)[0]
         self.pattern = f"{stem}.result.####.exr" if frames > 1 else f"{stem}.result.exr"
-        self.share, self.messages, self.lines = 0.0, [], queue.Queue()
+        self.share, self.messages, self.lines, self.is_stopping = 0.0, [], queue.Queue(), False
         self.process = subprocess.Popen(
             [program, scene, "-o", self.pattern, "--float", "--compression", "none", "--progress", "json",
              "--write-every", f"{seconds_between_pictures}s", *arguments],
@@ -48,8 +48,10 @@ class Run:
             return not self.reader.is_alive() and self.lines.empty()
 
     def stop(self):
-        """As Ctrl-C: the images so far are written."""
-        self.process.send_signal(signal.SIGINT)
+        """As Ctrl-C: the images so far are written. A second one would not wait for them."""
+        if not self.is_stopping:
+            self.process.send_signal(signal.SIGINT)
+        self.is_stopping = True
 
     def picture(self, frame):
         """An Exr, or None if there is none yet. dspm replaces whole files."""

@@ -64,7 +64,8 @@ class CollectionPanel(bpy.types.Panel):
         self.layout.prop(context.collection.dspm, "axis")
 
 
-CLASSES = (Alternative, MaterialVariations, CollectionVariations, AddAlternative, RemoveAlternative, MaterialPanel, CollectionPanel)
+CLASSES = (Alternative, MaterialVariations, CollectionVariations, AddAlternative, RemoveAlternative, MaterialPanel,
+           CollectionPanel)
 
 
 def register():
