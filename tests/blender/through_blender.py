@@ -10,6 +10,7 @@ import bpy
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
 import scenes
+from dspm_blender.export_request import ExportRequest
 from dspm_blender.exr import Exr
 from dspm_blender.process import find_program
 
@@ -18,8 +19,12 @@ FRAMES = 3
 
 
 def prepare():
-    """A turning monkey with two light groups, and all passes."""
+    """A turning monkey with two light groups, and all passes. It is flat, because Blender adds smooth normals up in threads, with
+    other last bits each time."""
     scenes.glass_monkey()
+    monkey = bpy.data.objects["Suzanne"]
+    monkey.modifiers.clear()
+    monkey.data.polygons.foreach_set("use_smooth", [False] * len(monkey.data.polygons))
     addon_utils.enable("dspm_blender", default_set=True)
     bpy.context.preferences.addons["dspm_blender"].preferences.program = program
     scene, layer = bpy.context.scene, bpy.context.view_layer
@@ -70,6 +75,25 @@ def rendered_alone(scene, name, animation):
     return path[:-4]
 
 
+def expect_notes(scene):
+    """What is not known is said by its name."""
+    def odd(tree):
+        shader, lost = scenes.bsdf(tree, "Toon"), tree.nodes.new("ShaderNodeTexImage")
+        lost.image = bpy.data.images.new("lost", 4, 4)
+        lost.image.source, lost.image.filepath = "FILE", "//nowhere/lost.png"
+        tree.links.new(lost.outputs["Color"], scenes.bsdf(tree, "Diffuse").inputs["Color"])
+        mix = tree.nodes.new("ShaderNodeMixShader")
+        for i, node in enumerate((shader, tree.nodes["Diffuse BSDF"]), 1):
+            tree.links.new(node.outputs[0], mix.inputs[i])
+        return mix
+    bpy.data.objects["Suzanne"].data.materials[0] = scenes.material("odd", odd)
+    request = ExportRequest(os.path.join(folder, "odd.dsc"), [1], False)
+    with request.in_scene(scene):
+        bpy.ops.render.render()
+    for text in ('material "odd", node "Toon BSDF": Toon BSDF is not known', "//nowhere/lost.png cannot be read"):
+        expect(any(text in note for note in request.notes), f"a note says {text}, not only {request.notes} {request.error}")
+
+
 def main():
     scene = prepare()
     alone = rendered_alone(scene, "all", True)
@@ -84,6 +108,7 @@ def main():
     scene.render.filepath = os.path.join(folder, "part.blender.exr")
     bpy.ops.render.render(write_still=True)
     compare(scene.render.filepath, alone + ".exr", "a border")
+    expect_notes(scene)
     try:
         find_program("/nowhere/dspm")
         expect(False, "a missing program is an error")

@@ -3,7 +3,7 @@ import numpy as np
 
 from .colour_math import blended, computed, hue_shifted
 from .fields import Field, Place, grey, luminance, together
-from .image_fields import image_field
+from .image_fields import image_field, is_missing, missing
 from .links import LinkedSocket
 
 
@@ -56,9 +56,11 @@ def unknown(colours, source):
 
 def picture(colours, source):
     node = source.node
-    if node.image is None:
-        colours.notes.add(f"{colours.named(node)}: it has no image; Blender's pink stands in")
+    if is_missing(node.image):
+        colours.notes.add(f"{colours.named(node)}: {missing(node.image)}")
         return Field.of(1, 0, 1)
+    if node.image.source in {"SEQUENCE", "MOVIE", "TILED"}:
+        colours.notes.add(f"{colours.named(node)}: one picture stands in for all of {node.image.name}")
     field = image_field(node.image, placement(colours, source))
     return field.with_values(grey(field.values[..., 3])) if source.socket.name == "Alpha" else field
 

@@ -15,6 +15,14 @@ def is_linear(image):
     return image.is_float or image.colorspace_settings.name in LINEAR
 
 
+def is_missing(image):
+    return image is None or image.size[0] == 0
+
+
+def missing(image):
+    return f"{f'{image.filepath} cannot be read' if image else 'it has no image'}; Blender's pink stands in"
+
+
 def image_field(image, place):
     return Field(pixels(image), place, image)
 
@@ -22,8 +30,6 @@ def image_field(image, place):
 def pixels(image):
     """Linear, from the lowest row."""
     width, height = image.size
-    if width == 0:
-        raise RuntimeError(f'image "{image.name}" cannot be read: {image.filepath}')
     values = np.empty(width * height * 4, dtype=np.float32)
     image.pixels.foreach_get(values)
     values = values.reshape(height, width, 4)

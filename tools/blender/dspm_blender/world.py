@@ -6,7 +6,7 @@ from mathutils import Euler, Matrix
 from .blocks import matrix_text
 from .colours import Colours
 from .directive import Directive, over_frames
-from .image_fields import file_of, pixels
+from .image_fields import file_of, is_missing, missing, pixels
 from .light_groups import light_group
 from .links import LinkedSocket
 from .textures import file_name
@@ -45,7 +45,10 @@ class World:
         colours = Colours(self.notes, f'world "{world.name}"')
         strength = colours.of(source.input("Strength")).mean().number()
         picture = source.input("Color").source()
-        if picture and picture.node.bl_idname == "ShaderNodeTexEnvironment" and picture.node.image:
+        if picture and picture.node.bl_idname == "ShaderNodeTexEnvironment":
+            if is_missing(picture.node.image):
+                self.notes.add(f"{colours.named(picture.node)}: {missing(picture.node.image)}")
+                return light.with_params({"rgb L": [strength, 0.0, strength]})
             return light.with_params(self._picture(world, picture, colours) | {"float scale": strength})
         colour = [each * strength for each in colours.of(source.input("Color")).mean().colour()]
         return light.with_params({"rgb L": colour}) if any(colour) else None
@@ -53,7 +56,7 @@ class World:
     def _picture(self, world, source, colours):
         node = source.node
         if node.projection != "EQUIRECTANGULAR":
-            self.notes.add(f'world "{world.name}", node "{node.name}": the picture is taken as latitude and longitude')
+            self.notes.add(f"{colours.named(node)}: the picture is taken as latitude and longitude")
         self.turn = self._turn(world, source.input("Vector").source(), colours) @ FROM_LIGHT_SPACE
         file = file_of(node.image)
         if file:
