@@ -175,7 +175,7 @@ def moving():
     panels[0].location, panels[1].location = (-2, 0, 3), (2, 0, 2.5)
     for frame in (1, 2):
         camera.location.x, camera.data.lens = (-1, 0.5)[frame - 1], (40, 55)[frame - 1]
-        strength.default_value, panels[1].hide_render = (3, 10)[frame - 1], frame == 1
+        strength.default_value, panels[1].hide_render = (0, 10)[frame - 1], frame == 1
         for owner, name in ((camera, "location"), (camera.data, "lens"), (strength, "default_value"), (panels[1], "hide_render")):
             owner.keyframe_insert(name, frame=frame)
     sky((.6, .7, .9, 1), 0.5)

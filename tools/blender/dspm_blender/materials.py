@@ -38,7 +38,7 @@ class Materials:
         return over_frames(states, self.notes)
 
     def _directives(self, material):
-        tree = ShaderTree(material.name_full, self.textures, self.notes)
+        tree = ShaderTree(material.name_full, self.textures, self.notes, is_animated(material))
         if not material.use_nodes or material.node_tree is None:
             return [Directive("MakeNamedMaterial", tree.name).with_params(
                 {"string type": "principled", "rgb basecolor": list(material.diffuse_color[:3]),

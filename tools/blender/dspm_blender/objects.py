@@ -2,7 +2,6 @@
 from .blocks import in_block, indented, placed
 from .directive import quoted
 from .geometry import Geometry
-from .light_groups import light_group
 from .textures import file_name
 
 class Placement:

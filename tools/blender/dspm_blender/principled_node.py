@@ -21,7 +21,7 @@ def principled(tree, source):
     fields = {"basecolor": colour, "roughness": get("roughness"), "specular": specular}
     optional = {"metallic": get("metallic"), "transmission": transmission, "anisotropy": get("anisotropy"),
                 "coat": scaled(get("coat"), 1 if new else 0.25), "sheen": sheen(tree, source, new)}
-    fields |= {each: value for each, value in optional.items() if not is_zero(value)}
+    fields |= {each: value for each, value in optional.items() if tree.animated or not is_zero(value)}
     if "coat" in fields:
         fields["coatroughness"] = get("coatroughness")
     if "anisotropy" in fields:

@@ -74,7 +74,7 @@ def mix(tree, source):
     if factor and factor.node.bl_idname in {"ShaderNodeFresnel", "ShaderNodeLayerWeight"}:
         return varnished(tree, source, factor, first, second)
     share = tree.field(source, 0)
-    if is_zero(share) or is_one(share):
+    if not tree.animated and (is_zero(share) or is_one(share)):
         return second if is_one(share) else first
     if first.is_hole() or second.is_hole():
         return second.with_holes(share) if first.is_hole() else first.with_holes(complement(share))

@@ -8,8 +8,9 @@ from .shader_nodes import SHADERS
 
 
 class ShaderTree:
-    def __init__(self, name, textures, notes):
-        self.name, self.textures, self.notes = name, textures, notes
+    def __init__(self, name, textures, notes, animated):
+        """Of an animated material every parameter is written, as it may be in use in other frames."""
+        self.name, self.textures, self.notes, self.animated = name, textures, notes, animated
         self.colours = Colours(notes, f'material "{name}"')
         self.parts = []  # directives of the materials that a mix names
 
@@ -49,15 +50,15 @@ class ShaderTree:
 
     def _made(self, name, shader, alone):
         fields, plain = {}, {}
-        if alone and not shader.is_plain():
+        if alone and (self.animated or not shader.is_plain()):
             able = shader.principled()
-            if able is None:
+            if able is None and not shader.is_plain():
                 self.notes.add(f'material "{name}": {shader.kind} neither emits nor has holes')
-            else:
+            if able:
                 shader = able
-                if not is_one(shader.alpha):
+                if self.animated or not is_one(shader.alpha):
                     fields["alpha"] = shader.alpha
-                if not is_zero(shader.emission):
+                if self.animated or not is_zero(shader.emission):
                     fields["emission"], strength = normalized(shader.emission)
                     plain["float emissionstrength"] = strength
         if shader.kind == "black":

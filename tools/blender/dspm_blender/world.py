@@ -26,7 +26,7 @@ class World:
                 self.states.append((frame, directive))
 
     def lines(self):
-        if not self.states:
+        if all(not any(state.params.get("rgb L", [1])) for _, state in self.states):
             return []
         turn = [matrix_text("ConcatTransform", self.turn)] if self.turn else []
         return ["AttributeBegin", *(f"  {line}" for line in [*turn, over_frames(self.states, self.notes)]), "AttributeEnd"]
@@ -51,7 +51,7 @@ class World:
                 return light.with_params({"rgb L": [strength, 0.0, strength]})
             return light.with_params(self._picture(world, picture, colours) | {"float scale": strength})
         colour = [each * strength for each in colours.of(source.input("Color")).mean().colour()]
-        return light.with_params({"rgb L": colour}) if any(colour) else None
+        return light.with_params({"rgb L": colour})
 
     def _picture(self, world, source, colours):
         node = source.node
