@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxTile = 4096;
 constexpr std::string_view kAll = "all";  // that has no precision of its own
+constexpr std::string_view kOwn = "own";
 
 void add_precision(CLI::App& app, const char* name, bool half, std::vector<std::string>& outputs, Options& o,
                    const std::string& sentence) {
@@ -19,6 +20,12 @@ void add_precision(CLI::App& app, const char* name, bool half, std::vector<std::
     else
       for (std::string& output : parse_names(half ? "--half" : "--float", text)) outputs.push_back(std::move(output));
   });
+}
+
+Denoiser denoiser_of(const std::string& name) {
+  if (name == kOwn) return Denoiser::own;
+  if (name == "oidn") return Denoiser::oidn;
+  throw UsageError("--denoise=" + name + ": it is oidn, or nothing for dspm's own filter");
 }
 
 void replace(std::string& text, std::string_view from, std::string_view to) {
@@ -48,11 +55,14 @@ void add_image_options(CLI::App& app, Options& o) {
       ->allow_extra_args(false)
       ->type_name("NAMES");
   app.add_flag("--aov-files", o.aov_files, "them in files of their own: ball.N.0001.exr");
+  const std::string denoise = "also write images with less noise, ball.denoised.0001.exr; oidn: by oidnDenoise";
+  app.add_flag("--denoise{own}", denoise)->each([&o](const std::string& name) { o.denoiser = denoiser_of(name); });
 }
 
 void show_optional_values(std::string& help) {
   replace(help, "{table}", "[=FILE]");
   replace(help, "{all}", "[=NAMES]");
+  replace(help, "{own}", " [oidn]");
   replace(help, "{8780}", " [PORT]");
 }
 

@@ -76,7 +76,7 @@ void Onlookers::look(const FrameList& interval, const Integrator& integrator, bo
 }
 
 void Onlookers::send(const FrameList& interval, const Integrator& integrator) {
-  const std::vector<std::string>& asked = job_.settings.outputs;
+  const std::vector<std::string>& asked = job_.outputs;
   for (std::size_t j = 0; j < interval.size(); ++j) {
     const auto frame = static_cast<Frame>(j);
     const FileFrame of_file = interval[j];

@@ -33,12 +33,14 @@ std::string help_of(const CLI::App& app) {
   return help;
 }
 
-/// A port after --serve belongs to it.
-std::vector<std::string> with_address_of_page(const std::vector<std::string>& words) {
+/// A port after --serve belongs to it, and oidn to --denoise.
+std::vector<std::string> with_values_of_flags(const std::vector<std::string>& words) {
   std::vector<std::string> joined;
   for (const std::string& word : words) {
-    const bool is_address = !joined.empty() && joined.back() == "--serve" && parse_serve_address(word);
-    is_address ? void(joined.back() += "=" + word) : joined.push_back(word);
+    const std::string before = joined.empty() ? "" : joined.back();
+    const bool is_value =
+        (before == "--serve" && parse_serve_address(word)) || (before == "--denoise" && word == "oidn");
+    is_value ? void(joined.back() += "=" + word) : joined.push_back(word);
   }
   return joined;
 }
@@ -79,7 +81,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
   std::string page;
   add_serve(app, page);
 
-  std::vector<std::string> words = with_address_of_page(canonical_spelling(arguments, long_names(app)));
+  std::vector<std::string> words = with_values_of_flags(canonical_spelling(arguments, long_names(app)));
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
     app.parse(words);

@@ -38,7 +38,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back({"the seed", std::to_string(s.seed)});
   const std::set<std::string> outputs(s.outputs.begin(), s.outputs.end());
   const char* space = s.in_camera_space ? "camera" : "world";
-  facts.push_back({"the choice of outputs (--aov)",
+  facts.push_back({"the choice of outputs (--aov, --denoise)",
                    outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
   facts.push_back({"the estimate of the error (--until-error)", s.estimate_error ? "kept" : "not kept"});
   if (s.transparent) facts.push_back({"the background", "transparent"});

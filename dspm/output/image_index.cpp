@@ -36,10 +36,11 @@ std::string line_of(const std::vector<std::string>& fields) {
   return line;
 }
 
-/// "file", "png", "variation", each axis, "frame": those that there are.
+/// "file", "png", "denoised", "variation", each axis, "frame": those that there are.
 std::vector<NamedPart> fields_of(const fs::path& file, const Job& job, const IndexedImage& image) {
   std::vector<NamedPart> fields{{"file", seen_from(file, image.files.front())}};
   if (image.files.size() > 1) fields.push_back({"png", seen_from(file, image.files.back())});
+  if (!image.denoised.empty()) fields.push_back({"denoised", seen_from(file, image.denoised)});
   for (NamedPart& part : parts_of(job, image.frame)) fields.push_back(std::move(part));
   if (job.numbered) fields.push_back({"frame", std::to_string(job.moment(image.frame).number())});
   return fields;
@@ -64,6 +65,7 @@ std::string as_json(const fs::path& file, const Job& job, const std::vector<Inde
     json.begin_object();
     json.member("file", seen_from(file, image.files.front()));
     if (image.files.size() > 1) json.member("png", seen_from(file, image.files.back()));
+    if (!image.denoised.empty()) json.member("denoised", seen_from(file, image.denoised));
     const std::vector<NamedPart> parts = parts_of(job, image.frame);
     if (!parts.empty()) {
       json.member("variation", parts.front().text);

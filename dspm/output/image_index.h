@@ -13,6 +13,7 @@ namespace dspm {
 struct IndexedImage {
   FileFrame frame;
   std::vector<std::filesystem::path> files;  // the image, and perhaps a PNG
+  std::filesystem::path denoised = {};       // its second image; empty: none
 };
 
 /// As CSV or as JSON, by the extension of `file`; images are named as seen from its directory.

@@ -10,11 +10,13 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/surface_outputs.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/developed.h"
 #include "dspm/output/image_name.h"
 #include "dspm/output/manifests.h"
 #include "dspm/output/name_template.h"
+#include "dspm/output/oidn.h"
 #include "dspm/output/trial_writes.h"
 #include "dspm/output/write_image.h"
 #include "dspm/system/atomic_file.h"
@@ -52,10 +54,11 @@ std::array<float, 16> for_rows(const Matrix4& matrix) {
 Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
                Video::EndWanted end_wanted)
     : job_(job), view_(settings.view), png_(settings.png), layers_(settings) {
-  layers_.check(job.settings.outputs);
+  layers_.check(job.outputs);
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
   try_writes(paths_of(written));
+  if (job.denoiser == Denoiser::oidn) try_oidn(denoised_name(job.frames.front()));
   warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
@@ -74,11 +77,14 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
   for (const FileFrame frame : job_.frames) {
     const std::string whose =
         job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
-    const char* what = "image";
-    for (const std::filesystem::path& path : image_files(frame))
-      files.push_back({path, whose + std::exchange(what, "PNG")});
+    const auto add = [&](const std::filesystem::path& image, std::string what) {
+      for (const std::filesystem::path& path : with_png(image))
+        files.push_back({path, whose + std::exchange(what, "PNG")});
+    };
+    add(name(frame), "image");
+    if (job_.denoiser) add(denoised_name(frame), "denoised image");
     if (!layers_.aov_files) continue;
-    for (const std::string& label : file_labels(job_.settings.outputs))
+    for (const std::string& label : file_labels(job_.outputs))
       files.push_back({layer_file(frame, label), whose + "\"" + label + "\""});
   }
   if (settings.stats_in_file()) files.push_back({settings.stats, "the statistics"});
@@ -88,14 +94,18 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
   return files;
 }
 
-std::vector<std::filesystem::path> Output::image_files(FileFrame frame) const {
-  std::filesystem::path image = name(frame), png = image;
+std::vector<std::filesystem::path> Output::with_png(const std::filesystem::path& image) const {
+  std::filesystem::path png = image;
   png.replace_extension(".png");
   if (png_ && png != image) return {image, png};
   return {image};
 }
 
 std::filesystem::path Output::layer_file(FileFrame frame, const std::string& label) const {
+  if (is_template(job_.film.filename)) {
+    std::filesystem::path file = name(frame);
+    return file.replace_extension("." + label + file.extension().string());
+  }
   const std::string& variation = job_.variation(frame);
   return image_name(job_.film.filename, job_.numbered ? std::optional(job_.moment(frame)) : std::nullopt,
                     variation.empty() ? label : fmt::format("{}.{}", variation, label));
@@ -110,7 +120,8 @@ std::uint64_t Output::bytes_on_disk() const {
     a_pixel += file.extension() == ".png" || file.extension() == ".hdr" ? kBytes + 1
                : file.extension() == ".exr" && job_.film.save_half      ? 2 * kBytes
                                                                         : 4 * kBytes;
-  a_pixel += kMostOfAnOutput * job_.settings.outputs.size();
+  if (job_.denoiser) a_pixel *= 2;
+  a_pixel += kMostOfAnOutput * job_.outputs.size();
   return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();
 }
 
@@ -124,7 +135,8 @@ std::filesystem::path Output::name(FileFrame frame) const {
 std::size_t Output::bytes_while_writing() const {
   // The image, two copies, the last one in the file's format, and the growing file; of other outputs no copies.
   constexpr std::size_t kImages = 6, kLayerImages = 5;
-  const std::size_t images = kImages + kLayerImages * job_.settings.outputs.size();
+  const std::size_t images =
+      kImages + kLayerImages * job_.outputs.size() + (job_.denoiser ? 1 + images_while_denoising(*job_.denoiser) : 0);
   return images * static_cast<std::size_t>(job_.settings.crop.count()) * sizeof(Rgb) + (sheet_ ? sheet_->bytes() : 0);
 }
 
@@ -140,7 +152,7 @@ ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
     if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;
   }
   const std::vector<std::string> groups = light_group_outputs(*job_.description);
-  const std::vector<std::string>& outputs = job_.settings.outputs;
+  const std::vector<std::string>& outputs = job_.outputs;
   if (std::find(outputs.begin(), outputs.end(), groups.front()) != outputs.end())
     header.texts[kLightGroupsText] = fmt::format("{}", fmt::join(groups, ","));
   header.numbers = {{"seed", static_cast<double>(job_.settings.seed)}};
@@ -175,9 +187,25 @@ void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLaye
   ExrHeader header = this->header(frame, figures);
   if (layers_.aov_files) write_apart(frame, all, header), all.clear();
   const std::vector<ExrLayer> more = exr_layers(all, header);
+  write_views(frame, name(frame), image, header, more);
+}
+
+void Output::write_denoised(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
+                            const FrameFigures& figures) {
+  ExrHeader header = this->header(frame, figures);
+  header.texts[kDenoised] = name_of(*job_.denoiser);
+  std::vector<const OutputLayer*> alpha;
+  for (const OutputLayer& layer : layers)
+    if (layer.info.name == kAlphaOutput && !layers_.aov_files) alpha.push_back(&layer);
+  const std::vector<ExrLayer> more = exr_layers(alpha, header);
+  write_views(frame, denoised_name(frame), developed(std::move(radiance), job_), header, more);
+}
+
+void Output::write_views(FileFrame frame, const std::filesystem::path& name, const Image& image,
+                         const ExrHeader& header, const std::vector<ExrLayer>& more) {
   if (sheet_) sheet_->put(frame, view_.shown(image));
   std::exception_ptr failure;
-  for (const std::filesystem::path& file : image_files(frame)) try {
+  for (const std::filesystem::path& file : with_png(name)) try {
       write_image(file, image, job_.film, header, view_, more, layers_.exr);
     } catch (const WriteError&) {
       failure = std::current_exception();

@@ -8,6 +8,7 @@
 #include "dspm/image/exr.h"
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
+#include "dspm/output/denoised.h"
 #include "dspm/output/layer_settings.h"
 #include "dspm/output/output_layer.h"
 #include "dspm/output/sheet_file.h"
@@ -55,13 +56,18 @@ class Output {
 
   /// The path of the image of a frame of the file.
   std::filesystem::path name(FileFrame frame) const;
+  /// Of its second image, if there is a denoiser.
+  std::filesystem::path denoised_name(FileFrame frame) const { return layer_file(frame, kDenoised); }
   /// A frame's image, and its PNG if that is another file.
-  std::vector<std::filesystem::path> image_files(FileFrame frame) const;
+  std::vector<std::filesystem::path> image_files(FileFrame frame) const { return with_png(name(frame)); }
   /// The most memory that writing takes.
   std::size_t bytes_while_writing() const;
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
-  /// WriteError, but tries its PNG anyway.
+  /// WriteError, but tries its PNG anyway. The contact sheet shows the image that was written last.
   void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures);
+  /// Likewise its second image, with no layer but alpha.
+  void write_denoised(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
+                      const FrameFigures& figures);
   /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.
@@ -79,6 +85,11 @@ class Output {
   ExrHeader header(FileFrame frame, const FrameFigures& figures) const;
   /// As a file holds them, with what its header has to say of them.
   std::vector<ExrLayer> exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const;
+  /// A file and, if PNGs are wanted, its PNG.
+  std::vector<std::filesystem::path> with_png(const std::filesystem::path& image) const;
+  /// As developed, to both; for the sheet, too.
+  void write_views(FileFrame frame, const std::filesystem::path& name, const Image& image, const ExrHeader& header,
+                   const std::vector<ExrLayer>& more);
   /// Each output in a file of its own.
   void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
 

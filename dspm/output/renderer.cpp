@@ -70,7 +70,7 @@ Renderer::Renderer(std::shared_ptr<const LoadedScene> scene, const Warn& warn)
   const SceneDescription& description = *impl_->scene->description;
   const Job& job = impl_->scene->job;
   for (const FileFrame frame : job.frames) impl_->labels.push_back(description.frames.label(frame));
-  for (const std::string& output : job.settings.outputs) impl_->outputs.push_back(output);
+  for (const std::string& output : job.outputs) impl_->outputs.push_back(output);
   impl_->places.resize(job.frames.size());
   CalledMessages messages(warn);
   const int together = std::min(job.plugin->frames_together, kMaxFrames);

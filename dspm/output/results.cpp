@@ -9,6 +9,7 @@
 #include "dspm/image/image.h"
 #include "dspm/math/frames.h"
 #include "dspm/modules/all_plugins.h"
+#include "dspm/output/denoised.h"
 #include "dspm/output/image_index.h"
 #include "dspm/output/not_finite.h"
 #include "dspm/system/atomic_file.h"
@@ -34,7 +35,7 @@ void expect_size(const Image& image, const Job& job) {
 
 std::vector<OutputInfo> asked_outputs(const Integrator& integrator, const Job& job) {
   std::vector<OutputInfo> outputs;
-  const std::vector<std::string>& asked = job.settings.outputs;
+  const std::vector<std::string>& asked = job.outputs;
   for (const OutputInfo& output : integrator.outputs())
     if (std::find(asked.begin(), asked.end(), output.name) != asked.end()) outputs.push_back(output);
   return outputs;
@@ -61,6 +62,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
     const FileFrame frame = interval[j];
     const std::filesystem::path name = output_.name(frame);
     const auto image = std::make_shared<Image>();
+    const auto clean = std::make_shared<Image>();  // with less noise; empty: none
     const auto layers = std::make_shared<std::vector<OutputLayer>>();
     const auto estimate = [&] {
       *image = integrator.estimate(static_cast<Frame>(j));
@@ -72,7 +74,11 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
         black_out_invalid(layers->back().image, output.name, frame, job_, messages_);
       }
       black_out_invalid(*image, kRadiance, frame, job_, messages_);
-      if (images == Images::last) output_.add_to_video(*image);
+      if (images == Images::last && !job_.denoiser) output_.add_to_video(*image);
+    };
+    const auto denoise = [&] {
+      *clean = denoised(*job_.denoiser, *image, integrator, static_cast<Frame>(j), output_.denoised_name(frame));
+      if (images == Images::last) output_.add_to_video(*clean);
     };
     FrameFigures figures{statistics.iterations,
                          statistics.photon.paths,
@@ -82,10 +88,16 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
                          world_.camera_matrices(frame)};
     if (j < statistics.errors.size()) figures.error = statistics.errors[j];
     const auto write_image = [this, frame, image, layers, figures] { output_.write(frame, *image, *layers, figures); };
+    const auto write_clean = [this, frame, clean, layers, figures] {
+      output_.write_denoised(frame, *clean, *layers, figures);
+    };
     // Later no integrator is left to ask for the last images.
     const bool keep = images == Images::last && keep_failed_;
-    if (faults_.attempt(name, estimate))
-      faults_.attempt(name, write_image, keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped);
+    const WriteFaults::Failed failed = keep ? WriteFaults::Failed::kept : WriteFaults::Failed::dropped;
+    if (!faults_.attempt(name, estimate)) continue;
+    faults_.attempt(name, write_image, failed);
+    if (job_.denoiser && faults_.attempt(output_.denoised_name(frame), denoise))
+      faults_.attempt(output_.denoised_name(frame), write_clean, failed);
   }
   faults_.attempt(settings_.contact_sheet, [&] { output_.write_contact_sheet(); });
   written_.insert(interval.begin(), interval.end());
@@ -110,7 +122,8 @@ void Results::say_end(double seconds, bool interrupted) const {
 void Results::write_index() const {
   if (settings_.index.empty()) return;
   std::vector<IndexedImage> images;
-  for (const FileFrame frame : written_) images.push_back({frame, output_.image_files(frame)});
+  for (const FileFrame frame : written_)
+    images.push_back({frame, output_.image_files(frame), job_.denoiser ? output_.denoised_name(frame) : ""});
   write_file(settings_.index, image_index(settings_.index, job_, images));
 }
 

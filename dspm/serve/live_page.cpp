@@ -47,7 +47,7 @@ void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& i
   job_ = &job, coarse_ = coarse, iterations_ = iterations;
   progress_ = {}, outlook_ = {};
   outputs_.clear();
-  const std::vector<std::string>& asked = job.settings.outputs;
+  const std::vector<std::string>& asked = job.outputs;
   for (const OutputInfo& output : integrator.outputs())
     if (output.name == kRadiance || std::find(asked.begin(), asked.end(), output.name) != asked.end())
       outputs_.push_back(output);

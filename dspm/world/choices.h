@@ -15,6 +15,12 @@ namespace dspm {
 /// A quick look has a quarter of the width, of the height and of the iterations, and as many photons for a pixel.
 inline constexpr int kQuickShare = 4;
 
+/// What makes a second image of each, with less noise.
+enum class Denoiser {
+  own,
+  oidn,  // Intel's Open Image Denoise, as a program
+};
+
 /// Of the full image: a share of the scene's, or pixels.
 struct Resolution {
   double share = 0;  // 0: width and height count
@@ -30,6 +36,7 @@ struct Choices {
   std::string outfile;               // empty: the Film's filename
   std::optional<bool> half;          // none: as the Film says
   std::vector<std::string> outputs;  // to be written next to radiance, besides those of the Film
+  std::optional<Denoiser> denoiser;  // none: no second images
 
   std::optional<std::uint64_t> seed;
   std::string integrator, accel;  // empty: what the scene says

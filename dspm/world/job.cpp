@@ -8,6 +8,7 @@
 
 #include "dspm/integrators/error_estimate.h"
 #include "dspm/integrators/surface_outputs.h"
+#include "dspm/integrators/variance_output.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
@@ -210,7 +211,10 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
     return plugin->make(reader, scene, bounded);
   };
   const auto make_with_outputs = [&](std::size_t bytes) { return with_surface_outputs(make, scene, settings, bytes); };
-  std::unique_ptr<Integrator> made = with_error_estimate(make_with_outputs, scene, settings, memory);
+  const auto make_with_variance = [&](std::size_t bytes) {
+    return with_variance_output(make_with_outputs, scene, settings, bytes);
+  };
+  std::unique_ptr<Integrator> made = with_error_estimate(make_with_variance, scene, settings, memory);
   if (made == nullptr && diagnostics.error_count() == 0)
     diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
   if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);
@@ -243,11 +247,13 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
-  settings.outputs = outputs_of(job.film, choices, description), settings.in_camera_space = job.film.in_camera_space;
-  if (!settings.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
+  job.outputs = outputs_of(job.film, choices, description), job.denoiser = choices.denoiser;
+  settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
+  settings.in_camera_space = job.film.in_camera_space;
+  if (!job.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
     throw UsageError(
         fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
-                    job.film.filename, settings.outputs.front()));
+                    job.film.filename, job.outputs.front()));
   settings.transparent = job.film.transparent;
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.filter_textures = !description.options.disable_texture_filtering;

@@ -28,8 +28,10 @@ struct Job {
   bool numbered = false;                          // image names contain the frame's number
   double fps = 0;                                 // 0: no animation
   FilmSettings film;
-  float exposure = 1;  // image values over radiance
-  RenderSettings settings;
+  float exposure = 1;                // image values over radiance
+  std::vector<std::string> outputs;  // to be written next to radiance
+  std::optional<Denoiser> denoiser;
+  RenderSettings settings;  // its outputs: those, and what the denoiser takes
   std::string integrator;
   const IntegratorPlugin* plugin = nullptr;
   ParamList params;      // of the integrator

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <variant>
 
 #include "dspm/integrators/surface_outputs.h"
+#include "dspm/integrators/variance_output.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/params/params.h"
 
@@ -32,6 +34,7 @@ std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) 
   };
   for (const OutputInfo& output : declared) add(output);
   for (const OutputInfo& output : surface_outputs()) add(output);
+  names.push_back(kVarianceOutput);
   if (!groups.empty()) names.push_back(kAllLightGroups);
   names.insert(names.end(), groups.begin(), groups.end());
   return names;
@@ -51,6 +54,15 @@ std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& cho
   for (const std::string& name : choices.outputs)
     for (const std::string& part : expanded(name, description)) add(part);
   return names;
+}
+
+std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, std::optional<Denoiser> denoiser) {
+  std::vector<std::string> inputs;
+  if (denoiser) inputs = {"N", "albedo"};
+  if (denoiser == Denoiser::own) inputs.insert(inputs.end(), {"Z", kVarianceOutput});
+  for (std::string& input : inputs)
+    if (std::find(outputs.begin(), outputs.end(), input) == outputs.end()) outputs.push_back(std::move(input));
+  return outputs;
 }
 
 std::vector<std::string> light_group_outputs(const SceneDescription& description) {

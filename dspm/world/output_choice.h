@@ -1,6 +1,7 @@
 // Which outputs a run writes next to radiance.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace dspm {
 /// Those of the Film, then the chosen ones. Names that stand for several outputs ("lights", "cryptoobject") become them.
 std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices,
                                     const SceneDescription& description);
+/// With those that the denoiser takes, if there is one.
+std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, std::optional<Denoiser> denoiser);
 /// The outputs of all light groups that the text names, in the order of Scene::light_groups.
 std::vector<std::string> light_group_outputs(const SceneDescription& description);
 

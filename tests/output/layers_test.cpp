@@ -104,7 +104,7 @@ TEST(Layers, GoOnAfterAResume) {
   ASSERT_EQ(render(parts, with({"--iterations", "2", "--checkpoint", "tiny.ck"})).code, 0);
   const Outcome other = render(parts, {"--iterations", "4", "--resume", "tiny.ck"});
   EXPECT_EQ(other.code, 1);
-  EXPECT_NE(other.err.find("the choice of outputs (--aov)"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("the choice of outputs (--aov, --denoise)"), std::string::npos) << other.err;
   const Outcome outcome = render(parts, with({"--iterations", "4", "--resume", "tiny.ck"}));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* image : kTinyImages)

@@ -1,38 +1,20 @@
-// A shell script in place of ffmpeg, first in PATH as long as it lives.
+// A shell script in place of ffmpeg.
 #pragma once
-
-#include <stdlib.h>
 
 #include <filesystem>
 #include <string>
 
-#include "tests/support/temporary_directory.h"
+#include "tests/support/fake_program.h"
 
 namespace dspm::test {
 
-class FakeFfmpeg {
+class FakeFfmpeg : public FakeProgram {
  public:
-  /// Without a script, PATH holds no ffmpeg.
-  explicit FakeFfmpeg(const std::string& script) : path_(getenv("PATH")) {
-    if (!script.empty()) put_file(directory_ / "ffmpeg", "#!/bin/sh\nhere=$(dirname \"$0\")\n" + script);
-    if (!script.empty()) std::filesystem::permissions(directory_ / "ffmpeg", std::filesystem::perms::owner_all);
-    const std::string own = (directory_ / "").string();
-    setenv("PATH", (script.empty() ? own : own + ":" + path_).c_str(), 1);
-  }
-  ~FakeFfmpeg() { setenv("PATH", path_.c_str(), 1); }
-  FakeFfmpeg(const FakeFfmpeg&) = delete;
-  FakeFfmpeg& operator=(const FakeFfmpeg&) = delete;
+  explicit FakeFfmpeg(const std::string& script) : FakeProgram("ffmpeg", script) {}
 
-  /// What its last run got.
-  std::string arguments() const { return contents(directory_ / "arguments"); }
-  std::string input() const { return contents(directory_ / "input"); }
   /// Where kSayProcess writes the process's number, and that number.
   std::filesystem::path process_file() const { return directory_ / "process"; }
   std::string process() const { return contents(process_file()); }
-
- private:
-  TemporaryDirectory directory_;
-  std::string path_;
 };
 
 /// A line of a script, which tells who runs it.
