@@ -1,3 +1,4 @@
+#include "dspm/app/to_dsc.h"
 #include "dspm/app/command_line.h"
 
 #include <fmt/format.h>
@@ -38,6 +39,7 @@ int run(const Options& options) {
       Messages messages(options.quiet);
       return print_data(upgraded(options.scenes, options.lenient, messages)), 0;
     }
+    case Task::to_dsc: return print_data(written_as_dsc(options)), 0;
     case Task::list_variations: return print_data(variation_names(options.scenes, options)), 0;
     case Task::compare:
     case Task::flicker: return look_at_images(options), 0;

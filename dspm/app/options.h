@@ -23,6 +23,7 @@ enum class Task {
   list,
   describe,
   list_variations,
+  to_dsc,
   new_plugin,
   relight,
   compare,
@@ -37,7 +38,6 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   std::string described;             // [kind:]name
   std::string guide, save_guide;     // files; empty: none
   std::vector<std::string> created;  // a new plugin's kind, name and folder
-  double page_fps = 0;               // of images that exist; 0: as they say
   std::string progress;              // a kind of progress, see progress_kind(); empty: the usual one
   bool explain = false, quiet = false;
 

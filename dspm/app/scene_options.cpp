@@ -6,7 +6,7 @@ namespace {
 
 void add(CLI::App& app, Options& o) {
   app.add_option("scene", o.scenes,
-                 "scene files (.dsc or .pbrt, optionally .gz), read in this order; -: standard input")
+                 "scene files (.dsc or .pbrt, optionally .gz; .glb, .gltf), read in this order; -: standard input")
       ->type_name("");
   app.add_option("-D", o.defines, "replace $name in the scene's text")
       ->allow_extra_args(false)
@@ -19,6 +19,12 @@ void add(CLI::App& app, Options& o) {
       ->check(kNamesAFile)
       ->type_name("DIR");
   app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
+  app.add_option("--animation", o.animation, "which animation of a glTF file is shown; else the first, and those that move other things")
+      ->type_name("NAME");
+  app.add_option("--studio", o.studio, "camera, lights and ground for a glTF file: auto (what it lacks), on or off")
+      ->check(CLI::IsMember({"auto", "on", "off"}).description(""))
+      ->type_name("KIND");
+  app.add_option("--hdr", o.hdr, "a picture of the sky that lights a glTF file")->check(kNamesAFile)->type_name("FILE");
   app.add_flag("--explain", o.explain,
                "say what is shared between frames and what is not, and why; and where photons start");
   app.add_option("--integrator", o.integrator,

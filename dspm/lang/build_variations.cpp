@@ -114,10 +114,12 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
   return true;
 }
 
-/// Axes and variations are not allowed in any other block.
+/// Axes and variations are not allowed in any other block; but an imported file, a model with variants, may bring one
+/// wherever it is placed.
 void SceneBuilder::expect_top_level(const Directive& directive) {
   const bool variation = directive.info->kind == DirectiveKind::variation_begin;
-  const Block* outer = variation && blocks_.innermost_is(Kind::axis) ? nullptr : blocks_.find_other({Kind::import});
+  const bool is_free = blocks_.innermost_is(Kind::import) || (variation && blocks_.innermost_is(Kind::axis));
+  const Block* outer = is_free ? nullptr : blocks_.find_other({Kind::import});
   if (outer == nullptr) return;
   diagnostics_.error(
       directive.where,

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include "dspm/gltf/translation.h"
 #include "dspm/lang/directive.h"
 #include "dspm/lang/old_pbrt.h"
 #include "dspm/lang/scene_builder.h"
 #include "dspm/lang/source_files.h"
 #include "dspm/lang/v3/translator.h"
 #include "dspm/lang/variations.h"
+#include "dspm/params/params.h"
+#include "dspm/system/inner_files.h"
 
 namespace dspm {
 namespace {
@@ -42,13 +46,13 @@ class SceneReader {
         age_(age),
         defines_(options.defines) {
     scene_.dialect = has_extension(files.main_name(), ".pbrt") ? Dialect::pbrt : Dialect::dsc;
-    if (has_extension(files.main_name(), ".dsc")) age_ = Age::v4;
+    if (has_extension(files.main_name(), ".dsc") || gltf::is_gltf_name(files.main_name())) age_ = Age::v4;
   }
 
   void read_main(const std::string& path) {
     try {
       open_.push_back({path, identity_of(path)});
-      const SourceFile& file = files_.load(path);
+      const SourceFile& file = gltf::is_gltf_name(path) ? load_gltf(path, options_.gltf, {}) : files_.load(path);
       read(file);
       builder_.end_file(file);
     } catch (const std::runtime_error& error) {
@@ -116,7 +120,7 @@ class SceneReader {
     const DirectiveKind kind = directive.info->kind;
     if (kind == DirectiveKind::default_value) return set_default(directive);
     if (kind != DirectiveKind::include && kind != DirectiveKind::import) return apply(std::move(directive));
-    const SourceFile& included = open(directive.words[0], file);
+    const SourceFile& included = open(directive, file);
     if (kind == DirectiveKind::import) builder_.begin_import(directive);
     read(included);
     if (kind == DirectiveKind::import)
@@ -168,7 +172,8 @@ class SceneReader {
       }
   }
 
-  const SourceFile& open(const Argument& name, const SourceFile& file) {
+  const SourceFile& open(const Directive& directive, const SourceFile& file) {
+    const Argument& name = directive.words[0];
     const fs::path path = files_.find(name.text, file);
     const std::string id = identity_of(path);
     check_cycle(name, id);
@@ -180,12 +185,43 @@ class SceneReader {
       throw SyntaxError(name.where, fmt::format("including the same files repeatedly adds up to {} MiB", bytes >> 20),
                         "ObjectBegin defines shapes once, and ObjectInstance places them as often as needed");
     try {
-      const SourceFile& included = files_.load(path.string());
+      const SourceFile& included = gltf::is_gltf_name(path) ? load_gltf(path.string(), gltf_settings(directive, id), name.where)
+                                                            : load_text(path.string(), directive);
       open_.push_back({path.string(), id});
       return included;
     } catch (const std::runtime_error& error) {
       throw SyntaxError(name.where, fmt::format("cannot read \"{}\": {}", path.string(), error.what()));
     }
+  }
+
+  const SourceFile& load_text(const std::string& path, const Directive& directive) {
+    if (!directive.params.params.empty())
+      throw SyntaxError(directive.params.params.front().where,
+                        fmt::format("{} takes parameters for glTF files alone", directive.info->name));
+    return files_.load(path);
+  }
+
+  /// Before WorldBegin it is a whole scene, after it a part of this one.
+  gltf::Settings gltf_settings(const Directive& directive, const std::string& id) {
+    gltf::Settings settings = options_.gltf;
+    ParamReader reader(directive.params, std::string(directive.info->name), directive.where, diagnostics_);
+    settings.animation =
+        reader.text("animation", settings.animation, "its name; by default the first, and those that move other things");
+    reader.finish();
+    if (!builder_.world_has_begun()) return settings;
+    settings.around = gltf::Around{scene_.moments, scene_.fps};
+    settings.is_defined = !parts_.insert(id).second;
+    return settings;
+  }
+
+  /// The file as scene text; its meshes and pictures are files within it.
+  const SourceFile& load_gltf(const std::string& path, const gltf::Settings& settings, const SourceLocation& where) {
+    const fs::path file(path);
+    gltf::Translation translation = gltf::translate(file, file.filename().string(), settings);
+    for (auto& [name, bytes] : translation.files) offer_inner_file(file.parent_path() / name, std::move(bytes));
+    files_.put(path, std::move(translation.text));
+    for (const std::string& note : translation.notes) diagnostics_.note(where, fmt::format("{}: {}", path, note));
+    return files_.load(path);
   }
 
   void check_cycle(const Argument& name, const std::string& id) const {
@@ -209,6 +245,7 @@ class SceneReader {
   bool is_header_ = true;
   std::vector<OpenFile> open_;
   int includes_ = 0;
+  std::set<std::string> parts_;  // glTF files that have been imported, by identity
 };
 
 void pass_on(const Diagnostic& diagnostic, Diagnostics& diagnostics) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/gltf/translation.h"
 #include "dspm/lang/description.h"
 #include "dspm/lang/source_text.h"
 #include "dspm/params/errors.h"
@@ -15,6 +16,7 @@ struct ParseOptions {
   Defines defines = {};                      // from -D name=value
   std::vector<std::string> variations = {};  // patterns for those that are wanted, if there are too many
   std::optional<KnownFrames> known = {};     // of the run that is resumed
+  gltf::Settings gltf = {};                  // how glTF files are read
 };
 
 /// Reads the files one after the other as if they were one; "-" is standard input. Errors go to `diagnostics`, up to

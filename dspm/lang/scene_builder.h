@@ -27,6 +27,7 @@ class SceneBuilder {
   /// An imported file's changes to the state end with it.
   void begin_import(const Directive& directive);
   void end_import();
+  bool world_has_begun() const { return world_where_.has_value(); }
   /// Of an included or a main file. After a whole scene, the job's directives may be replaced.
   void end_file(const SourceFile& file);
   /// Call it after the last file.

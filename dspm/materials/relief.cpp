@@ -4,6 +4,7 @@
 //   Material "diffuse" "texture displacement" "waves"
 //
 //   normalmap      file            none   a picture of normals: 2 rgb - 1 is a normal whose z is along the shape's own
+//   normaltexture  texture         none   the same as a texture of colours; y is on the side to which v grows, as glTF has it
 //   normalscale    float           1      times the slopes of those normals
 //   displacement   float texture   none   a height above the surface, in scene units, from which normals are computed
 //
@@ -24,18 +25,22 @@ namespace {
 
 class NormalMap final : public Relief {
  public:
-  NormalMap(TexturePtr<Rgb> picture, float scale) : picture_(std::move(picture)), scale_(scale) {}
+  NormalMap(TexturePtr<Rgb> picture, float scale, bool by_v)
+      : picture_(std::move(picture)), scale_(scale), by_v_(by_v) {}
 
   Vec3 normal(const SurfacePoint& point, const PlacedShape&, int, Vec2) const override {
     const Rgb c = picture_->evaluate(texture_point(point));
     const Vec3 n{scale_ * (2 * c.r - 1), scale_ * (2 * c.g - 1), 2 * c.b - 1};
     if (n.x == 0 && n.y == 0 && n.z > 0) return point.ns;
-    return Basis::around(point.ns, point.dpdu).to_world(n);
+    Basis basis = Basis::around(point.ns, point.dpdu);
+    if (by_v_ && dot(basis.y, point.dpdv) < 0) basis.y = -basis.y;  // mirrored coordinates, or a mirrored world
+    return basis.to_world(n);
   }
 
  private:
   TexturePtr<Rgb> picture_;
   float scale_;
+  bool by_v_;
 };
 
 /// How the surface changes along one of the primitive's parameters.
@@ -107,11 +112,16 @@ SurfacePoint Relief::bent(const SurfacePoint& point, const PlacedShape& shape, i
 std::shared_ptr<const Relief> read_relief(ParamReader& reader, const TextureContext& context) {
   const std::filesystem::path file =
       reader.optional_file("normalmap", "a picture of normals, which replace those of the shape");
+  const auto normals = reader.rgb_or_texture("normaltexture", Rgb(0), SpectrumRole::albedo,
+                                             "the same as a texture; y is on the side to which v grows");
   const float scale = reader.number("normalscale", 1, "", "times the slopes of those normals");
   const auto height = reader.number_or_texture("displacement", 0, "scene units",
                                                "a height above the surface, from which normals are computed");
   if (!file.empty())
-    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context), scale);
+    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context), scale,
+                                       false);
+  if (!normals.texture.empty())
+    return std::make_shared<NormalMap>(texture_of(normals, context.textures, reader.diagnostics()), scale, true);
   if (height.texture.empty()) return nullptr;
   const TexturePtr<float> texture = texture_of(height, context.textures, reader.diagnostics());
   return texture->constant() ? nullptr : std::make_shared<Bump>(texture);

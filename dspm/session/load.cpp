@@ -15,6 +15,14 @@
 
 namespace dspm {
 
+gltf::Settings gltf_settings_of(const Choices& choices) {
+  gltf::Settings settings;
+  if (choices.page_fps > 0) settings.fps = choices.page_fps;
+  settings.animation = choices.animation, settings.studio = choices.studio;
+  if (!choices.hdr.empty()) settings.hdr = std::filesystem::absolute(choices.hdr).string();
+  return settings;
+}
+
 namespace {
 
 ParseOptions parse_options_of(const Choices& choices) {
@@ -24,6 +32,7 @@ ParseOptions parse_options_of(const Choices& choices) {
     parse.defines[define.substr(0, sign)] = define.substr(sign + 1);
   }
   parse.variations = choices.variations, parse.known = choices.known;
+  parse.gltf = gltf_settings_of(choices);
   return parse;
 }
 

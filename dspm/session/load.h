@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "dspm/gltf/translation.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/messages.h"
 #include "dspm/world/job.h"
@@ -26,6 +27,9 @@ struct LoadedScene {
  private:
   void make(const Choices& choices, Diagnostics& diagnostics);
 };
+
+/// How glTF files are to be read.
+gltf::Settings gltf_settings_of(const Choices& choices);
 
 /// Frames, pixels, shapes, ... in one line.
 std::string summary_of(const LoadedScene& loaded);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dspm/system/inner_files.h"
+
 namespace dspm {
 namespace {
 
@@ -59,7 +61,7 @@ void expect_allowed(const fs::path& file) {
 
 bool seems_to_exist(const fs::path& file) {
   std::error_code ignored;
-  return !is_allowed(file) || fs::exists(file, ignored);
+  return !is_allowed(file) || is_inner_file(file) || fs::exists(file, ignored);
 }
 
 }  // namespace dspm

@@ -12,6 +12,7 @@
 
 #include "dspm/system/file_access.h"
 #include "dspm/system/files_read.h"
+#include "dspm/system/inner_files.h"
 
 namespace dspm {
 namespace {
@@ -97,6 +98,7 @@ std::string read_stream(std::istream& stream, std::size_t expected) {
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path) {
+  if (is_inner_file(path)) return read_other_bytes(path);  // the file around it has been noted
   std::string bytes = read_other_bytes(path);
   note_file_read(path, bytes);
   return bytes;
@@ -104,6 +106,7 @@ std::string read_bytes(const std::filesystem::path& path) {
 
 std::string read_other_bytes(const std::filesystem::path& path) {
   expect_allowed(path);
+  if (auto bytes = inner_file(path)) return *std::move(bytes);
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (is_directory(status)) throw std::runtime_error("it is a directory");

@@ -19,25 +19,38 @@ void wrap_octahedrally(int& x, int& y, int width, int height) {
   if (down % 2 != 0) x = width - 1 - x, y = height - 1 - y;
 }
 
-/// Moves a pixel into the picture; false: it is black.
-bool wrap_pixel(int& x, int& y, const Image& image, Wrap wrap) {
-  const int width = image.width, height = image.height;
-  if (0 <= x && x < width && 0 <= y && y < height) return true;
+/// Moves a pixel into the picture along one side; false: it is black.
+bool wrap_along(int& x, int size, Wrap wrap) {
+  if (0 <= x && x < size) return true;
+  const int across = floor_div(x, size);
   switch (wrap) {
-    case Wrap::repeat: x -= floor_div(x, width) * width, y -= floor_div(y, height) * height; return true;
-    case Wrap::clamp: x = std::clamp(x, 0, width - 1), y = std::clamp(y, 0, height - 1); return true;
-    case Wrap::octahedral_sphere: wrap_octahedrally(x, y, width, height); return true;
+    case Wrap::repeat: x -= across * size; return true;
+    case Wrap::mirror:
+      x -= across * size;
+      if (across % 2 != 0) x = size - 1 - x;
+      return true;
+    case Wrap::clamp: x = std::clamp(x, 0, size - 1); return true;
+    case Wrap::octahedral_sphere:
     case Wrap::black: break;
   }
   return false;
 }
 
-/// Coordinates that fit into integers, even if they were not finite.
-Vec2 tamed(Vec2 st, Wrap wrap) {
+/// Moves a pixel into the picture; false: it is black.
+bool wrap_pixel(int& x, int& y, const Image& image, Wrap wrap, Wrap wrap_v) {
+  const int width = image.width, height = image.height;
+  if (0 <= x && x < width && 0 <= y && y < height) return true;
+  if (wrap == Wrap::octahedral_sphere) return wrap_octahedrally(x, y, width, height), true;
+  return wrap_along(x, width, wrap) && wrap_along(y, height, wrap_v);
+}
+
+/// A coordinate that fits into an integer, even if it was not finite.
+float tamed(float s, Wrap wrap) {
   // In this order of min and max, NaN becomes `low`.
   const auto between = [](float low, float x, float high) { return std::max(low, std::min(x, high)); };
-  if (wrap == Wrap::repeat) return {between(0, st.x - std::floor(st.x), 1), between(0, st.y - std::floor(st.y), 1)};
-  return {between(-4, st.x, 5), between(-4, st.y, 5)};
+  if (wrap == Wrap::repeat) return between(0, s - std::floor(s), 1);
+  if (wrap == Wrap::mirror) return between(0, s - 2 * std::floor(s / 2), 2);
+  return between(-4, s, 5);
 }
 
 /// A Gaussian of the squared distance from the middle (0) to the ellipse (1), where it vanishes.
@@ -70,11 +83,17 @@ float ImageLookup::longest_side() const {
 template <class T>
 T ImageLookup::pixel(int level, int x, int y) const {
   const Image& image = picture_->level(level);
-  if (!wrap_pixel(x, y, image, settings_.wrap)) return T(0);
+  if (!wrap_pixel(x, y, image, settings_.wrap, settings_.wrap_v.value_or(settings_.wrap))) return T(0);
   if constexpr (std::is_same_v<T, float>) {
-    if (!image.alpha.empty()) return image.alpha[image.index(x, y)];
     const Rgb& c = image.at(x, y);
-    return (c.r + c.g + c.b) / 3;
+    switch (settings_.channel) {
+      case Channel::red: return c.r;
+      case Channel::green: return c.g;
+      case Channel::blue: return c.b;
+      case Channel::alpha: return image.alpha.empty() ? 1 : image.alpha[image.index(x, y)];
+      case Channel::usual: break;
+    }
+    return image.alpha.empty() ? (c.r + c.g + c.b) / 3 : image.alpha[image.index(x, y)];
   } else {
     return image.at(x, y);
   }
@@ -98,7 +117,8 @@ T ImageLookup::bilinear(int level, Vec2 st) const {
 
 template <class T>
 T ImageLookup::at(const TextureCoordinates& c) const {
-  const Vec2 st = tamed(c.st, settings_.wrap), x = c.dstdx, y = c.dstdy;
+  const Vec2 st{tamed(c.st.x, settings_.wrap), tamed(c.st.y, settings_.wrap_v.value_or(settings_.wrap))};
+  const Vec2 x = c.dstdx, y = c.dstdy;
   if (settings_.filter == ImageFilter::ewa)
     return length(x) < length(y) ? elliptical<T>(st, y, x) : elliptical<T>(st, x, y);
   const float width = 2 * std::max({std::abs(x.x), std::abs(x.y), std::abs(y.x), std::abs(y.y)});

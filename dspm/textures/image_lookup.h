@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/vec.h"
@@ -11,7 +12,11 @@
 namespace dspm {
 
 /// The picture outside 0..1.
-enum class Wrap { repeat, black, clamp, octahedral_sphere };
+enum class Wrap { repeat, mirror, black, clamp, octahedral_sphere };
+
+/// What a lookup of a number takes of a pixel. `usual`: the alpha of a picture that has one, else the mean of red, green
+/// and blue; `alpha` is 1 if the picture has none.
+enum class Channel { usual, red, green, blue, alpha };
 
 enum class ImageFilter { point, bilinear, trilinear, ewa };
 
@@ -19,15 +24,16 @@ class ImageLookup {
  public:
   struct Settings {
     ImageFilter filter = ImageFilter::bilinear;
-    Wrap wrap = Wrap::repeat;
+    Wrap wrap = Wrap::repeat;                 // along s
+    std::optional<Wrap> wrap_v = {};          // along t; none: as along s
+    Channel channel = Channel::usual;
     float max_anisotropy = 8;  // of ewa: how much longer than wide an ellipse may be
   };
 
   ImageLookup(std::shared_ptr<const MipMap> picture, const Settings& settings)
       : picture_(std::move(picture)), settings_(settings) {}
 
-  /// (0, 0) is the picture's upper left corner. A number is the alpha of a picture that has one, else the mean of red,
-  /// green and blue.
+  /// (0, 0) is the picture's upper left corner.
   template <class T>
   T at(const TextureCoordinates& coordinates) const;
 

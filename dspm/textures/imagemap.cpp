@@ -3,7 +3,9 @@
 //   Texture "label" "spectrum" "imagemap" "string filename" "label.png" "string wrap" "clamp"
 //
 //   | filename      | required   | a picture of any format of image.h; "water.%03d.png" is numbered like the frames |
-//   | wrap          | "repeat"   | outside 0..1: repeat, black, clamp or octahedralsphere |
+//   | wrap          | "repeat"   | outside 0..1: repeat, mirror, black, clamp or octahedralsphere |
+//   | wrapv         | as wrap    | the same along v alone; not octahedralsphere |
+//   | channel       | ""         | of a texture of numbers: red, green, blue or alpha |
 //   | filter        | "bilinear" | or point, trilinear, ewa |
 //   | maxanisotropy | 8          | of ewa: how much longer than wide the ellipse may be; 1 to 64 |
 //   | scale         | 1          | multiplies the picture |
@@ -30,9 +32,18 @@ namespace {
 
 Wrap wrap_of(const std::string& word) {
   return word == "repeat"  ? Wrap::repeat
+         : word == "mirror" ? Wrap::mirror
          : word == "black" ? Wrap::black
          : word == "clamp" ? Wrap::clamp
                            : Wrap::octahedral_sphere;
+}
+
+Channel channel_of(const std::string& word) {
+  return word == "red"     ? Channel::red
+         : word == "green" ? Channel::green
+         : word == "blue"  ? Channel::blue
+         : word == "alpha" ? Channel::alpha
+                           : Channel::usual;
 }
 
 ImageFilter filter_of(const std::string& word) {
@@ -69,7 +80,12 @@ class ImageTexture final : public Texture<T> {
 ImageLookup::Settings read_lookup(ParamReader& reader) {
   ImageLookup::Settings settings;
   settings.wrap = wrap_of(
-      reader.choice("wrap", "repeat", {"repeat", "black", "clamp", "octahedralsphere"}, "the picture outside 0..1"));
+      reader.choice("wrap", "repeat", {"repeat", "mirror", "black", "clamp", "octahedralsphere"}, "the picture outside 0..1"));
+  const std::string along_v =
+      reader.choice("wrapv", "", {"", "repeat", "mirror", "black", "clamp"}, "the same along v alone; as wrap if \"\"");
+  if (!along_v.empty()) settings.wrap_v = wrap_of(along_v);
+  settings.channel = channel_of(
+      reader.choice("channel", "", {"", "red", "green", "blue", "alpha"}, "that a texture of numbers takes"));
   settings.filter = filter_of(reader.choice("filter", "bilinear", {"bilinear", "point", "trilinear", "ewa", "EWA"},
                                             "how a lookup averages over what it stands for"));
   settings.max_anisotropy =

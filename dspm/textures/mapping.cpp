@@ -62,6 +62,8 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
   mapping.scale_.y = reader.number("vscale", 1, {}, "of uv: repetitions of the picture between v = 0 and 1");
   mapping.delta_.x = reader.number("udelta", 0, {}, "of uv and planar: shift");
   mapping.delta_.y = reader.number("vdelta", 0, {}, "of uv and planar: shift");
+  const float rotation = reader.number("rotation", 0, "degrees", "of uv: from u towards v, after the scale");
+  if (rotation != 0) mapping.along_u_ = {std::cos(rotation * kPi / 180), std::sin(rotation * kPi / 180)};
   mapping.v1_ = reader.vector("v1", {1, 0, 0}, {}, "of planar: the picture's horizontal axis");
   mapping.v2_ = reader.vector("v2", {0, 1, 0}, {}, "of planar: the picture's vertical axis");
   mapping.world_from_texture_ = world_from_texture;
@@ -69,8 +71,17 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
 }
 
 Vec2 TextureMapping::at(const TexturePoint& point) const {
-  if (kind_ == Kind::uv) return {scale_.x * point.uv.x + delta_.x, scale_.y * point.uv.y + delta_.y};
+  if (kind_ == Kind::uv) {
+    const Vec2 st = turned_uv(point.uv);
+    return {st.x + delta_.x, st.y + delta_.y};
+  }
   return at_own(world_from_texture_.inverse_point(point.p));
+}
+
+Vec2 TextureMapping::turned_uv(Vec2 uv) const {
+  const Vec2 scaled{scale_.x * uv.x, scale_.y * uv.y};
+  if (along_u_.y == 0 && along_u_.x == 1) return scaled;
+  return {along_u_.x * scaled.x - along_u_.y * scaled.y, along_u_.y * scaled.x + along_u_.x * scaled.y};
 }
 
 Vec2 TextureMapping::at_own(const Vec3& p) const {
@@ -85,10 +96,7 @@ TextureCoordinates TextureMapping::map(const TexturePoint& point) const {
 }
 
 Vec2 TextureMapping::change(const TexturePoint& point, const Vec3& dp) const {
-  if (kind_ == Kind::uv) {
-    const Vec2 uv = uv_change(point, dp);
-    return {scale_.x * uv.x, scale_.y * uv.y};
-  }
+  if (kind_ == Kind::uv) return turned_uv(uv_change(point, dp));
   const Vec3 p = world_from_texture_.inverse_point(point.p), own = world_from_texture_.inverse_vector(dp);
   if (kind_ == Kind::spherical) return {tilted(p, own), turned(p, own)};
   if (kind_ == Kind::cylindrical) return {turned(p, own), own.z};

@@ -3,6 +3,8 @@
 //
 //   | mapping                              | "uv"     | or spherical, cylindrical, planar                         |
 //   | uscale, vscale, udelta, vdelta       | 1, 1, 0, 0 | of uv: s = uscale u + udelta; planar takes the deltas too |
+//   | rotation                             | 0        | of uv: degrees from u towards v, after the scale and before the
+//   |                                      |          | delta                                                     |
 //   | v1, v2                               | x, y     | of planar: s = v1 . p + udelta, t = v2 . p + vdelta       |
 //
 // All but uv use the point in the texture's own space: the transform in force where the texture was defined.
@@ -32,11 +34,13 @@ class TextureMapping {
 
  private:
   Vec2 at_own(const Vec3& p) const;
+  Vec2 turned_uv(Vec2 uv) const;
   /// How the coordinates change along the axis `dp` of a footprint, to first order.
   Vec2 change(const TexturePoint& point, const Vec3& dp) const;
 
   Kind kind_ = Kind::uv;
   Vec2 scale_{1, 1}, delta_;
+  Vec2 along_u_{1, 0};  // where u leads to
   Vec3 v1_, v2_;
   Transform world_from_texture_;
 };

@@ -26,7 +26,11 @@ TexturePtr<T> make_marble(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_mix(ParamReader& reader, const TextureContext& context);
 template <class T>
+TexturePtr<T> make_product(ParamReader& reader, const TextureContext& context);
+template <class T>
 TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context);
+template <class T>
+TexturePtr<T> make_threshold(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_windy(ParamReader& reader, const TextureContext& context);
 template <class T>
@@ -46,7 +50,9 @@ PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
           {"imagemap", "a picture, or one per frame", make_imagemap<T>},
           {"marble", "layers of marble, distorted by noise", make_marble<T>},
           {"mix", "a blend of two textures", make_mix<T>},
+          {"product", "a texture times another of its kind", make_product<T>},
           {"scale", "a texture times another", make_scale<T>},
+          {"threshold", "a texture of numbers cut off: 0 below an edge, 1 from there on", make_threshold<T>},
           {"windy", "waves under gusts of wind", make_windy<T>},
           {"wrinkled", "noise with creases", make_wrinkled<T>},
       },

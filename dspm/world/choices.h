@@ -33,6 +33,10 @@ struct Choices {
   bool quick = false;                    // see kQuickShare
   std::optional<Resolution> resolution;  // none: as the Film says
 
+  // Of glTF files; see gltf::Settings.
+  double page_fps = 0;  // also of images that exist; 0: 24, or as images say
+  std::string animation, studio = "auto", hdr;
+
   std::string outfile;               // empty: the Film's filename
   std::optional<bool> half;          // none: as the Film says
   std::vector<std::string> outputs;  // to be written next to radiance, besides those of the Film

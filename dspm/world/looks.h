@@ -79,7 +79,8 @@ class Looks {
   bool bends_normals(int material) const {
     const auto& states = look(material).recipes.states;
     return std::any_of(states.begin(), states.end(), [](const Recipe& recipe) {
-      return recipe.params.find("normalmap") != nullptr || recipe.params.find("displacement") != nullptr;
+      return recipe.params.find("normalmap") != nullptr || recipe.params.find("normaltexture") != nullptr ||
+             recipe.params.find("displacement") != nullptr;
     });
   }
   /// As the scene or the geometry file names it; empty: it has no name.

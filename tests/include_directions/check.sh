@@ -11,6 +11,9 @@ BEGIN {
   confined["^(OpenEXR/|Imath/|Imf|Imath|half[.]h)"] = "^dspm/image/exr(_[a-z]+)?[.]"
   confined["^OpenColorIO/"] = "^dspm/image/ocio_view[.]"
   confined["^embree[0-9]*/"] = "^(dspm/accel/embree_builder|bench/measure/bare_embree)[.]"
+  confined["^nlohmann/"] = "^dspm/gltf/value[.]"
+  confined["^draco/"] = "^dspm/gltf/draco[.]"
+  confined["^meshoptimizer[.]h"] = "^dspm/gltf/meshopt[.]"
   confined["^httplib[.]h"] = "^dspm/serve/server[.]"
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 

@@ -1,0 +1,47 @@
+#include "dspm/app/to_dsc.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "dspm/gltf/translation.h"
+#include "dspm/lang/formatter.h"
+#include "dspm/session/load.h"
+#include "dspm/session/messages.h"
+#include "dspm/system/atomic_file.h"
+#include "dspm/system/readable.h"
+
+namespace dspm {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string write_one(const std::string& scene, const Options& options, Messages& messages) {
+  if (!gltf::is_gltf_name(scene)) throw UsageError(fmt::format("--to-dsc {}: it is not a .glb or .gltf", scene));
+  const std::string stem = fs::path(scene).stem().string(), name = stem + ".dsc";
+  gltf::Translation translation;
+  try {
+    translation = gltf::translate(scene, stem, gltf_settings_of(options));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("cannot read \"{}\": {}", scene, error.what()));
+  }
+  Diagnostics diagnostics;
+  for (const std::string& note : translation.notes) diagnostics.note({}, fmt::format("{}: {}", scene, note));
+  const std::string text = format_scene({name, translation.text}, diagnostics).value_or(translation.text);
+  messages.show(diagnostics);
+  if (!translation.files.empty()) fs::create_directories(stem);
+  for (const auto& [file, bytes] : translation.files) write_file(file, bytes());
+  write_file(name, text);
+  return fmt::format("{}, and {} in {}/\n", name, counted(translation.files.size(), "file"), stem);
+}
+
+}  // namespace
+
+std::string written_as_dsc(const Options& options) {
+  Messages messages(options.quiet);
+  std::string written;
+  for (const std::string& scene : options.scenes) written += write_one(scene, options, messages);
+  return written;
+}
+
+}  // namespace dspm

@@ -1,0 +1,231 @@
+// [glTF 2.0, 3.9 and appendix B; KHR_materials_anisotropy, _clearcoat, _diffuse_transmission, _emissive_strength, _ior,
+// _sheen, _specular, _transmission, _unlit, _volume; KHR_texture_transform; EXT_texture_webp]
+#include "dspm/gltf/materials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dspm/math/vec.h"
+
+namespace dspm::gltf {
+
+using Triple = std::array<double, 3>;
+
+class MaterialTranslator {
+ public:
+  MaterialTranslator(Materials& all, const Value& material, const std::string& name, const MeshLook& look)
+      : all_(all), material_(material), name_(name), look_(look) {}
+
+  MaterialStatements translate() {
+    if (material_.extension("KHR_materials_unlit").exists()) {
+      unlit();
+    } else {
+      base();
+      transmission();
+      layers();
+      emission();
+    }
+    opacity();
+    return std::move(result_);
+  }
+
+ private:
+  Statement& material() { return result_.material; }
+  void note(const std::string& sentence) { all_.notes_.insert(sentence); }
+
+  /// The name of a new texture of that class.
+  std::string add(const std::string& part, const char* type, const char* kind, std::vector<Parameter> parameters) {
+    const std::string name = name_ + ", " + part;
+    result_.textures.push_back({fmt::format("Texture {} \"{}\" \"{}\"", in_quotes(name), type, kind), std::move(parameters)});
+    return name;
+  }
+
+  static std::string wrap_of(const Value& mode) {
+    switch (mode.count(10497)) {
+      case 33071: return "clamp";
+      case 33648: return "mirror";
+      default: return "repeat";
+    }
+  }
+
+  /// The place of a picture: v runs up in dspm, so what glTF turns and moves around the upper left corner is put in
+  /// terms of the lower left one.
+  void place(const Value& info, Statement& picture) {
+    const Value transform = info.extension("KHR_texture_transform");
+    const std::size_t set = transform["texCoord"].count(info["texCoord"].count(0));
+    if (set >= 1) note("texture coordinates beyond the first set are left out: the first is taken");
+    if (!transform.exists()) return;
+    const auto offset = transform["offset"].numbers(std::array<double, 2>{0, 0});
+    const auto scale = transform["scale"].numbers(std::array<double, 2>{1, 1});
+    const double angle = transform["rotation"].number(0), c = std::cos(angle), s = std::sin(angle);
+    picture.number("uscale", scale[0], INFINITY), picture.number("vscale", scale[1], INFINITY);
+    picture.number("rotation", angle * 180 / static_cast<double>(kPi), INFINITY);
+    picture.number("udelta", offset[0] + s * scale[1], INFINITY);
+    picture.number("vdelta", 1 - offset[1] - c * scale[1], INFINITY);
+  }
+
+  std::optional<std::size_t> image_of(const Value& texture) {
+    const std::size_t images = all_.document_["images"].size();
+    if (const auto webp = texture.extension("EXT_texture_webp")["source"].index(images)) return webp;
+    const auto source = texture["source"].index(images);
+    if (!source) note(texture["extensions"].exists() ? "textures in a format that dspm does not read are left out"
+                                                     : "textures without a picture are left out");
+    return source;
+  }
+
+  /// Empty: there is no picture. `channel`: empty for colours.
+  std::string picture(const Value& info, const std::string& part, const char* channel, const char* encoding,
+                      double factor = 1) {
+    if (!info.exists()) return {};
+    const Value textures = all_.document_["textures"];
+    const Value texture = textures[info["index"].required_index(textures.size())];
+    const auto image = image_of(texture);
+    if (!image) return {};
+    Statement picture;
+    picture.string("filename", all_.picture_name_(*image));
+    picture.string("encoding", encoding);
+    if (*channel != '\0') picture.string("channel", channel);
+    picture.number("scale", factor, 1);
+    const Value samplers = all_.document_["samplers"];
+    if (const auto sampler = texture["sampler"].index(samplers.size())) {
+      const std::string s = wrap_of(samplers[*sampler]["wrapS"]), t = wrap_of(samplers[*sampler]["wrapT"]);
+      if (s != "repeat") picture.string("wrap", s);
+      if (t != s) picture.string("wrapv", t);
+      if (samplers[*sampler]["magFilter"].count(0) == 9728) picture.string("filter", "point");
+    }
+    place(info, picture);
+    return add(part, *channel != '\0' ? "float" : "spectrum", "imagemap", std::move(picture.parameters));
+  }
+
+  /// A number, times a picture's channel.
+  void number(const char* parameter, double factor, const Value& info, const char* channel) {
+    factor = std::clamp(factor, 0.0, 1.0);
+    const std::string map = picture(info, parameter, channel, "linear", factor);
+    if (map.empty())
+      material().number(parameter, factor, INFINITY);
+    else
+      material().texture(parameter, map);
+  }
+
+  /// A colour, times a picture, times the colours of the vertices.
+  void colour(const char* parameter, Triple factor, const Value& info, bool of_vertices = false) {
+    for (double& value : factor) value = std::clamp(value, 0.0, 1.0);
+    std::string map = picture(info, parameter, "", "sRGB");
+    if (of_vertices && look_.has_colours) note("colours of vertices are left out");
+    if (map.empty()) return material().rgb(parameter, factor);
+    if (factor != Triple{1, 1, 1})
+      map = add(fmt::format("{} tinted", parameter), "spectrum", "product",
+                {Parameter{"texture", "tex1", in_quotes(map)}, Parameter{"rgb", "tex2", fmt::format("[{}]", listed(factor))}});
+    material().texture(parameter, map);
+  }
+
+  std::array<double, 4> base_factor() const {
+    return material_["pbrMetallicRoughness"]["baseColorFactor"].numbers(std::array<double, 4>{1, 1, 1, 1});
+  }
+
+  void base() {
+    const Value pbr = material_["pbrMetallicRoughness"], rough = pbr["metallicRoughnessTexture"];
+    const auto factor = base_factor();
+    colour("basecolor", {factor[0], factor[1], factor[2]}, pbr["baseColorTexture"], true);
+    number("metallic", pbr["metallicFactor"].number(1), rough, "blue");
+    number("roughness", pbr["roughnessFactor"].number(1), rough, "green");
+    if (const std::string map = picture(material_["normalTexture"], "normals", "", "linear"); !map.empty()) {
+      material().texture("normaltexture", map);
+      material().number("normalscale", material_["normalTexture"]["scale"].number(1), 1);
+    }
+    if (material_.extension("KHR_materials_pbrSpecularGlossiness").exists())
+      note("KHR_materials_pbrSpecularGlossiness is left out: the material's metallic-roughness part is used");
+  }
+
+  void transmission() {
+    const Value glass = material_.extension("KHR_materials_transmission");
+    const Value volume = material_.extension("KHR_materials_volume");
+    const Value beyond = material_.extension("KHR_materials_diffuse_transmission");
+    const double eta = material_.extension("KHR_materials_ior")["ior"].number(1.5);
+    if (eta != 0 || !material_.extension("KHR_materials_ior").exists()) material().number("eta", std::max(eta, 1.0), 1.5);
+    if (material_.extension("KHR_materials_dispersion").exists()) note("KHR_materials_dispersion is left out");
+    if (beyond.exists()) {
+      number("diffusetransmission", beyond["diffuseTransmissionFactor"].number(0), beyond["diffuseTransmissionTexture"], "alpha");
+      colour("diffusetransmissioncolor", beyond["diffuseTransmissionColorFactor"].numbers(Triple{1, 1, 1}),
+             beyond["diffuseTransmissionColorTexture"]);
+    }
+    if (!glass.exists()) return;
+    number("transmission", glass["transmissionFactor"].number(0), glass["transmissionTexture"], "red");
+    const bool is_body = volume["thicknessFactor"].number(0) > 0;
+    if (!is_body) return material().flag("thin", true);
+    if (!volume["attenuationDistance"].exists()) return;
+    material().rgb("attenuationcolor", volume["attenuationColor"].numbers(Triple{1, 1, 1}));
+    material().number("attenuationdistance", volume["attenuationDistance"].number(1), INFINITY);
+  }
+
+  void layers() {
+    const Value mirror = material_.extension("KHR_materials_specular");
+    if (mirror.exists()) {
+      number("specular", mirror["specularFactor"].number(1), mirror["specularTexture"], "alpha");
+      colour("specularcolor", mirror["specularColorFactor"].numbers(Triple{1, 1, 1}), mirror["specularColorTexture"]);
+    }
+    const Value coat = material_.extension("KHR_materials_clearcoat");
+    if (coat.exists()) {
+      number("coat", coat["clearcoatFactor"].number(0), coat["clearcoatTexture"], "red");
+      number("coatroughness", coat["clearcoatRoughnessFactor"].number(0), coat["clearcoatRoughnessTexture"], "green");
+      if (coat["clearcoatNormalTexture"].exists() && !material_["normalTexture"].exists())
+        note("normal maps of a clear coat alone are left out");
+    }
+    const Value sheen = material_.extension("KHR_materials_sheen");
+    if (sheen.exists()) {
+      colour("sheen", sheen["sheenColorFactor"].numbers(Triple{0, 0, 0}), sheen["sheenColorTexture"]);
+      number("sheenroughness", sheen["sheenRoughnessFactor"].number(0), sheen["sheenRoughnessTexture"], "alpha");
+    }
+    const Value stretched = material_.extension("KHR_materials_anisotropy");
+    if (stretched.exists()) {
+      number("anisotropy", stretched["anisotropyStrength"].number(0), stretched["anisotropyTexture"], "blue");
+      material().number("anisotropyrotation", stretched["anisotropyRotation"].number(0) * 180 / static_cast<double>(kPi), 0);
+      if (stretched["anisotropyTexture"].exists()) note("directions of KHR_materials_anisotropy are left out");
+    }
+    if (material_.extension("KHR_materials_iridescence").exists()) note("KHR_materials_iridescence is left out");
+  }
+
+  void emission() {
+    const auto factor = material_["emissiveFactor"].numbers(Triple{0, 0, 0});
+    const double strength = material_.extension("KHR_materials_emissive_strength")["emissiveStrength"].number(1);
+    if (factor == Triple{0, 0, 0}) return;
+    colour("emission", factor, material_["emissiveTexture"]);
+    material().number("emissionstrength", strength, 1);
+  }
+
+  /// It shows its colour whatever the light, so it emits it.
+  void unlit() {
+    const auto factor = base_factor();
+    material().rgb("basecolor", Triple{0, 0, 0}), material().number("specular", 0, 1);
+    colour("emission", {factor[0], factor[1], factor[2]}, material_["pbrMetallicRoughness"]["baseColorTexture"], true);
+  }
+
+  void opacity() {
+    const std::string mode = material_["alphaMode"].text("OPAQUE");
+    if (mode != "MASK" && mode != "BLEND") return;
+    const double factor = std::clamp(base_factor()[3], 0.0, 1.0), edge = material_["alphaCutoff"].number(0.5);
+    std::string map = picture(material_["pbrMetallicRoughness"]["baseColorTexture"], "opacity", "alpha", "sRGB", factor);
+    if (map.empty()) return material().number("alpha", mode == "BLEND" ? factor : factor >= edge ? 1 : 0, INFINITY);
+    if (mode == "MASK") {
+      Statement cut;
+      cut.texture("tex", map), cut.number("edge", edge, INFINITY);
+      map = add("mask", "float", "threshold", std::move(cut.parameters));
+    }
+    material().texture("alpha", map);
+  }
+
+  Materials& all_;
+  const Value& material_;
+  const std::string& name_;
+  const MeshLook& look_;
+  MaterialStatements result_;
+};
+
+MaterialStatements Materials::translate(const Value& material, const std::string& name, const MeshLook& look) {
+  MaterialStatements statements = MaterialTranslator(*this, material, name, look).translate();
+  statements.material.head = "\"principled\"";
+  return statements;
+}
+
+}  // namespace dspm::gltf

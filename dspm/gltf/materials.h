@@ -1,0 +1,47 @@
+// Materials of glTF as those of the scene language, all of them "principled".
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dspm/gltf/document.h"
+#include "dspm/gltf/statements.h"
+
+namespace dspm::gltf {
+
+/// What a mesh has beside its positions, as far as materials ask.
+struct MeshLook {
+  bool has_colours = false, has_opacities = false;
+
+  friend auto operator<=>(const MeshLook&, const MeshLook&) = default;
+};
+
+/// Statements that make one material: textures first, the material last. Names of textures begin with `name`.
+struct MaterialStatements {
+  std::vector<Statement> textures;
+  Statement material;  // its head is `"principled"` alone
+};
+
+class Materials {
+ public:
+  /// `picture_name`: of images/index, as the scene's text names it.
+  Materials(const Document& document, std::function<std::string(std::size_t)> picture_name)
+      : document_(document), picture_name_(std::move(picture_name)) {}
+
+  /// `material`: of the document, or of it at some moment; one that does not exist is glTF's default.
+  MaterialStatements translate(const Value& material, const std::string& name, const MeshLook& look);
+
+  /// What dspm does not have, each once.
+  const std::set<std::string>& notes() const { return notes_; }
+
+ private:
+  friend class MaterialTranslator;
+  const Document& document_;
+  std::function<std::string(std::size_t)> picture_name_;
+  std::set<std::string> notes_;
+};
+
+}  // namespace dspm::gltf

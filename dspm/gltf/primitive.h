@@ -1,0 +1,42 @@
+// The triangles of one primitive of a mesh, and how its vertices move.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/gltf/accessor.h"
+#include "dspm/math/transform.h"
+
+namespace dspm::gltf {
+
+/// Attributes are empty if the file has none; else there is one element for each vertex.
+struct Primitive {
+  struct Target {
+    Numbers positions, normals, tangents;  // what one whole weight adds
+  };
+
+  Numbers positions, normals, tangents, uvs, uvs2, colours;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<Target> targets;
+  std::vector<Numbers> joints, weights;  // four to each element, one or two sets
+
+  bool has_opacities() const { return colours.width == 4; }
+};
+
+/// Whether the mode has surfaces; points and lines have none.
+bool has_surface(const Value& primitive);
+
+/// Throws std::runtime_error.
+Primitive read_primitive(const Document& document, const Value& primitive);
+
+/// Moved by morph targets, then by joints. `skin`: a matrix for each joint; empty: not skinned.
+void pose(Primitive& primitive, const std::vector<double>& weights, const std::vector<Matrix4>& skin);
+
+/// As a binary PLY file with the properties of dspm's plymesh. Pictures hang from (0, 1) in glTF, and stand on (0, 0)
+/// there.
+std::string ply_of(const Primitive& primitive);
+
+}  // namespace dspm::gltf

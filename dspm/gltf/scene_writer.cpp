@@ -1,0 +1,238 @@
+#include "dspm/gltf/scene_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dspm/gltf/lights.h"
+#include "dspm/gltf/primitive.h"
+
+namespace dspm::gltf {
+namespace {
+
+constexpr int kMostFrames = 100'000, kMostFramesSeen = 8;
+constexpr std::size_t kMostPoints = 4096;  // of a mesh, to frame the picture
+constexpr int kHeight = 720, kMostWidth = 4096;
+
+std::string prefix_of(const Document& document, const Settings& settings) {
+  return settings.around ? document.path().stem().string() + ": " : "";
+}
+
+}  // namespace
+
+std::shared_ptr<const SceneWriter::Motion> SceneWriter::motion_of(const Document& document, const Settings& settings) {
+  auto motion = std::make_shared<Motion>();
+  motion->animation = choose_animation(document, settings.animation);
+  if (!settings.animation.empty() && motion->animation.played.empty())
+    throw std::runtime_error(fmt::format("it has no animation \"{}\"; available: {}", settings.animation,
+                                         fmt::join(motion->animation.left_out, ", ")));
+  motion->fps = settings.around ? settings.around->fps.value_or(settings.fps) : settings.fps;
+  motion->frames = settings.around ? settings.around->frames
+                                   : frames_of(motion->animation.duration(), motion->fps, kMostFrames);
+  motion->poses = std::make_unique<const Poses>(document, motion->animation, motion->frames, motion->fps);
+  return motion;
+}
+
+SceneWriter::SceneWriter(std::shared_ptr<const Document> document, std::string folder, const Settings& settings)
+    : document_(std::move(document)),
+      folder_(std::move(folder)),
+      settings_(settings),
+      motion_(motion_of(*document_, settings_)),
+      materials_(*document_, [this](std::size_t image) { return picture_name(image); }),
+      uses_(*document_, motion_->animation, motion_->frames, motion_->fps, materials_, prefix_of(*document_, settings_)),
+      useful_((*document_)["nodes"].size()) {}
+
+std::vector<std::size_t> SceneWriter::roots() const {
+  const Value scenes = (*document_)["scenes"], nodes = (*document_)["nodes"];
+  std::vector<std::size_t> roots;
+  if (scenes.size() == 0) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!motion_->poses->parent(i)) roots.push_back(i);
+  } else {
+    const Value own = scenes[(*document_)["scene"].index(scenes.size()).value_or(0)]["nodes"];
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      roots.push_back(own[i].required_index(nodes.size()));
+      if (motion_->poses->parent(roots.back())) own[i].fail("the node is the child of another");
+      if (std::count(roots.begin(), roots.end(), roots.back()) > 1) own[i].fail("the node is there twice");
+    }
+  }
+  return roots;
+}
+
+Translation SceneWriter::write() {
+  const std::vector<std::size_t> all = roots();
+  for (const std::size_t node : all) visit(node);
+  if (std::none_of(all.begin(), all.end(), [&](std::size_t node) { return useful_[node]; }))
+    throw std::runtime_error("its scene has nothing to show: no meshes with surfaces, and no lights");
+  for (const std::size_t node : all) write_node(node, 1);
+  const std::string axis = uses_.axis();
+
+  std::string& text = result_.text;
+  if (!settings_.around) text += header();
+  if (!settings_.is_defined && !uses_.definitions().empty()) text += "\n" + uses_.definitions();
+  if (!objects_text_.empty()) text += "\nAttributeBegin\n  Identity\n" + objects_text_ + "AttributeEnd\n";
+  text += "\nAttributeBegin\n  Scale 1 1 -1  # glTF is right-handed\n  CoordinateSystem " + in_quotes(world_name()) + "\n" + world_ + "AttributeEnd\n";
+  if (!axis.empty() && !settings_.is_defined) text += "\n" + axis;
+
+  const auto& played = motion_->animation.played;
+  if (const auto& left_out = motion_->animation.left_out; !left_out.empty() && settings_.animation.empty())
+    result_.notes.push_back(fmt::format("of its animations, {} {} shown, and not {}", fmt::join(played, ", "),
+                                        played.size() == 1 ? "is" : "are", fmt::join(left_out, ", ")));
+  for (const std::string& note : materials_.notes()) result_.notes.push_back(note);
+  return std::move(result_);
+}
+
+std::string SceneWriter::name_of(std::size_t node, const char* instead) const {
+  const std::string name = (*document_)["nodes"][node]["name"].text("");
+  return name.empty() ? fmt::format("{} {}", instead, node) : name;
+}
+
+/// Looks at the node before anything is written: what is wrong with it, what it is good for, where its surface is.
+void SceneWriter::visit(std::size_t node) {
+  const Document& document = *document_;
+  const Value own = document["nodes"][node];
+  const Poses& poses = *motion_->poses;
+  if (own["camera"].exists() && !camera_node_) camera_node_ = node;
+  bool useful = own.extension("KHR_lights_punctual").exists();
+  has_light_ = has_light_ || useful;
+  if (const auto mesh = own["mesh"].index(document["meshes"].size())) {
+    ++mesh_uses_[*mesh];
+    const Value primitives = document["meshes"][*mesh]["primitives"];
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      if (has_surface(primitives[i]))
+        useful = true;
+      else
+        result_.notes.push_back(fmt::format("{}: points and lines are left out", primitives[i].place()));
+    }
+    see(node, *mesh);
+  }
+  const Value children = own["children"];
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const std::size_t child = children[i].required_index(useful_.size());
+    visit(child);
+    useful = useful || useful_[child];
+  }
+  useful_[node] = useful && (poses.at(node, 0).visible || poses.changes_visibility(node));
+}
+
+/// Reads a mesh for the first time, so what is wrong with it is said before anything is rendered.
+void SceneWriter::see(std::size_t node, std::size_t mesh) {
+  const Document& document = *document_;
+  const Poses& poses = *motion_->poses;
+  const auto skin = document["nodes"][node]["skin"].index(document["skins"].size());
+  const Value primitives = document["meshes"][mesh]["primitives"];
+  const bool is_stiff = !skin && primitives[0]["targets"].size() == 0;
+  std::vector<Vec3>& stiff = stiff_points_[mesh];
+  if (is_stiff && !stiff.empty()) return see_points(node, stiff);
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    if (!has_surface(primitives[i])) continue;
+    const Primitive rest = read_primitive(document, primitives[i]);
+    const auto sample = [&](const Primitive& posed) {
+      std::vector<Vec3> points;
+      const std::size_t step = posed.positions.count / kMostPoints + 1;
+      for (std::size_t v = 0; v < posed.positions.count; v += step)
+        points.push_back({posed.positions[v][0], posed.positions[v][1], posed.positions[v][2]});
+      return points;
+    };
+    if (is_stiff) {
+      const std::vector<Vec3> points = sample(rest);
+      stiff.insert(stiff.end(), points.begin(), points.end());
+      continue;
+    }
+    for (const int frame : frames_to_see()) {
+      Primitive posed = rest;
+      pose(posed, poses.at(node, frame).weights, skin ? poses.skin(document, *skin, frame) : std::vector<Matrix4>());
+      see_points(sample(posed), skin ? Matrix4() : poses.world(node, frame));
+    }
+  }
+  if (is_stiff) see_points(node, stiff);
+}
+
+void SceneWriter::see_points(std::size_t node, const std::vector<Vec3>& points) {
+  for (const int frame : frames_to_see()) {
+    const Matrix4 place = motion_->poses->world(node, frame);
+    if ((*document_)["nodes"][node].extension("EXT_mesh_gpu_instancing").exists())
+      for (const Pose& instance : instances_of(node)) see_points(points, place * instance.transform());
+    else
+      see_points(points, place);
+  }
+}
+
+void SceneWriter::see_points(const std::vector<Vec3>& points, const Matrix4& place) {
+  const Transform to_world(Matrix4::scale(1, 1, -1) * place);
+  for (const Vec3& point : points) subject_.add(to_world.point(point));
+}
+
+/// Some of them, from the first to the last.
+std::vector<int> SceneWriter::frames_to_see() const {
+  if (motion_->animation.channels.empty() || motion_->frames == 1) return {0};
+  const int count = std::min(motion_->frames, kMostFramesSeen);
+  std::vector<int> frames;
+  for (int i = 0; i < count; ++i) frames.push_back(i * (motion_->frames - 1) / (count - 1));
+  return frames;
+}
+
+std::string SceneWriter::camera(std::size_t node, double& aspect) {
+  const Value cameras = (*document_)["cameras"];
+  const std::size_t index = (*document_)["nodes"][node]["camera"].required_index(cameras.size());
+  std::vector<std::string> views;
+  std::vector<Statement> statements;
+  Json json = document_->json();
+  for (int frame = 0; frame < motion_->frames; ++frame) {
+    const Matrix4 place = Matrix4::scale(1, 1, -1) * motion_->poses->world(node, frame);
+    const auto& m = place.m;
+    std::array<double, 3> eye{}, target{}, up{};
+    const double length = std::hypot(m[0][2], m[1][2], m[2][2]);
+    for (std::size_t c = 0; c < 3; ++c) eye[c] = m[c][3], target[c] = m[c][3] - m[c][2] / length, up[c] = m[c][1];
+    views.push_back(fmt::format("LookAt {}  {}  {}", listed(eye), listed(target), listed(up)));
+    if (!motion_->animation.channels.empty()) set_moment(json, motion_->animation, frame / motion_->fps);
+    const Sight sight = camera_of(Value(&json, "")["cameras"][index], aspect);
+    statements.push_back(sight.camera);
+    if (frame == 0) aspect = sight.aspect;
+  }
+  std::string text;
+  if (std::all_of(views.begin(), views.end(), [&](const std::string& v) { return v == views.front(); })) {
+    text = views.front() + "\n";
+  } else {
+    for (std::size_t i = 0; i < views.size(); ++i) text += fmt::format("Keyframe {} {}\n", i + 1, views[i]);
+    text += "KeyframeEnd\n";
+  }
+  return text + text_of(keyed(statements)) + "\n";
+}
+
+std::string SceneWriter::header() {
+  const std::string stem = document_->path().stem().string();
+  double aspect = 4.0 / 3;
+  const bool studio = settings_.studio == "on", none = settings_.studio == "off";
+  std::string sight;
+  if (camera_node_ && !studio)
+    sight = camera(*camera_node_, aspect);
+  else
+    sight = view_of(subject_, aspect) + fmt::format("Camera \"perspective\" \"float fov\" {}\n", kStudioFov);
+  const int width = std::clamp(static_cast<int>(std::lround(kHeight * aspect)), 16, kMostWidth);
+  std::string text = fmt::format("# {}, as dspm reads it\n", document_->path().filename().string());
+  if (motion_->frames > 1) text += fmt::format("Frames {} \"float fps\" {}\n", motion_->frames, motion_->fps);
+  text += sight;
+  text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}\n", width,
+                      kHeight, in_quotes(stem + ".exr"));
+  text += "\nWorldBegin\n";
+  const bool lights = studio || !settings_.hdr.empty() || (!has_light_ && !none);
+  if (lights) text += light_for(subject_, settings_.hdr);
+  if (studio || (lights && !camera_node_ && settings_.hdr.empty())) text += ground_for(subject_);
+  return text;
+}
+
+std::string SceneWriter::picture_name(std::size_t image) {
+  std::string& name = pictures_[image];
+  if (!name.empty()) return name;
+  const std::string own = for_file((*document_)["images"][image]["name"].text(""));
+  const std::string extension = document_->extension_of_picture(image);
+  const std::string stem = std::filesystem::path(own).extension() == extension ? std::filesystem::path(own).stem().string() : own;
+  name = folder_ + "/" + files_.add(stem, fmt::format("picture{}", image + 1)) + extension;
+  result_.files[name] = [document = document_, image] { return document->picture(image); };
+  return name;
+}
+
+}  // namespace dspm::gltf

@@ -1,0 +1,34 @@
+// Where a file has no camera or no light: a neutral studio.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "dspm/math/vec.h"
+
+namespace dspm::gltf {
+
+/// What is to be seen, in dspm's world: y is up, and the front faces -z.
+struct Subject {
+  Bounds3 bounds;
+  std::vector<Vec3> points;  // some of its surface
+
+  void add(const Vec3& point) {
+    bounds.add(point);
+    if (points.size() < 50'000) points.push_back(point);
+  }
+};
+
+inline constexpr double kStudioFov = 28;  // degrees, over the height
+
+/// A LookAt from the front, a little from the right and from above, with all points in the picture.
+std::string view_of(const Subject& subject, double aspect);
+
+/// A sky, or that of the file `hdr`, and beside a plain one a soft key light.
+std::string light_for(const Subject& subject, const std::string& hdr);
+
+/// A matte ground under the subject, as far as the picture goes.
+std::string ground_for(const Subject& subject);
+
+}  // namespace dspm::gltf
