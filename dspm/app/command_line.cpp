@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "dspm/app/catalogue.h"
+#include "dspm/app/farm.h"
 #include "dspm/app/look_at_images.h"
+#include "dspm/app/merge.h"
 #include "dspm/app/new_plugin.h"
 #include "dspm/app/options.h"
+#include "dspm/app/plan.h"
 #include "dspm/app/relight.h"
 #include "dspm/app/render.h"
 #include "dspm/app/signals.h"
@@ -44,6 +47,9 @@ int run(const Options& options) {
     case Task::compare:
     case Task::flicker: return look_at_images(options), 0;
     case Task::relight: return relight_images(options);
+    case Task::merge: return merge_parts(options);
+    case Task::plan: return print_data(plan_of(options)), 0;
+    case Task::farm: return print_data(farm_job(options)), 0;
     case Task::check: return check_scene(options);
     case Task::render:
       if (are_images(options)) return look_at_images(options), 0;

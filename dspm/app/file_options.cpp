@@ -64,7 +64,7 @@ void check(const Options& o) {
     throw UsageError("--video " + o.video + ": the video is an .mp4");
   if (o.only_new && o.resume.empty())
     throw UsageError("--only-new: new since when? Give --resume and a checkpoint, too");
-  if (o.checkpoint_every && o.checkpoint.empty() && o.resume.empty())
+  if (o.checkpoint_every && o.checkpoint.empty() && o.resume.empty() && o.task != Task::farm)
     throw UsageError("--checkpoint-every: which file? Give --checkpoint or --resume, too");
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "dspm/app/templates.h"
@@ -38,22 +37,7 @@ constexpr SceneLine kSceneLines[] = {
     {"shape", "Shape \"disk\" \"float radius\" 1.5", "Shape \"@name@\" \"float width\" 3 \"float height\" 2"},
 };
 
-using Words = std::map<std::string, std::string, std::less<>>;
-
-/// A line that becomes empty is left out.
-std::string filled(std::string_view text, const Words& words) {
-  std::string result;
-  while (!text.empty()) {
-    std::string line(text.substr(0, text.find('\n')));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    const bool was_empty = line.empty();
-    for (const auto& [word, value] : words)
-      for (std::size_t at = 0; (at = line.find("@" + word + "@", at)) != line.npos; at += value.size())
-        line.replace(at, word.size() + 2, value);
-    if (was_empty || line.find_first_not_of(' ') != line.npos) result += line + "\n";
-  }
-  return result;
-}
+using Words = TemplateWords;
 
 Words words_of(std::string_view kind, const std::string& name) {
   Words words;
@@ -64,11 +48,6 @@ Words words_of(std::string_view kind, const std::string& name) {
   if (kind == "texture") words["material"] = "Material \"diffuse\" \"texture reflectance\" \"pattern\"";
   words["name"] = name, words["kind"] = kind, words["version"] = kVersion.substr(0, kVersion.rfind('.'));
   return words;
-}
-
-std::string_view template_text(std::string_view file) {
-  const auto all = templates();
-  return std::find_if(all.begin(), all.end(), [&](const Template& t) { return t.file == file; })->text;
 }
 
 /// The name of a kind as one word, on the command line and in the names of templates.
@@ -100,15 +79,6 @@ void check(const std::string& kind, const std::string& name, const fs::path& fol
   std::error_code ignored;
   if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
     throw UsageError(fmt::format("--new-plugin: {} exists already, and is not an empty folder", folder.string()));
-}
-
-/// Quoted if necessary.
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 /// The option by which CMake finds the package of this very program; empty if CMake looks there anyway.

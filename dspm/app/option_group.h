@@ -15,7 +15,7 @@ struct OptionGroup {
   void (*check)(const Options&);
 };
 
-extern const OptionGroup scene_options, task_options, work_options, file_options, looking_options;
+extern const OptionGroup scene_options, task_options, work_options, file_options, looking_options, part_options;
 
 /// Else "" would count as an option that is not given.
 inline const CLI::Validator kNamesAFile(

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "dspm/math/frames.h"
 
@@ -169,6 +170,24 @@ std::array<int, 4> parse_pixel_bounds(std::string_view text) {
   if (!bounds || (*bounds)[0] >= (*bounds)[1] || (*bounds)[2] >= (*bounds)[3])
     throw UsageError(fmt::format("--pixelbounds {}: expected x0,x1,y0,y1 in pixels, x0 < x1 and y0 < y1", text));
   return *bounds;
+}
+
+Parts parse_parts(std::string_view text) {
+  constexpr std::string_view kFrames = "frames:";
+  Parts parts;
+  bool has_iterations = false, has_frames = false;
+  for (std::string_view word : split(text, ',')) {
+    const bool of_frames = word.starts_with(kFrames);
+    if (of_frames) word.remove_prefix(kFrames.size());
+    const std::vector<std::string_view> numbers = split(word, '/');
+    const auto at = [&](std::size_t i) { return numbers.size() == 2 ? number<int>(numbers[i]).value_or(0) : 0; };
+    const Part part{at(0), at(1)};
+    if (part.number < 1 || part.number > part.of || std::exchange(of_frames ? has_frames : has_iterations, true))
+      throw UsageError(fmt::format("--part {}: expected a number out of so many, such as 3/8 or frames:3/8", text));
+    if (part.of > Part::kMost) throw UsageError(fmt::format("--part {}: at most {} parts", text, Part::kMost));
+    (of_frames ? parts.frames : parts.iterations) = part;
+  }
+  return parts;
 }
 
 Resolution parse_resolution(std::string_view text) {

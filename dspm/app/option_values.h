@@ -24,6 +24,13 @@ std::size_t parse_bytes(const char* option, std::string_view text);
 std::array<double, 4> parse_crop_window(std::string_view text);
 std::array<int, 4> parse_pixel_bounds(std::string_view text);
 
+/// Of the iterations and of the frames.
+struct Parts {
+  Part iterations, frames;
+};
+/// "3/8", "frames:3/8", or both: "1/2,frames:3/8".
+Parts parse_parts(std::string_view text);
+
 /// "50%" or "800x600".
 Resolution parse_resolution(std::string_view text);
 

@@ -19,8 +19,8 @@ constexpr const char* kDescription =
     "Exit codes: 0 done, 1 the scene or the render failed, 2 usage, 130 interrupted (images are written).\n";
 
 /// In the order of --help.
-constexpr const OptionGroup* kGroups[] = {&scene_options, &task_options, &work_options, &file_options,
-                                          &looking_options};
+constexpr const OptionGroup* kGroups[] = {&scene_options, &task_options,    &work_options,
+                                          &file_options,  &looking_options, &part_options};
 
 void add_serve(CLI::App& app, std::string& address) {
   app.add_flag("--serve{8780}", address,
@@ -50,6 +50,7 @@ ServeAddress address_of_page(const Options& o, const std::string& text) {
   const std::optional<ServeAddress> address = parse_serve_address(text);
   if (!address) refuse(text + ": expected a port or an address, such as 8080 or 0.0.0.0:8080");
   if (o.task != Task::render) refuse("shows a render, and nothing is rendered");
+  if (!o.part.is_all()) refuse("and --part exclude each other: a page begins anew when the scene changes");
   if (o.memory > 0) refuse("and --memory exclude each other: viewers take memory that no plan knows");
   if (std::find(o.scenes.begin(), o.scenes.end(), "-") != o.scenes.end())
     refuse("reads the scene more than once, so it cannot come from standard input");
@@ -63,6 +64,39 @@ std::vector<std::string> long_names(const CLI::App& app) {
   return names;
 }
 
+/// Options that are given, and where: in parts, in their merge, or in both.
+struct Place {
+  const char* option;
+  bool in_parts, in_merge;
+};
+constexpr Place kPlaces[] = {
+    {"farm", false, false},         {"parts", false, false},   {"outfile", false, true},   {"png", false, true},
+    {"contact-sheet", false, true}, {"index", false, true},    {"video", false, true},     {"view", false, true},
+    {"exposure", false, true},      {"png-bits", false, true}, {"png-space", false, true}, {"sheet-tile", false, true},
+    {"sheet-title", false, true},   {"labels", false, true},   {"half", false, true},      {"float", false, true},
+    {"compression", false, true},   {"tiles", false, true},    {"aov-files", false, true}, {"stats", false, true},
+    {"checkpoint", false, true},    {"plugin", true, true},    {"sandbox", true, true},    {"quiet", true, true},
+};
+
+void keep_words(const CLI::App& app, Options& o) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_lnames().empty() ? "" : option->get_lnames().front();
+    const auto place =
+        std::find_if(std::begin(kPlaces), std::end(kPlaces), [&](const Place& each) { return each.option == name; });
+    const auto [ignored, in_parts, in_merge] = place != std::end(kPlaces) ? *place : Place{"", true, false};
+    for (const std::string& value : option->results()) {
+      std::vector<std::string> words = {value};
+      if (name.empty() && !option->get_positional()) words = {"-" + option->get_snames().front(), value};
+      if (!name.empty() && option->get_expected_max() == 0 && value == "true")
+        words = {"--" + name};
+      else if (!name.empty() && !option->get_positional())
+        words = {"--" + name + "=" + value};
+      if (in_parts) o.words_of_render.insert(o.words_of_render.end(), words.begin(), words.end());
+      if (in_merge) o.words_of_images.insert(o.words_of_images.end(), words.begin(), words.end());
+    }
+  }
+}
+
 /// The first argument that no option takes, and what was meant.
 std::string unexpected(const CLI::App& app) {
   const std::string argument = app.remaining().empty() ? "" : app.remaining().front();
@@ -72,8 +106,9 @@ std::string unexpected(const CLI::App& app) {
 
 }  // namespace
 
-Options parse_options(const std::vector<std::string>& arguments) {
-  Options options;
+namespace {
+
+Options parse_onto(Options options, const std::vector<std::string>& arguments, bool are_all) {
   CLI::App app(kDescription, "dspm");
   app.get_formatter()->column_width(26);
   app.set_version_flag("--version", fmt::format("dspm {}", kVersion));
@@ -94,10 +129,25 @@ Options parse_options(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
-  for (const OptionGroup* group : kGroups)
-    if (group->check != nullptr) group->check(options);
+  if (are_all)
+    for (const OptionGroup* group : kGroups)
+      if (group->check != nullptr) group->check(options);
   if (!page.empty()) options.serve = address_of_page(options, page);
+  options.words = arguments;
+  keep_words(app, options);
   return options;
+}
+
+}  // namespace
+
+Options parse_options(const std::vector<std::string>& arguments) { return parse_onto({}, arguments, true); }
+
+Options with_scene_of_parts(Options merge, const std::vector<std::string>& words_of_part) {
+  const Options part = parse_options(words_of_part);
+  Options all;
+  static_cast<Choices&>(all) = part;
+  all.scenes = part.scenes, all.guide = part.guide, all.frame_part = part.frame_part;
+  return parse_onto(std::move(all), merge.words, false);
 }
 
 }  // namespace dspm

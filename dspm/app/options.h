@@ -26,6 +26,9 @@ enum class Task {
   to_dsc,
   new_plugin,
   relight,
+  merge,
+  farm,
+  plan,
   compare,
   flicker
 };
@@ -36,6 +39,13 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   std::vector<std::string> modules;  // files with plugins
   std::string sandbox;               // the directory outside of which no file is touched; empty: no sandbox
   std::string described;             // [kind:]name
+  Part frame_part;                   // of the frames
+  std::vector<std::string> parts;    // checkpoints to merge
+  int plan = 0;                      // machines to plan for
+  std::string farm;                  // the kind of farm to write jobs for
+  std::optional<int> farm_parts;     // none: 8
+  // The command line in one spelling: what a part's render needs, and what the merge does.
+  std::vector<std::string> words_of_render, words_of_images;
   std::string guide, save_guide;     // files; empty: none
   std::vector<std::string> created;  // a new plugin's kind, name and folder
   std::string progress;              // a kind of progress, see progress_kind(); empty: the usual one
@@ -44,10 +54,9 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   std::optional<ServeAddress> serve;  // where the live page is
 
   Interval write_every;
-  int threads = 0;         // 0: all
-  double time_limit = 0;   // seconds; 0: none
-  double patience = 60;    // seconds before a message says who does not return
-  std::size_t memory = 0;  // bytes that a run may take; 0: no bound
+  int threads = 0;        // 0: all
+  double time_limit = 0;  // seconds; 0: none
+  double patience = 60;   // seconds before a message says who does not return
 };
 
 /// `--help` and `--version`: text for standard output, and nothing else to do.
@@ -57,5 +66,7 @@ struct Information {
 
 /// Throws UsageError or Information.
 Options parse_options(const std::vector<std::string>& arguments);
+/// Those of a merge: what its parts rendered, by the words of their command line, unless it names a scene itself.
+Options with_scene_of_parts(Options merge, const std::vector<std::string>& words_of_part);
 
 }  // namespace dspm

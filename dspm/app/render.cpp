@@ -66,10 +66,20 @@ int with_render(const Options& options, const char* step,
 
 }  // namespace
 
+void take_part_of_frames(const Part& part, Job& job) {
+  if (part.is_all()) return;
+  const std::vector<FrameList> all = FrameIntervals(*job.description, job.frames).deal(part.of);
+  if (static_cast<std::size_t>(part.number) > all.size())
+    throw UsageError(fmt::format("--part frames:{}/{}: the frames make only {} parts that share what they can",
+                                 part.number, part.of, all.size()));
+  job.frames = all[static_cast<std::size_t>(part.number) - 1];
+}
+
 int load_and(const Options& options, const Surroundings& around, const std::function<void()>& before,
              const std::function<int(Render&, const LoadedScene&)>& task) {
   std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
   LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages);
+  take_part_of_frames(options.frame_part, loaded.job);
   if (options.only_new && resumed != nullptr) go_as_far(*resumed, loaded.job);
   // What only counts must not take memory that was meant for the render.
   loaded.job.settings.count_found = (options.explain || !options.stats.empty()) && options.memory == 0;

@@ -14,6 +14,9 @@ int render_scene(const Options& options);
 /// throws likewise.
 int check_scene(const Options& options);
 
+/// Leaves the job only the frames of the part of --part frames:3/8. Throws UsageError if there are none.
+void take_part_of_frames(const Part& part, Job& job);
+
 /// Loads the scene, and calls task(render, loaded scene) once all is ready to be written. `before`: called just before.
 int load_and(const Options& options, const Surroundings& around, const std::function<void()>& before,
              const std::function<int(Render&, const LoadedScene&)>& task);

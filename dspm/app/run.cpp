@@ -51,7 +51,8 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
 int Render::run() {
   const auto begin = std::chrono::steady_clock::now();
   const double seconds_before = checkpoints_.seconds();
-  const SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
+  SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
+  settings.part = options_.part;
   Session(loaded_, intervals_, memory_, settings, messages_, *this).run();
   onlookers_.reset();
   progress_.reset();
@@ -59,10 +60,21 @@ int Render::run() {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   report_.seconds = seconds_before + seconds.count();
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
-  results_.say_end(report_.seconds, InterruptRequests::signal() != 0);
+  if (options_.part.is_all())
+    results_.say_end(report_.seconds, InterruptRequests::signal() != 0);
+  else
+    say_end_of_part();
   if (end_wanted() && !checkpoints_.path().empty())
     messages_.say("--resume {} continues from here", checkpoints_.path().string());
   return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
+}
+
+void Render::say_end_of_part() const {
+  int least = report_.iterations.empty() ? 0 : report_.iterations.front();
+  for (const int iterations : report_.iterations) least = std::min(least, iterations);
+  messages_.say("{} after {}: {} in {}, {}", InterruptRequests::signal() != 0 ? "interrupted" : "done",
+                readable_time(report_.seconds), options_.part.in_words(), checkpoints_.path().string(),
+                counted(static_cast<std::size_t>(least), "iteration"));
 }
 
 void Render::interval_ends(const IntervalProgress& progress, const Scene& scene, Integrator& integrator) {
@@ -91,8 +103,9 @@ void Render::announce(const Scene& scene, const Integrator& integrator, int iter
       options_.until_error > 0 ? fmt::format(" until the error is {}", readable_share(options_.until_error)) : "";
   const std::string limit =
       options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
-  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
-                crop.height(), job.integrator, count, error, limit,
+  const std::string part = options_.part.is_all() ? "" : fmt::format(" ({})", options_.part.in_words());
+  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
+                crop.height(), job.integrator, count, part, error, limit,
                 counted(static_cast<std::size_t>(thread_count()), "thread"));
   messages_.say("{}: {}", job.integrator, integrator.settings());
   messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),

@@ -13,6 +13,7 @@
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
 #include "dspm/app/watch.h"
+#include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
 #include "dspm/scene/scene.h"
 #include "dspm/serve/live_page.h"
@@ -52,6 +53,9 @@ class Render final : public SessionObserver {
     announce(scene, integrator, iterations);
     onlookers_.emplace(loaded_.job, options_, View(options_.view), messages_);
     if (live_ != nullptr) live_->begin_run(loaded_.job, scene, integrator, iterations, false);
+    if (const std::string why = integrator.why_not_in_parts(); !options_.part.is_all() && !why.empty())
+      throw UsageError(fmt::format("--part: {} cannot be rendered in parts: {}",
+                                   in_words("integrator", loaded_.job.integrator), why));
     checkpoints_.begin(intervals_, integrator);
   }
   IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
@@ -86,6 +90,7 @@ class Render final : public SessionObserver {
   int more_iterations(const IntervalProgress& progress, Integrator& integrator) override;
 
  private:
+  void say_end_of_part() const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.
   bool is_of_no_use() const { return live_ != nullptr && live_->is_restarting(); }
@@ -122,8 +127,9 @@ class Render final : public SessionObserver {
   /// What a crash would leave.
   std::string kept_in_words() const {
     const std::string images = results_.written();
-    std::string words =
-        images.empty() ? "no images have been written (--write-every writes some)" : "the images so far: " + images;
+    std::string words = !options_.part.is_all() ? "a part writes no images"
+                        : images.empty()        ? "no images have been written (--write-every writes some)"
+                                                : "the images so far: " + images;
     if (has_checkpoint_)
       words += fmt::format("; --resume {} continues from the last checkpoint", checkpoints_.path().string());
     return words;

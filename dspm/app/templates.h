@@ -1,7 +1,10 @@
 // The files of app/templates, as CMakeLists.txt puts them into the program.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace dspm {
@@ -11,5 +14,15 @@ struct Template {
   std::string_view text;  // with @words@ to be replaced
 };
 std::span<const Template> templates();
+
+/// The text of one that is there.
+std::string_view template_text(std::string_view file);
+
+using TemplateWords = std::map<std::string, std::string, std::less<>>;
+/// With each @word@ replaced. A line that becomes empty is left out.
+std::string filled(std::string_view text, const TemplateWords& words);
+
+/// As a shell reads it: quoted if necessary.
+std::string shell_word(const std::string& word);
 
 }  // namespace dspm

@@ -9,9 +9,11 @@
 #include <bit>
 #include <cerrno>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
+#include "dspm/checkpoint/loading_stream.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
@@ -25,30 +27,8 @@ static_assert(std::endian::native == std::endian::little);  // like the numbers 
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostIntervals = 1 << 20, kMostFrames = 1 << 24, kLongestName = 1 << 16;
 constexpr int kMostIterations = 1'000'000'000;
-constexpr std::size_t kBlock = 1 << 20;
 
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
-
-class LoadingStream final : public StateStream {
- public:
-  /// Reads at most `left` bytes, from the file's current position.
-  LoadingStream(std::istream& file, std::uint64_t left) : file_(file), left_(left) {}
-  std::uint64_t left() const { return left_; }
-
- protected:
-  void bytes(void* data, std::size_t count) override {
-    expect(count);
-    if (!file_.read(static_cast<char*>(data), static_cast<std::streamsize>(count))) fail("it cannot be read");
-    left_ -= count;
-  }
-  void expect(std::size_t count) override {
-    if (count > left_) fail("it ends too early");
-  }
-
- private:
-  std::istream& file_;
-  std::uint64_t left_;
-};
 
 void persist(IntervalState& interval, StateStream& state) {
   state.list(interval.frames, kMostFrames);
@@ -69,16 +49,25 @@ void persist(std::vector<IntervalState>& all, StateStream& state) {
   }
 }
 
-void persist(KnownFrames& frames, StateStream& state) {
-  state.value(frames.base);
-  state.value(frames.moments);
-  std::uint64_t count = frames.names.size();
+void persist(std::vector<std::string>& texts, StateStream& state) {
+  std::uint64_t count = texts.size();
   state.value(count);
   if (count > kMostFrames) fail("it has too many entries");
   for (std::uint64_t i = 0; i < count; ++i) {
-    if (i == frames.names.size()) frames.names.emplace_back();
-    state.text(frames.names[i], kLongestName);
+    if (i == texts.size()) texts.emplace_back();
+    state.text(texts[i], kLongestName);
   }
+}
+
+void persist(KnownFrames& frames, StateStream& state) {
+  state.value(frames.base);
+  state.value(frames.moments);
+  persist(frames.names, state);
+}
+
+void persist(Part& part, StateStream& state) {
+  state.value(part);
+  if (part.number < 1 || part.number > part.of || part.of > Part::kMost) fail("it is damaged");
 }
 
 /// A forged file could name frames that do not exist.
@@ -96,6 +85,10 @@ void expect_possible(const KnownFrames& frames, const std::vector<IntervalState>
 void persist_head(CheckpointFile::Render& render, std::vector<IntervalState>& intervals, StateStream& state) {
   dspm::persist(render.facts, state);
   persist(render.frames, state);
+  persist(render.part, state);
+  state.value(render.memory);
+  persist(render.machines, state);
+  persist(render.words, state);
   persist(intervals, state);
 }
 
@@ -110,7 +103,7 @@ constexpr std::uint64_t kHeadAt = kMagic.size();
 /// Calls fn(block) for the next `count` bytes, a block at a time. False: they could not be read.
 template <class Fn>
 bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
-  std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count)));
+  std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(LoadingStream::kBlock, count)));
   for (std::uint64_t left = count; left > 0;) {
     const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), left));
     if (!file.read(block.data(), static_cast<std::streamsize>(now))) return false;
@@ -134,6 +127,16 @@ class Checksum {
 };
 
 }  // namespace
+
+void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file) {
+  std::set<FileFrame> all;
+  bool valid = true;
+  for (const IntervalState& interval : intervals) {
+    valid = valid && !interval.frames.empty() && interval.frames.size() <= kMaxFrames;
+    for (const FileFrame frame : interval.frames) valid = all.insert(frame).second && valid;
+  }
+  if (!valid) throw std::runtime_error(fmt::format("checkpoint {}: its frames are not possible", file));
+}
 
 class CheckpointFile::SavingStream final : public StateStream {
  public:
@@ -197,11 +200,20 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
 }
 
 void CheckpointFile::load(std::size_t interval, Integrator& integrator) const {
+  load_by<LoadingStream>(interval, integrator);
+}
+
+void CheckpointFile::add(std::size_t interval, Integrator& integrator) const {
+  load_by<AddingStream>(interval, integrator);
+}
+
+template <class Stream>
+void CheckpointFile::load_by(std::size_t interval, Integrator& integrator) const {
   const IntervalState& state = intervals_[interval];
   try {
     file_.clear();
     file_.seekg(static_cast<std::streamoff>(state.offset));
-    LoadingStream stream(file_, state.size);
+    Stream stream(file_, state.size);
     if (!integrator.persist(stream) || stream.left() != 0) fail("it belongs to another integrator");
   } catch (const std::exception& error) {
     fail(fmt::format("checkpoint {}: {}", path_.string(), error.what()));

@@ -14,6 +14,7 @@
 #include "dspm/checkpoint/facts.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/session/frame_intervals.h"
+#include "dspm/session/part.h"
 
 namespace dspm {
 
@@ -25,10 +26,13 @@ struct IntervalState {
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
 
+/// Throws std::runtime_error, naming the file, if a frame is there twice or too many are together.
+void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file);
+
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 7\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 8\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.
@@ -38,11 +42,18 @@ class CheckpointFile {
   struct Render {
     std::vector<Fact> facts;
     KnownFrames frames;  // those of the file
+    Part part = {};
+    std::uint64_t memory = 0;                // bound of a part, which cuts it into intervals and batches; 0: none
+    std::vector<std::string> machines = {};  // that worked on it
+    std::vector<std::string> words = {};     // the command line of a part
   };
   const Render& render() const { return render_; }
   const std::vector<IntervalState>& intervals() const { return intervals_; }
   /// Loads the state into an integrator that was made for that interval.
   void load(std::size_t interval, Integrator& integrator) const;
+  /// Adds the state to that of other parts, which the integrator holds.
+  void add(std::size_t interval, Integrator& integrator) const;
+  const std::filesystem::path& path() const { return path_; }
 
   /// Whether `path` names this very file now.
   bool is_at(const std::filesystem::path& path) const;
@@ -62,6 +73,8 @@ class CheckpointFile {
   CheckpointFile() = default;
   class SavingStream;
   void open(const std::filesystem::path& path);
+  template <class Stream>
+  void load_by(std::size_t interval, Integrator& integrator) const;
   /// False: it could not be read.
   bool copy(std::size_t interval, SavingStream& to) const;
 

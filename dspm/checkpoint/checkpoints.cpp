@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "dspm/math/frames.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/machine.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 
@@ -32,17 +32,6 @@ std::string in_words(const Interval& every) {
                            : counted(static_cast<std::size_t>(every.iterations), "iteration");
 }
 
-/// What a file with the same name of a frame twice, or too many together, is not.
-void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file) {
-  std::set<FileFrame> all;
-  bool valid = true;
-  for (const IntervalState& interval : intervals) {
-    valid = valid && !interval.frames.empty() && interval.frames.size() <= kMaxFrames;
-    for (const FileFrame frame : interval.frames) valid = all.insert(frame).second && valid;
-  }
-  if (!valid) throw std::runtime_error(fmt::format("checkpoint {}: its frames are not possible", file));
-}
-
 KnownFrames frames_to_keep(const Job& job) {
   const FileFrames& frames = job.description->frames;
   KnownFrames known{frames.base(), frames.moments(), {}, {}};
@@ -59,6 +48,17 @@ void refuse_to_overwrite(const fs::path& path) {
   if (!fs::exists(path, ignored)) return;
   throw UsageError(fmt::format("--checkpoint {}: it exists already; continue it with --resume {}, or remove it first",
                                path.string(), path.string()));
+}
+
+/// What no fact says.
+void refuse_another_part(const CheckpointFile::Render& then, const CheckpointFile::Render& now,
+                         const std::string& file) {
+  if (then.part != now.part)
+    throw UsageError(
+        fmt::format("--resume {}: it holds {}, and this run is {}", file, then.part.in_words(), now.part.in_words()));
+  if (then.memory != now.memory)
+    throw UsageError(fmt::format("--resume {}: parts keep their bound on memory, here {}", file,
+                                 then.memory == 0 ? "none" : fmt::format("--memory {}", then.memory)));
 }
 
 /// For a file that is not this run's.
@@ -78,8 +78,13 @@ Checkpoints::Checkpoints(const Job& job, const CheckpointSettings& settings,
       last_(std::move(resumed)) {
   if (!writes()) return;
   if (settings.resume.empty() || !is_same_file(path_, settings.resume)) refuse_to_overwrite(path_);
-  render_ = {facts_of(job, all_frames(job)), frames_to_keep(job)};
+  render_ = {facts_of(job, all_frames(job)), frames_to_keep(job), settings.part};
+  if (!settings.part.is_all()) render_.memory = settings.memory, render_.words = settings.words;
+  render_.machines = {machine_in_words()};
   if (last_ == nullptr) return;
+  refuse_another_part(last_->render(), render_, settings.resume);
+  for (const std::string& machine : last_->render().machines)
+    if (machine != render_.machines.front()) render_.machines.push_back(machine);
   Diagnostics diagnostics;
   const CheckpointFile::Render& then = last_->render();
   compare(then.facts, facts_of(job, then.frames.all()), diagnostics);

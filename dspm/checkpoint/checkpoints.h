@@ -16,6 +16,9 @@ namespace dspm {
 struct CheckpointSettings {
   std::string checkpoint, resume;            // files; empty: none
   std::optional<Interval> checkpoint_every;  // else every ten minutes
+  Part part = {};
+  std::size_t memory = 0;          // bytes that a run may take; 0: no bound
+  std::vector<std::string> words;  // of the command line
 };
 
 class Checkpoints {

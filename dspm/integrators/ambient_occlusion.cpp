@@ -103,6 +103,7 @@ class AmbientOcclusion final : public Integrator {
     done_.persist(state);
     return true;
   }
+  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics at_start() {

@@ -31,11 +31,13 @@ Counters& Counters::operator+=(const Counters& other) {
 }
 
 void Counters::persist(StateStream& state) {
+  const Counters before = state.merges() ? *this : Counters();
   std::vector<Entry> entries = entries_;
   state.list(entries, kMost);
   for (const Entry& entry : entries)
     if (entry.name[kLongestName] != 0) throw std::runtime_error("it holds a counter whose name is too long");
   entries_ = std::move(entries);
+  *this += before;
 }
 
 }  // namespace dspm

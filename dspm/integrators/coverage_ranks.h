@@ -25,16 +25,33 @@ class CoverageRanks {
     }
     *least = {thing, 1};
   }
+  /// The largest shares of both stay; again, none is too large.
+  CoverageRanks& operator+=(const CoverageRanks& other) {
+    std::array<Share, 2 * kRanks> all{};
+    std::copy(shares_.begin(), shares_.end(), all.begin());
+    auto end = all.begin() + kRanks;
+    for (const Share& share : other.shares_) {
+      const auto same = std::find_if(all.begin(), all.begin() + kRanks, [&](const Share& s) {
+        return s.paths > 0 && share.paths > 0 && s.thing == share.thing;
+      });
+      same == all.begin() + kRanks ? void(*end++ = share) : void(same->paths += share.paths);
+    }
+    std::stable_sort(all.begin(), all.end(), larger);
+    std::copy_n(all.begin(), kRanks, shares_.begin());
+    return *this;
+  }
   /// The largest share first.
   std::array<Share, kRanks> sorted() const {
     std::array<Share, kRanks> shares = shares_;
-    std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
-      return a.paths != b.paths ? a.paths > b.paths : a.thing < b.thing;
-    });
+    std::stable_sort(shares.begin(), shares.end(), larger);
     return shares;
   }
 
  private:
+  static bool larger(const Share& a, const Share& b) {
+    return a.paths != b.paths ? a.paths > b.paths : a.thing < b.thing;
+  }
+
   std::array<Share, kRanks> shares_;
 };
 

@@ -81,6 +81,9 @@ class ErrorEstimate final : public Integrator {
   int iterations() const override { return inner_->iterations(); }
   std::string settings() const override { return inner_->settings(); }
   std::vector<OutputInfo> outputs() const override { return inner_->outputs(); }
+  std::string why_not_in_parts() const override {
+    return "an error is estimated from how the image changes, iteration by iteration";
+  }
   Image estimate(Frame frame, const std::string& output) const override { return inner_->estimate(frame, output); }
 
   void iterate(int iteration, const Scene& scene) override {

@@ -26,10 +26,14 @@ class PixelEstimator {
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
   /// Adds light that needs no photons. Also concurrent for different pixels.
   virtual void see(const SeenLight& light) = 0;
+  /// Called once per iteration, before all gathers, with rising numbers; other machines may do those in between.
+  virtual void begin_iteration(int /*iteration*/) {}
   /// Called once per iteration, after all gathers.
   virtual void end_iteration() = 0;
   /// All state that outlives an iteration; see Integrator::persist.
   virtual void persist(StateStream& state) = 0;
+  /// Whether an iteration is the same whatever the others found; else its sums cannot be merged.
+  virtual bool adds_up() const { return true; }
   /// Radiance after the completed iterations.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
   /// Of a pixel with a radius of its own; empty if only sums are kept.
@@ -38,7 +42,7 @@ class PixelEstimator {
   virtual void forget_iteration() {}
 };
 
-/// kz11's radius, the same for all pixels and frames except for its initial value.
+/// kz11's radius, the same for all pixels and frames except for its initial value: a function of the iteration.
 class IterationRadius {
  public:
   float of(float initial) const { return initial * static_cast<float>(scale_); }
@@ -46,19 +50,17 @@ class IterationRadius {
     const float radius = of(hit.radius);
     return radius * radius;
   }
-  /// After the i-th iteration, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
-  void end_iteration(float alpha) {
-    const auto i = static_cast<double>(++iterations_);
-    scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
-  }
-  int iterations() const { return iterations_; }
-  void persist(StateStream& state) {
-    state.value(iterations_);
-    state.value(scale_);
+  /// To that of an iteration, counted from 0. After the i-th, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+  void go_to(int iteration, float alpha) {
+    if (iteration < iteration_) *this = {};
+    while (iteration_ < iteration) {
+      const auto i = static_cast<double>(++iteration_);
+      scale_ *= std::sqrt((i + static_cast<double>(alpha)) / (i + 1));
+    }
   }
 
  private:
-  int iterations_ = 0;
+  int iteration_ = 0;
   double scale_ = 1;
 };
 

@@ -59,12 +59,18 @@ class FoundPhotons {
   float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_[index(pixel, frame)].photons); }
   /// Before any shrinking.
   float initial_radius(int pixel, Frame frame) const { return pixels_[index(pixel, frame)].initial_radius; }
-  void persist(StateStream& state) { state.value(pixels_); }
+  void persist(StateStream& state) { state.sum(pixels_); }
 
  private:
   struct Pixel {
     std::uint32_t photons = 0;
     float initial_radius = 0;
+
+    Pixel& operator+=(const Pixel& o) {
+      photons += o.photons;
+      if (o.initial_radius > 0) initial_radius = o.initial_radius;
+      return *this;
+    }
   };
   std::size_t index(int pixel, Frame frame) const {
     return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);

@@ -41,6 +41,10 @@ void GroupEstimators::gather(const std::vector<HitPointTile>& tiles, const std::
   }
 }
 
+void GroupEstimators::begin_iteration(int iteration) {
+  for (const auto& estimator : estimators_) estimator->begin_iteration(iteration);
+}
+
 void GroupEstimators::end_iteration() {
   for (const auto& estimator : estimators_) estimator->end_iteration();
 }

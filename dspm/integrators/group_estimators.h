@@ -28,6 +28,7 @@ class GroupEstimators {
   /// A batch of an iteration's photons. `hidden`: the radius of hidden light.
   void gather(const std::vector<HitPointTile>& tiles, const std::vector<PhotonTrace>& traces, const Scene& scene,
               float cell_size, const IterationRadius& hidden);
+  void begin_iteration(int iteration);
   void end_iteration();
   /// Those of estimators.
   void forget_iteration();

@@ -49,7 +49,8 @@ class Integrator {
   virtual int iterations() const = 0;
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// Advances all frames by one iteration; iterations count from 0 and come in order. `scene`: the one that the
+  /// Advances all frames by one iteration; iterations count from 0 and come in order, without gaps but for those that
+  /// other machines do (why_not_in_parts). `scene`: the one that the
   /// integrator was made for, or its state in that iteration, with the same frames, shapes, materials and lights (what
   /// an integrator makes once, such as photonmap's maps, it makes from the first). May
   /// throw; persist() can then load the state saved before, which is also how a session undoes a cancelled iteration.
@@ -64,6 +65,11 @@ class Integrator {
   /// Called between iterations: counts, saves or loads the state, so that another integrator of the same scene and
   /// settings continues from there, bit for bit. False: it does not support checkpoints.
   virtual bool persist(StateStream&) { return false; }
+  /// Empty if machines can share out its iterations: each is a function of its number and not of what others left, and
+  /// persist() names what adds up over them (StateStream::sum). Else the reason.
+  virtual std::string why_not_in_parts() const {
+    return "it does not say that they add up (Integrator::why_not_in_parts)";
+  }
 };
 
 /// `scene` outlives the integrator.

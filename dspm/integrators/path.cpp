@@ -165,6 +165,7 @@ class Path final : public Integrator {
     done_.persist(state);
     return true;
   }
+  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics statistics_at_start() {

@@ -145,6 +145,7 @@ class PhotonMapper final : public Integrator {
     done_.persist(state);
     return true;
   }
+  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics statistics_at_start(const PhotonMapSettings& settings, const Scene& scene,

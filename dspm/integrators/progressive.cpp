@@ -54,7 +54,7 @@ class Progressive final : public Integrator {
   void iterate(int number, const Scene& scene) override {
     const Statistics before = statistics_;
     try {
-      iterate(static_cast<std::uint64_t>(number), scene);
+      iterate_once(number, scene);
     } catch (...) {
       statistics_ = before;
       throw;
@@ -77,11 +77,17 @@ class Progressive final : public Integrator {
 
   Statistics statistics() const override { return statistics_; }
 
+  std::string why_not_in_parts() const override {
+    if (estimator_->adds_up()) return {};
+    return "the radii of hj09 depend on the photons that all earlier iterations found; \"string estimator\" \"kz11\" "
+           "can be shared out";
+  }
+
   bool persist(StateStream& state) override {
     statistics_.persist(state);
     estimator_->forget_iteration(), groups_->forget_iteration();
     estimator_->persist(state), groups_->persist(state);
-    shrinkage_.persist(state);
+    shrinkage_.go_to(statistics_.iterations, settings_.alpha);
     found_.persist(state);
     found_by_tile_.persist(state);
     persist_learned(state);
@@ -90,8 +96,11 @@ class Progressive final : public Integrator {
 
  private:
   // [WG12 figure 3]
-  void iterate(std::uint64_t iteration, const Scene& scene) {
+  void iterate_once(int number, const Scene& scene) {
+    const auto iteration = static_cast<std::uint64_t>(number);
     if (learned_ == nullptr) learn(scene);
+    shrinkage_.go_to(number, settings_.alpha);
+    estimator_->begin_iteration(number), groups_->begin_iteration(number);
     balance_direct_light(scene);
     trace_camera_paths(scene, iteration);
     const float cell_size = mean_search_radius(scene);
@@ -104,10 +113,10 @@ class Progressive final : public Integrator {
       part_by_groups(scene, cell_size, first == 0);
     }
     estimator_->end_iteration(), groups_->end_iteration();
-    shrinkage_.end_iteration(settings_.alpha);
     statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
     if (settings_.hit_point.go_on) statistics_.typical.photons = 0;  // few may be all that there are
     ++statistics_.iterations;
+    shrinkage_.go_to(statistics_.iterations, settings_.alpha);
   }
 
   void learn(const Scene& scene) {

@@ -28,6 +28,6 @@ Rejections& Rejections::operator+=(const Rejections& other) {
   return *this;
 }
 
-void Rejections::persist(StateStream& state) { state.value(count_); }
+void Rejections::persist(StateStream& state) { state.sum(count_); }
 
 }  // namespace dspm

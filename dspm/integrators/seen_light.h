@@ -54,8 +54,8 @@ class SeenLightSums {
   }
   const LightGroups& groups() const { return groups_; }
   void persist(StateStream& state) {
-    state.value(sums_);
-    if (has_parts()) state.value(parts_);
+    state.sum(sums_);
+    if (has_parts()) state.sum(parts_);
   }
   std::size_t bytes() const { return (sums_.capacity() + parts_.capacity()) * sizeof(Rgb); }
 

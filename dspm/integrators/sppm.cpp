@@ -68,6 +68,7 @@ class Hj09 final : public PixelEstimator {
     ++iterations_;
   }
 
+  bool adds_up() const override { return false; }
   void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), PassSums()); }
 
   void persist(StateStream& state) override {
@@ -107,21 +108,23 @@ class Kz11 final : public PixelEstimator {
     sums_[static_cast<std::size_t>(light.pixel)] += light.radiance * static_cast<float>(of_.photons);
   }
 
-  void end_iteration() override { radius_.end_iteration(of_.alpha); }
+  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
+  void end_iteration() override { ++iterations_; }
 
   void persist(StateStream& state) override {
-    radius_.persist(state);
-    state.value(sums_);
+    state.sum(iterations_);
+    state.sum(sums_);
   }
 
   Rgb radiance(int pixel, Frame) const override {
-    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
     return emitted > 0 ? sums_[static_cast<std::size_t>(pixel)] * static_cast<float>(1 / emitted) : Rgb();
   }
 
  private:
   EstimatorSettings of_;
   IterationRadius radius_;
+  int iterations_ = 0;     // done
   std::vector<Rgb> sums_;  // radiance times photons
 };
 

@@ -3,16 +3,16 @@
 namespace dspm {
 
 void Statistics::persist(StateStream& state) {
-  state.value(iterations);
-  for (StepTime& step : steps) state.value(step.seconds);
-  state.value(camera);
-  state.value(photon);
-  for (SharedCount* count : {&photons_stored, &gathers, &photons_found}) state.value(*count);
-  state.value(photon_tests);
+  state.sum(iterations);
+  for (StepTime& step : steps) state.sum(step.seconds);
+  state.sum(camera);
+  state.sum(photon);
+  for (SharedCount* count : {&photons_stored, &gathers, &photons_found}) state.sum(*count);
+  state.sum(photon_tests);
   rejections.persist(state);
-  state.value(energy);
-  state.value(typical);
-  state.value(bytes);
+  state.sum(energy);
+  state.sum(typical);
+  state.largest(bytes);
   counters.persist(state);
   emission.persist(state);
 }

@@ -66,6 +66,14 @@ struct EnergyBalance {
 struct TypicalHitPoint {
   double photons = 0;           // found so far
   double radius_in_pixels = 0;  // of the last search, in pixel spacings; 0: none
+
+  /// Radii shrink, so the last search is that of the smaller one.
+  TypicalHitPoint& operator+=(const TypicalHitPoint& o) {
+    photons += o.photons;
+    if (radius_in_pixels == 0 || (o.radius_in_pixels > 0 && o.radius_in_pixels < radius_in_pixels))
+      radius_in_pixels = o.radius_in_pixels;
+    return *this;
+  }
 };
 
 struct StepTime {

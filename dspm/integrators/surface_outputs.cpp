@@ -50,6 +50,16 @@ struct Majority {
     if (lead == 0) choice = candidate;
     choice == candidate ? ++lead : --lead;
   }
+  /// A majority of all votes stays one. [Agarwal et al. 2012]
+  Majority& operator+=(const Majority& o) {
+    if (choice == o.choice)
+      lead += o.lead;
+    else if (lead < o.lead)
+      *this = {o.choice, o.lead - lead};
+    else
+      lead -= o.lead;
+    return *this;
+  }
 };
 
 /// What is kept of a kind, by pixel and frame: sums, votes or ranks.
@@ -135,12 +145,13 @@ class SurfaceOutputs final : public Integrator {
 
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
-    state.value(step_.seconds);
-    state.value(met_);
-    for (Layer& layer : layers_) state.value(layer.sums), state.value(layer.votes), state.value(layer.ranks);
-    state.value(iterations_);
+    state.sum(step_.seconds);
+    state.sum(met_);
+    for (Layer& layer : layers_) state.sum(layer.sums), state.sum(layer.votes), state.sum(layer.ranks);
+    state.sum(iterations_);
     return true;
   }
+  std::string why_not_in_parts() const override { return inner_->why_not_in_parts(); }
 
  private:
   static void name(Layer& layer, std::span<const std::string> names) {

@@ -37,9 +37,9 @@ class FoundByTile {
   }
 
   void persist(StateStream& state) {
-    state.value(rounds_);
-    state.value(found_);
-    state.value(gathers_);
+    state.sum(rounds_);
+    state.sum(found_);
+    state.sum(gathers_);
   }
 
  private:

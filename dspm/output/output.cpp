@@ -58,8 +58,10 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
   try_writes(paths_of(written));
-  if (job.denoiser == Denoiser::oidn) try_oidn(denoised_name(job.frames.front()));
-  warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
+  if (settings.images) {
+    if (job.denoiser == Denoiser::oidn) try_oidn(denoised_name(job.frames.front()));
+    warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
+  }
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
   if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
   const auto variation = [&](FileFrame frame) { return job.description->frames.combination_of(frame); };
@@ -74,7 +76,7 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
 
 std::vector<NamedFile> Output::files(const OutputSettings& settings, const OtherFiles& others) const {
   std::vector<NamedFile> files;
-  for (const FileFrame frame : job_.frames) {
+  for (const FileFrame frame : settings.images ? job_.frames : std::vector<FileFrame>()) {
     const std::string whose =
         job_.numbered || !job_.variation(frame).empty() ? job_.description->frames.label(frame) + "'s " : "the ";
     const auto add = [&](const std::filesystem::path& image, std::string what) {

@@ -23,6 +23,7 @@ namespace dspm {
 
 /// Files besides the images that the Film names.
 struct OutputSettings : LayerSettings {
+  bool images = true;                // false: only statistics and other files
   bool png = false;                  // of every image
   std::string contact_sheet, video;  // files; empty: none
   std::string index;                 // the table of all images, .csv or .json; empty: none

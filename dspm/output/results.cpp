@@ -56,6 +56,7 @@ Results::Results(const Job& job, const World& world, const OutputSettings& setti
 void Results::write(const FrameList& interval, const Integrator& integrator, double seconds, Images images) {
   const Statistics statistics = integrator.statistics();
   report_rejections(statistics.rejections, world_, interval, job_, messages_);
+  if (!settings_.images) return;
   faults_.retry();
   const std::vector<OutputInfo> outputs = asked_outputs(integrator, job_);
   for (std::size_t j = 0; j < interval.size(); ++j) {

@@ -95,6 +95,22 @@ void FrameIntervals::cut(FrameSpan frames, std::size_t factor, std::size_t toget
   for (const FrameSpans& pack : packs) intervals.push_back(ascending(pack));
 }
 
+std::vector<FrameList> FrameIntervals::deal(int machines) const {
+  int frames = 0;
+  for (const FrameList& group : groups_) frames += static_cast<int>(group.size());
+  const auto most = static_cast<std::size_t>(machines);
+  int together = (frames + machines - 1) / machines;
+  while (together < frames && cut(together).size() > most) ++together;
+  std::vector<FrameList> intervals = cut(together);
+  for (std::size_t i = most; i < intervals.size(); ++i) {
+    FrameList& to = intervals[i % most];
+    to.insert(to.end(), intervals[i].begin(), intervals[i].end());
+  }
+  intervals.resize(std::min(intervals.size(), most));
+  for (FrameList& each : intervals) std::sort(each.begin(), each.end());
+  return intervals;
+}
+
 std::vector<FrameList> FrameIntervals::cut(int together) const {
   std::vector<FrameList> intervals;
   for (const FrameList& group : groups_) cut(group, 0, static_cast<std::size_t>(together), intervals);

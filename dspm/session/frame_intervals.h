@@ -23,6 +23,9 @@ class FrameIntervals {
   /// Intervals of at most `together` frames, in the order of their first frames. If whole inner products of the
   /// factors fit, an interval holds whole ones; lengths are as equal as that allows.
   std::vector<FrameList> cut(int together) const;
+  /// For so many machines at most, each with nearly as many frames as the others: cut as intervals are, unless that
+  /// makes more of them than there are machines.
+  std::vector<FrameList> deal(int machines) const;
 
  private:
   std::vector<FrameSpan> blocks(FrameSpan frames, std::size_t factor) const;

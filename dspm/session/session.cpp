@@ -57,13 +57,23 @@ double Session::time_share(std::size_t index) const {
   return (settings_.time_limit - seconds_since(begin_)) / static_cast<double>(intervals_.size() - index);
 }
 
+int Session::iterations_of(const Integrator& integrator) const {
+  const int all = loaded_.job.iterations(integrator);
+  const Part& part = settings_.part;
+  if (all == 0) return 0;
+  if (all < part.of)
+    throw UsageError(fmt::format("--part {}/{}: {} cannot make so many parts", part.number, part.of,
+                                 counted(static_cast<std::size_t>(all), "iteration")));
+  return part.share_of(all);
+}
+
 void Session::render_interval(std::size_t index) {
   const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
   const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
   const std::unique_ptr<Integrator> integrator =
       make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
-  const int iterations = loaded_.job.iterations(*integrator);
+  const int iterations = iterations_of(*integrator);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
     throw UsageError(
         fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",
@@ -145,14 +155,15 @@ bool Session::can_copy(Integrator& integrator, std::size_t index) const {
 
 void Session::iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
                                   double expected) const {
+  const int iteration = settings_.part.iteration(before.iterations);
   if (before.iterations == 0) {  // nothing can be lost
     const Cancellable cancellable;
-    return integrator.iterate(0, scene);
+    return integrator.iterate(iteration, scene);
   }
   if (expected >= settings_.long_iteration && can_copy(integrator, before.index))
-    return iterate_revertibly(integrator, before.iterations, scene);
+    return iterate_revertibly(integrator, iteration, scene);
   const Cancellable cancellable(Cancellable::Loss::results);
-  integrator.iterate(before.iterations, scene);
+  integrator.iterate(iteration, scene);
 }
 
 bool Session::iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected) {

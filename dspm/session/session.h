@@ -11,6 +11,7 @@
 #include "dspm/session/load.h"
 #include "dspm/session/memory_bound.h"
 #include "dspm/session/observer.h"
+#include "dspm/session/part.h"
 #include "dspm/session/run_warnings.h"
 #include "dspm/session/write_schedule.h"
 
@@ -23,6 +24,7 @@ struct SessionSettings {
   // Seconds. Shorter iterations end within the ten seconds that a Ctrl-C leaves them, so they do without a copy of the
   // state and are not cancelled.
   double long_iteration = 5;
+  Part part = {};  // of all iterations
 };
 
 class Session {
@@ -44,6 +46,8 @@ class Session {
     double limit;  // seconds
   };
 
+  /// Of an interval; 0: until stopped.
+  int iterations_of(const Integrator& integrator) const;
   void render_interval(std::size_t index);
   IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations,
                                       const Share& time);

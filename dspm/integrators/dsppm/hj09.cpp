@@ -118,6 +118,7 @@ class Hj09 final : public PixelEstimator {
     ++iterations_;
   }
 
+  bool adds_up() const override { return false; }
   void forget_iteration() override { std::fill(passes_.begin(), passes_.end(), FourSums::none()); }
 
   void persist(StateStream& state) override {

@@ -65,17 +65,18 @@ class Kz11 final : public PixelEstimator {
     add(light.pixel, light.frames, light.radiance * static_cast<float>(of_.photons));
   }
 
-  void end_iteration() override { radius_.end_iteration(of_.alpha); }
+  void begin_iteration(int iteration) override { radius_.go_to(iteration, of_.alpha); }
+  void end_iteration() override { ++iterations_; }
 
   void persist(StateStream& state) override {
-    radius_.persist(state);
-    state.value(shared_);
-    state.value(own_);
+    state.sum(iterations_);
+    state.sum(shared_);
+    state.sum(own_);
   }
 
   Rgb radiance(int pixel, Frame frame) const override {
-    if (radius_.iterations() == 0) return {};
-    const auto emitted = static_cast<double>(radius_.iterations() * of_.photons);
+    if (iterations_ == 0) return {};
+    const auto emitted = static_cast<double>(iterations_ * of_.photons);
     return (shared_[static_cast<std::size_t>(pixel)] + own_[index(pixel, frame)]) * static_cast<float>(1 / emitted);
   }
 
@@ -94,6 +95,7 @@ class Kz11 final : public PixelEstimator {
 
   EstimatorSettings of_;
   IterationRadius radius_;
+  int iterations_ = 0;       // done
   std::vector<Rgb> shared_;  // by pixel: radiance times photons, common to all frames
   std::vector<Rgb> own_;     // by pixel and frame: the rest
 };

@@ -118,6 +118,7 @@ class Vcm final : public Integrator {
   }
 
   void iterate(int iteration, const Scene& scene) override {
+    radius_.go_to(iteration, settings_.alpha);
     done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
       if (learned_ == nullptr) learn(scene, statistics);
       const VcmPass pass = pass_of(settings_, scene, render_, static_cast<std::uint64_t>(iteration),
@@ -128,7 +129,6 @@ class Vcm final : public Integrator {
       trace_camera_subpaths(pass, light_, map_, sums, statistics);
       statistics.bytes = std::max(statistics.bytes, done_.bytes() + light_.bytes() + map_.bytes());
     });
-    radius_.end_iteration(settings_.alpha);
   }
 
   std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
@@ -138,9 +138,9 @@ class Vcm final : public Integrator {
 
   bool persist(StateStream& state) override {
     done_.persist(state);
-    radius_.persist(state);
     return true;
   }
+  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics statistics_at_start() {

@@ -1,0 +1,15 @@
+// How machines can share a render out: parts of the iterations, of the frames, or of both.
+#pragma once
+
+#include <string>
+
+#include "dspm/session/load.h"
+
+namespace dspm {
+
+/// A table of the ways for so many machines, with the time and memory of a part on machines like this one: from two
+/// iterations of each way's largest part. `loading`: the seconds that the scene took. Throws UsageError if the render
+/// has no end.
+std::string plan_parts(const LoadedScene& loaded, double loading, int machines, Messages& messages);
+
+}  // namespace dspm

@@ -1,0 +1,12 @@
+// What the bits of a computation depend on besides the program: the machine.
+#pragma once
+
+#include <string>
+
+namespace dspm {
+
+/// The instruction set, as far as libm chooses its functions by it, and the C library: "x86-64 with AVX2, FMA, AVX-512;
+/// glibc 2.36".
+std::string machine_in_words();
+
+}  // namespace dspm

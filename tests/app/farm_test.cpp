@@ -1,0 +1,156 @@
+// --farm: jobs that farms run as they are. Slurm's by Slurm itself, where it is installed; and by a stand-in anywhere.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "dspm/checkpoint/checkpoint_file.h"
+#include "dspm/image/exr.h"
+#include "dspm/image/image.h"
+#include "tests/support/process.h"
+
+namespace dspm::test {
+namespace {
+
+/// Runs every task at once.
+constexpr const char* kStandIn = R"(#!/bin/sh
+echo "$@" >> ../calls
+while [ $# -gt 0 ]; do case $1 in --array) tasks=$2;; esac; shift; done
+cat > job
+for task in $(seq $(echo ${tasks:-1-1} | tr - ' ')); do SLURM_ARRAY_TASK_ID=$task sh job >> ../jobs 2>&1; done
+echo "7;cluster"
+)";
+
+/// A cluster of this machine alone: its daemons end with it.
+class Slurm {
+ public:
+  Slurm() {
+    put_file(directory_ / "start", R"(
+for program in munged slurmctld slurmd sbatch scontrol; do command -v $program || exit 77; done
+mkdir state spool
+head -c 1024 /dev/urandom > key; chmod 600 key; chmod 755 .
+munged --force --socket=$PWD/socket --key-file=$PWD/key --pid-file=$PWD/munged.pid --log-file=$PWD/munged.log --seed-file=$PWD/seed
+cat > slurm.conf <<END
+ClusterName=dspm
+SlurmctldHost=$(hostname)(127.0.0.1)
+SlurmUser=$(id -un)
+SlurmdUser=$(id -un)
+AuthType=auth/munge
+AuthInfo=socket=$PWD/socket,cred_expire=5
+StateSaveLocation=$PWD/state
+SlurmdSpoolDir=$PWD/spool
+SlurmctldPidFile=$PWD/slurmctld.pid
+SlurmdPidFile=$PWD/slurmd.pid
+SlurmctldPort=26817
+SlurmdPort=26818
+SlurmctldLogFile=$PWD/slurmctld.log
+SlurmdLogFile=$PWD/slurmd.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=batch_sched_delay=0,sched_interval=1
+MpiDefault=none
+SwitchType=switch/none
+ReturnToService=2
+MailProg=/bin/true
+NodeName=$(hostname) NodeAddr=127.0.0.1 CPUs=2
+PartitionName=all Nodes=ALL Default=YES State=UP
+END
+export SLURM_CONF=$PWD/slurm.conf
+slurmctld -f slurm.conf && slurmd -f slurm.conf || exit 77
+for i in $(seq 100); do sinfo -h -o %t | grep -q idle && exit 0; sleep .1; done
+exit 77
+)");
+    started_ = shell("sh start > start.log 2>&1") == 0;
+  }
+  ~Slurm() { shell("for daemon in slurmd slurmctld munged; do kill $(cat $daemon.pid); done 2> /dev/null"); }
+  Slurm(const Slurm&) = delete;
+  Slurm& operator=(const Slurm&) = delete;
+
+  bool started() const { return started_; }
+  std::string conf() const { return (directory_ / "slurm.conf").string(); }
+
+ private:
+  int shell(const std::string& command) const {
+    return std::system(("cd " + (directory_ / "").string() + " && " + command).c_str());
+  }
+
+  TemporaryDirectory directory_;
+  bool started_ = false;
+};
+
+class Farm : public testing::Test {
+ protected:
+  int shell(const std::string& command) const {
+    return std::system(("cd " + (directory / "").string() + " && " + command).c_str());
+  }
+  void write_job(const Arguments& arguments) {
+    const Outcome outcome = run(directory, Arguments{"tiny.dsc", "--farm", "slurm"} + arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    put_file(directory / "farm.sh", outcome.out);
+  }
+  /// Of one machine that did all.
+  void expect_images(const Arguments& arguments, int iterations) {
+    ASSERT_EQ(run(directory, Arguments{"tiny.dsc", "--float", "-o", "whole.exr"} + arguments).code, 0);
+    for (const char* number : {".0001", ".0002", ".0003"}) {
+      const std::string image = number + std::string(".exr");
+      ASSERT_TRUE(directory.has("it's" + image));
+      const Image merged = read_image(directory / ("it's" + image)), whole = read_image(directory / ("whole" + image));
+      for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+        ASSERT_NEAR(merged.pixels[i].g, whole.pixels[i].g, 1e-6 + 1e-5 * std::abs(whole.pixels[i].g));
+      EXPECT_EQ(read_exr_header(directory / ("it's" + image)).integers.at("iterations"), iterations);
+    }
+  }
+
+  TinyDirectory directory;
+};
+
+TEST_F(Farm, JobsArePartsAndTheirMerge) {
+  std::filesystem::create_directory(directory / "bin");
+  put_file(directory / "bin/sbatch", kStandIn);
+  std::filesystem::permissions(directory / "bin/sbatch", std::filesystem::perms::owner_all);
+  const std::string call = "mkdir -p run && cp tiny.dsc run && cd run && PATH=../bin:$PATH sh ../farm.sh --time 5";
+  write_job({"--parts", "3", "--iterations", "6", "--seed=9", "--float", "-o", "../it's.exr", "--png"});
+  ASSERT_EQ(shell(call), 0);
+  EXPECT_EQ(contents(directory / "calls"),
+            "--parsable --job-name dspm-part --array 1-3 --requeue --time 5\n"
+            "--parsable --job-name dspm-merge --dependency afterany:7\n");
+  expect_images({"--iterations", "6", "--seed", "9"}, 6);
+  EXPECT_TRUE(directory.has("it's.0002.png"));
+
+  write_job({"--parts", "3", "--iterations", "12", "--seed=9", "--float", "-o", "../it's.exr"});
+  ASSERT_EQ(shell(call), 0) << "parts go on";
+  expect_images({"--iterations", "12", "--seed", "9"}, 12);
+}
+
+TEST_F(Farm, SlurmRunsThemAndPartsGoOnThatWereKilled) {
+  const Slurm slurm;
+  if (!slurm.started())
+    GTEST_SKIP() << "SKIPPED: no Slurm can be started here (slurmctld, slurmd, slurm-client, munge)";
+  const std::string conf = "SLURM_CONF=" + slurm.conf() + " ";
+  write_job({"--parts", "2", "--iterations", "600", "--float", "-o", "it's.exr", "--checkpoint-every", "1"});
+  ASSERT_EQ(shell(conf + "sh farm.sh > submitted"), 0);
+  const std::filesystem::path part = directory / "tiny.parts/1.ck";
+  ASSERT_TRUE(comes_true(
+      [&] { return std::filesystem::exists(part) && CheckpointFile(part).intervals().front().iterations > 2; }));
+  ASSERT_EQ(shell(conf + "scontrol requeue $(sed 's/parts: \\([0-9]*\\).*/\\1/' submitted)_1 2> requeued"), 0)
+      << contents(directory / "requeued");
+  ASSERT_TRUE(appears(directory / "it's.0003.exr"));
+  ASSERT_TRUE(comes_true([&] { return shell(conf + "test -z \"$(squeue -h)\"") == 0; }));
+  expect_images({"--iterations", "600"}, 600);
+}
+
+TEST_F(Farm, OtherKindsNameTheSameCommands) {
+  const Arguments arguments = {"tiny.dsc", "--parts", "5", "--photons", "300", "-o", "it's.exr", "--farm"};
+  const std::string openjd = run(directory, arguments + Arguments{"openjd"}).out;
+  const std::string flamenco = run(directory, arguments + Arguments{"flamenco"}).out;
+  EXPECT_NE(openjd.find("range: 1-5\n"), std::string::npos);
+  EXPECT_NE(openjd.find("tiny.dsc --photons=300 --part {{Task.Param.part}}/5 $keep"), std::string::npos) << openjd;
+  EXPECT_NE(openjd.find("--merge tiny.parts/*.ck '--outfile=it'\\''s.exr'"), std::string::npos);
+  EXPECT_NE(flamenco.find("default: 5,"), std::string::npos);
+  EXPECT_NE(flamenco.find("tiny.dsc --photons=300 --part ${number}/${job.settings.parts} $keep"), std::string::npos);
+  EXPECT_NE(flamenco.find("'--outfile=it'\\\\''s.exr'"), std::string::npos) << flamenco;
+}
+
+}  // namespace
+}  // namespace dspm::test
