@@ -9,6 +9,7 @@
 #include "dspm/checkpoint/guide_file.h"
 #include "dspm/checkpoint/merged_parts.h"
 #include "dspm/output/results.h"
+#include "dspm/scene/scene.h"
 #include "dspm/session/load.h"
 #include "dspm/system/parallel.h"
 #include "dspm/system/readable.h"

@@ -67,7 +67,8 @@ class VarianceOutput final : public Integrator {
 
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
-    state.value(step_.seconds);
+    state.sum(step_.seconds);
+    if (state.merges()) return merge(state);
     state.value(done_);
     state.value(means_);
     state.value(squares_);
@@ -75,6 +76,25 @@ class VarianceOutput final : public Integrator {
   }
 
  private:
+  /// Takes in another part's iterations, as if this one had done them. [Chan et al. 1979]
+  bool merge(StateStream& part) {
+    const int done = done_;
+    const std::vector<Rgb> means = means_, squares = squares_;
+    part.value(done_);
+    part.value(means_);
+    part.value(squares_);
+    const int both = done + done_;
+    if (both == 0) return true;
+    const float theirs = static_cast<float>(done_) / static_cast<float>(both),
+                weight = static_cast<float>(done) * theirs;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      const Rgb apart = means_[i] - means[i];
+      means_[i] = means[i] + apart * theirs;
+      squares_[i] += squares[i] + apart * apart * weight;
+    }
+    done_ = both;
+    return true;
+  }
   std::size_t first(std::int64_t frame) const {
     return static_cast<std::size_t>(frame) * static_cast<std::size_t>(crop_.count());
   }
