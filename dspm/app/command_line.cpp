@@ -1,4 +1,3 @@
-#include "dspm/app/to_dsc.h"
 #include "dspm/app/command_line.h"
 
 #include <fmt/format.h>
@@ -19,6 +18,7 @@
 #include "dspm/app/relight.h"
 #include "dspm/app/render.h"
 #include "dspm/app/signals.h"
+#include "dspm/app/to_dsc.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/modules/blame.h"
 #include "dspm/params/errors.h"

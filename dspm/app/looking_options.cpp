@@ -42,7 +42,8 @@ void add(CLI::App& app, Options& o) {
       ->description("do not render, print how far the second image is from the first; -o: in false colours");
   app.add_flag_callback("--flicker", [&o] { o.task = Task::flicker; })
       ->description("do not render, print how much these images (a.####.exr) flicker; -o: in false colours");
-  app.add_option("--fps", o.page_fps, "frames per second of a glTF file's animation (24), or of a --video or --sheet of images that exist")
+  app.add_option("--fps", o.page_fps,
+                 "frames per second of a glTF file's animation (24), or of a --video or --sheet of images that exist")
       ->check(CLI::Range(1e-3, 1e3).description(""))
       ->type_name("RATE");
 }

@@ -19,7 +19,8 @@ void add(CLI::App& app, Options& o) {
       ->check(kNamesAFile)
       ->type_name("DIR");
   app.add_flag("--lenient", o.lenient, "warn about unsupported features of pbrt instead of stopping");
-  app.add_option("--animation", o.animation, "which animation of a glTF file is shown; else the first, and those that move other things")
+  app.add_option("--animation", o.animation,
+                 "which animation of a glTF file is shown; else the first, and those that move other things")
       ->type_name("NAME");
   app.add_option("--studio", o.studio, "camera, lights and ground for a glTF file: auto (what it lacks), on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}).description(""))

@@ -11,7 +11,8 @@ void add(CLI::App& app, Options& o) {
   task("--check", Task::check, "do not render, only validate everything: the scene, the files, the video, the memory");
   task("--format", Task::format, "do not render, print the scene in canonical form");
   task("--upgrade", Task::upgrade, "do not render, print a file for pbrt-v3 as one for pbrt-v4");
-  task("--to-dsc", Task::to_dsc, "do not render, write a glTF file as a .dsc, with its meshes and pictures in a folder beside it");
+  task("--to-dsc", Task::to_dsc,
+       "do not render, write a glTF file as a .dsc, with its meshes and pictures in a folder beside it");
   task("--list", Task::list, "print the names of all plugins");
   task("--list-variations", Task::list_variations, "print the names of the scene's variations");
   task("--relight", Task::relight,

@@ -1,6 +1,6 @@
-#include "dspm/app/templates.h"
-
 #include <algorithm>
+
+#include "dspm/app/templates.h"
 
 namespace dspm {
 

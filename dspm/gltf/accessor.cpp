@@ -129,7 +129,8 @@ Layout checked_layout(const Document& document, const Value& accessor) {
   const bool has_bytes = accessor["bufferView"].exists();
   if (!has_bytes && l.count > std::max(kMostZeros, document.bytes()) / l.width)
     accessor.fail(fmt::format("{} elements are too many without a buffer", l.count));
-  if (has_bytes && l.count > document.view(accessor["bufferView"].required_index(document["bufferViews"].size())).bytes.size())
+  if (has_bytes &&
+      l.count > document.view(accessor["bufferView"].required_index(document["bufferViews"].size())).bytes.size())
     accessor.fail(fmt::format("{} elements are more than its buffer has bytes", l.count));
   return l;
 }

@@ -66,7 +66,7 @@ Channel::Channel(const Document& document, const Value& animation, const Value& 
     interpolation_ = Interpolation::step;
   else if (how == "LINEAR")
     interpolation_ = target_.starts_with("/nodes/") && target_.ends_with("/rotation") ? Interpolation::spherical
-                                                                                       : Interpolation::linear;
+                                                                                      : Interpolation::linear;
   else
     sampler["interpolation"].fail("no such interpolation");
   const std::size_t keys = times_.size() * (interpolation_ == Interpolation::cubic ? 3 : 1);
@@ -82,8 +82,8 @@ const float* Channel::value(std::size_t key) const {
 }
 
 std::vector<double> Channel::at(double time) const {
-  const auto after = static_cast<std::size_t>(
-      std::upper_bound(times_.begin(), times_.end(), static_cast<float>(time)) - times_.begin());
+  const auto after = static_cast<std::size_t>(std::upper_bound(times_.begin(), times_.end(), static_cast<float>(time)) -
+                                              times_.begin());
   const auto whole = [&](std::size_t key) { return std::vector<double>(value(key), value(key) + width_); };
   if (after == 0) return whole(0);
   if (after == times_.size() || interpolation_ == Interpolation::step) return whole(after - 1);

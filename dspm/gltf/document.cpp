@@ -40,7 +40,8 @@ void Document::read_container(std::string file) {
   bytes_ = file.size();
   std::string_view text = file;
   if (file.size() >= 12 && word_at(file, 0) == kMagic) {
-    if (word_at(file, 4) != 2) throw std::runtime_error(fmt::format("it is of glTF {}, and dspm reads glTF 2", word_at(file, 4)));
+    if (word_at(file, 4) != 2)
+      throw std::runtime_error(fmt::format("it is of glTF {}, and dspm reads glTF 2", word_at(file, 4)));
     text = {};
     for (std::size_t at = 12; at + 8 <= file.size();) {
       const std::size_t size = word_at(file, at), kind = word_at(file, at + 4);
@@ -100,7 +101,8 @@ View Document::view(std::size_t index) const {
     const Value compressed = view.extension(name);
     if (!compressed.exists()) continue;
     const std::lock_guard lock(mutex_);
-    if (!expanded_[index]) expanded_[index] = std::make_unique<std::string>(expand_meshopt(compressed, slice(compressed)));
+    if (!expanded_[index])
+      expanded_[index] = std::make_unique<std::string>(expand_meshopt(compressed, slice(compressed)));
     return {*expanded_[index], compressed["byteStride"].count(0)};
   }
   return {slice(view), view["byteStride"].count(0)};

@@ -24,7 +24,8 @@ Numbers numbers_of(const draco::Mesh& mesh, const draco::PointAttribute& attribu
   numbers.values.resize(numbers.count * numbers.width);
   for (std::size_t i = 0; i < numbers.count; ++i) {
     const auto value = attribute.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(i)));
-    attribute.ConvertValue<float>(value, static_cast<std::int8_t>(numbers.width), numbers.values.data() + i * numbers.width);
+    attribute.ConvertValue<float>(value, static_cast<std::int8_t>(numbers.width),
+                                  numbers.values.data() + i * numbers.width);
   }
   return numbers;
 }

@@ -19,7 +19,8 @@ MaterialUses::Key MaterialUses::key_of(const Value& primitive) const {
   const Value mappings = primitive.extension(kVariants)["mappings"];
   for (std::size_t i = 0; i < mappings.size(); ++i)
     for (std::size_t j = 0; j < mappings[i]["variants"].size(); ++j)
-      key.of_variant[mappings[i]["variants"][j].required_index(variants)] = mappings[i]["material"].required_index(materials);
+      key.of_variant[mappings[i]["variants"][j].required_index(variants)] =
+          mappings[i]["material"].required_index(materials);
   return key;
 }
 
@@ -44,9 +45,8 @@ std::string MaterialUses::define(std::optional<std::size_t> material, const Mesh
   std::string& known = defined_[{material, look}];
   if (!known.empty()) return known;
   const std::string pointer = fmt::format("/materials/{}/", material.value_or(0));
-  const bool changes = material && std::any_of(animation_.channels.begin(), animation_.channels.end(), [&](const Channel& c) {
-    return c.target().starts_with(pointer);
-  });
+  const bool changes = material && std::any_of(animation_.channels.begin(), animation_.channels.end(),
+                                               [&](const Channel& c) { return c.target().starts_with(pointer); });
   const std::string name =
       prefix_ + texture_names_.add(material_of(material, document_.json())["name"].text(""), "material");
   std::vector<MaterialStatements> moments;
@@ -74,13 +74,15 @@ std::string MaterialUses::axis() {
   Names names;
   std::string text;
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    text += fmt::format("  VariationBegin {}\n", in_quotes(names.add(for_variation(variants[i]["name"].text("")), "variant")));
+    text += fmt::format("  VariationBegin {}\n",
+                        in_quotes(names.add(for_variation(variants[i]["name"].text("")), "variant")));
     for (const auto& [key, name] : replaceable_)
       if (const auto own = key.of_variant.find(i); own != key.of_variant.end() && own->second != key.material)
         text += fmt::format("    MakeNamedMaterial {}{}\n", in_quotes(name), define(own->second, key.look));
     text += "  VariationEnd\n";
   }
-  return fmt::format("AxisBegin {}\n{}AxisEnd\n", in_quotes(prefix_.empty() ? "variant" : document_.path().stem().string()), text);
+  return fmt::format("AxisBegin {}\n{}AxisEnd\n",
+                     in_quotes(prefix_.empty() ? "variant" : document_.path().stem().string()), text);
 }
 
 }  // namespace dspm::gltf

@@ -37,7 +37,8 @@ class MaterialTranslator {
   /// The name of a new texture of that class.
   std::string add(const std::string& part, const char* type, const char* kind, std::vector<Parameter> parameters) {
     const std::string name = name_ + ", " + part;
-    result_.textures.push_back({fmt::format("Texture {} \"{}\" \"{}\"", in_quotes(name), type, kind), std::move(parameters)});
+    result_.textures.push_back(
+        {fmt::format("Texture {} \"{}\" \"{}\"", in_quotes(name), type, kind), std::move(parameters)});
     return name;
   }
 
@@ -69,8 +70,9 @@ class MaterialTranslator {
     const std::size_t images = all_.document_["images"].size();
     if (const auto webp = texture.extension("EXT_texture_webp")["source"].index(images)) return webp;
     const auto source = texture["source"].index(images);
-    if (!source) note(texture["extensions"].exists() ? "textures in a format that dspm does not read are left out"
-                                                     : "textures without a picture are left out");
+    if (!source)
+      note(texture["extensions"].exists() ? "textures in a format that dspm does not read are left out"
+                                          : "textures without a picture are left out");
     return source;
   }
 
@@ -116,7 +118,8 @@ class MaterialTranslator {
     if (map.empty()) return material().rgb(parameter, factor);
     if (factor != Triple{1, 1, 1})
       map = add(fmt::format("{} tinted", parameter), "spectrum", "product",
-                {Parameter{"texture", "tex1", in_quotes(map)}, Parameter{"rgb", "tex2", fmt::format("[{}]", listed(factor))}});
+                {Parameter{"texture", "tex1", in_quotes(map)},
+                 Parameter{"rgb", "tex2", fmt::format("[{}]", listed(factor))}});
     material().texture(parameter, map);
   }
 
@@ -143,10 +146,12 @@ class MaterialTranslator {
     const Value volume = material_.extension("KHR_materials_volume");
     const Value beyond = material_.extension("KHR_materials_diffuse_transmission");
     const double eta = material_.extension("KHR_materials_ior")["ior"].number(1.5);
-    if (eta != 0 || !material_.extension("KHR_materials_ior").exists()) material().number("eta", std::max(eta, 1.0), 1.5);
+    if (eta != 0 || !material_.extension("KHR_materials_ior").exists())
+      material().number("eta", std::max(eta, 1.0), 1.5);
     if (material_.extension("KHR_materials_dispersion").exists()) note("KHR_materials_dispersion is left out");
     if (beyond.exists()) {
-      number("diffusetransmission", beyond["diffuseTransmissionFactor"].number(0), beyond["diffuseTransmissionTexture"], "alpha");
+      number("diffusetransmission", beyond["diffuseTransmissionFactor"].number(0), beyond["diffuseTransmissionTexture"],
+             "alpha");
       colour("diffusetransmissioncolor", beyond["diffuseTransmissionColorFactor"].numbers(Triple{1, 1, 1}),
              beyond["diffuseTransmissionColorTexture"]);
     }
@@ -180,7 +185,8 @@ class MaterialTranslator {
     const Value stretched = material_.extension("KHR_materials_anisotropy");
     if (stretched.exists()) {
       number("anisotropy", stretched["anisotropyStrength"].number(0), stretched["anisotropyTexture"], "blue");
-      material().number("anisotropyrotation", stretched["anisotropyRotation"].number(0) * 180 / static_cast<double>(kPi), 0);
+      material().number("anisotropyrotation",
+                        stretched["anisotropyRotation"].number(0) * 180 / static_cast<double>(kPi), 0);
       if (stretched["anisotropyTexture"].exists()) note("directions of KHR_materials_anisotropy are left out");
     }
     if (material_.extension("KHR_materials_iridescence").exists()) note("KHR_materials_iridescence is left out");
@@ -205,7 +211,8 @@ class MaterialTranslator {
     const std::string mode = material_["alphaMode"].text("OPAQUE");
     if (mode != "MASK" && mode != "BLEND") return;
     const double factor = std::clamp(base_factor()[3], 0.0, 1.0), edge = material_["alphaCutoff"].number(0.5);
-    std::string map = picture(material_["pbrMetallicRoughness"]["baseColorTexture"], "opacity", "alpha", "sRGB", factor);
+    std::string map =
+        picture(material_["pbrMetallicRoughness"]["baseColorTexture"], "opacity", "alpha", "sRGB", factor);
     if (map.empty()) return material().number("alpha", mode == "BLEND" ? factor : factor >= edge ? 1 : 0, INFINITY);
     if (mode == "MASK") {
       Statement cut;

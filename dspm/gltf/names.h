@@ -33,14 +33,16 @@ class Names {
 /// Without what a file's name cannot hold.
 inline std::string for_file(std::string name) {
   for (char& c : name)
-    if (static_cast<unsigned char>(c) <= ' ' || std::string_view("/\\:*?\"<>|%#$").find(c) != std::string_view::npos) c = '_';
+    if (static_cast<unsigned char>(c) <= ' ' || std::string_view("/\\:*?\"<>|%#$").find(c) != std::string_view::npos)
+      c = '_';
   return name;
 }
 
 /// Names of variations become parts of files' names; blanks are welcome there.
 inline std::string for_variation(std::string name) {
   for (char& c : name)
-    if (static_cast<unsigned char>(c) < ' ' || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos) c = '_';
+    if (static_cast<unsigned char>(c) < ' ' || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos)
+      c = '_';
   return name;
 }
 

@@ -74,7 +74,8 @@ Poses::Poses(const Document& document, const Animation& animation, int frames, d
     const Value children = nodes[i]["children"];
     for (std::size_t j = 0; j < children.size(); ++j) {
       const std::size_t child = children[j].required_index(nodes.size());
-      if (parents_[child]) children[j].fail(fmt::format("node {} is already the child of node {}", child, *parents_[child]));
+      if (parents_[child])
+        children[j].fail(fmt::format("node {} is already the child of node {}", child, *parents_[child]));
       parents_[child] = i;
     }
   }
@@ -93,8 +94,7 @@ Poses::Poses(const Document& document, const Animation& animation, int frames, d
   }
   for (std::vector<Pose>& poses : poses_)
     for (Pose& pose : poses)
-      for (double& scale : pose.scale)
-        scale = with_inverse(scale);
+      for (double& scale : pose.scale) scale = with_inverse(scale);
 }
 
 const Pose& Poses::at(std::size_t node, int frame) const {
@@ -114,7 +114,8 @@ bool Poses::changes_visibility(std::size_t node) const {
 
 Matrix4 Poses::world(std::size_t node, int frame) const {
   Matrix4 world = at(node, frame).transform();
-  for (std::optional<std::size_t> up = parents_[node]; up; up = parents_[*up]) world = at(*up, frame).transform() * world;
+  for (std::optional<std::size_t> up = parents_[node]; up; up = parents_[*up])
+    world = at(*up, frame).transform() * world;
   return world;
 }
 
@@ -149,7 +150,8 @@ bool Poses::skin_rests(const Document& document, std::size_t index) const {
 int frames_of(double duration, double fps, int most) {
   const double frames = std::floor(duration * fps + 1e-3) + 1;
   if (!(frames <= most))
-    throw std::runtime_error(fmt::format("its animation of {} seconds has {} frames, and at most {} are rendered", duration, frames, most));
+    throw std::runtime_error(
+        fmt::format("its animation of {} seconds has {} frames, and at most {} are rendered", duration, frames, most));
   return std::max(1, static_cast<int>(frames));
 }
 

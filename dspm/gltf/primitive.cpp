@@ -157,7 +157,9 @@ bool has_surface(const Value& primitive) {
   return mode >= kTriangles;
 }
 
-Primitive read_primitive(const Document& document, const Value& primitive) { return Reader(document, primitive).read(); }
+Primitive read_primitive(const Document& document, const Value& primitive) {
+  return Reader(document, primitive).read();
+}
 
 void pose(Primitive& p, const std::vector<double>& weights, const std::vector<Matrix4>& skin) {
   for (std::size_t i = 0; i < std::min(weights.size(), p.targets.size()); ++i) {

@@ -29,8 +29,8 @@ std::shared_ptr<const SceneWriter::Motion> SceneWriter::motion_of(const Document
     throw std::runtime_error(fmt::format("it has no animation \"{}\"; available: {}", settings.animation,
                                          fmt::join(motion->animation.left_out, ", ")));
   motion->fps = settings.around ? settings.around->fps.value_or(settings.fps) : settings.fps;
-  motion->frames = settings.around ? settings.around->frames
-                                   : frames_of(motion->animation.duration(), motion->fps, kMostFrames);
+  motion->frames =
+      settings.around ? settings.around->frames : frames_of(motion->animation.duration(), motion->fps, kMostFrames);
   motion->poses = std::make_unique<const Poses>(document, motion->animation, motion->frames, motion->fps);
   return motion;
 }
@@ -41,7 +41,8 @@ SceneWriter::SceneWriter(std::shared_ptr<const Document> document, std::string f
       settings_(settings),
       motion_(motion_of(*document_, settings_)),
       materials_(*document_, [this](std::size_t image) { return picture_name(image); }),
-      uses_(*document_, motion_->animation, motion_->frames, motion_->fps, materials_, prefix_of(*document_, settings_)),
+      uses_(*document_, motion_->animation, motion_->frames, motion_->fps, materials_,
+            prefix_of(*document_, settings_)),
       useful_((*document_)["nodes"].size()) {}
 
 std::vector<std::size_t> SceneWriter::roots() const {
@@ -73,7 +74,8 @@ Translation SceneWriter::write() {
   if (!settings_.around) text += header();
   if (!settings_.is_defined && !uses_.definitions().empty()) text += "\n" + uses_.definitions();
   if (!objects_text_.empty()) text += "\nAttributeBegin\n  Identity\n" + objects_text_ + "AttributeEnd\n";
-  text += "\nAttributeBegin\n  Scale 1 1 -1  # glTF is right-handed\n  CoordinateSystem " + in_quotes(world_name()) + "\n" + world_ + "AttributeEnd\n";
+  text += "\nAttributeBegin\n  Scale 1 1 -1  # glTF is right-handed\n  CoordinateSystem " + in_quotes(world_name()) +
+          "\n" + world_ + "AttributeEnd\n";
   if (!axis.empty() && !settings_.is_defined) text += "\n" + axis;
 
   const auto& played = motion_->animation.played;
@@ -215,8 +217,8 @@ std::string SceneWriter::header() {
   std::string text = fmt::format("# {}, as dspm reads it\n", document_->path().filename().string());
   if (motion_->frames > 1) text += fmt::format("Frames {} \"float fps\" {}\n", motion_->frames, motion_->fps);
   text += sight;
-  text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}\n", width,
-                      kHeight, in_quotes(stem + ".exr"));
+  text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}\n",
+                      width, kHeight, in_quotes(stem + ".exr"));
   text += "\nWorldBegin\n";
   const bool lights = studio || !settings_.hdr.empty() || (!has_light_ && !none);
   if (lights) text += light_for(subject_, settings_.hdr);
@@ -229,7 +231,8 @@ std::string SceneWriter::picture_name(std::size_t image) {
   if (!name.empty()) return name;
   const std::string own = for_file((*document_)["images"][image]["name"].text(""));
   const std::string extension = document_->extension_of_picture(image);
-  const std::string stem = std::filesystem::path(own).extension() == extension ? std::filesystem::path(own).stem().string() : own;
+  const std::string stem =
+      std::filesystem::path(own).extension() == extension ? std::filesystem::path(own).stem().string() : own;
   name = folder_ + "/" + files_.add(stem, fmt::format("picture{}", image + 1)) + extension;
   result_.files[name] = [document = document_, image] { return document->picture(image); };
   return name;

@@ -50,7 +50,9 @@ class SceneWriter {
   void write_instances(std::size_t node, int depth);
   void write_shapes(std::size_t node, bool changes, int depth);
   void write_light(std::size_t node, int depth);
-  void line(int depth, const std::string& text) { world_ += std::string(2 * static_cast<std::size_t>(depth), ' ') + text + "\n"; }
+  void line(int depth, const std::string& text) {
+    world_ += std::string(2 * static_cast<std::size_t>(depth), ' ') + text + "\n";
+  }
 
   std::string picture_name(std::size_t image);
   std::string mesh_file(std::size_t node, std::size_t primitive, bool changes);

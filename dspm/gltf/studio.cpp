@@ -27,7 +27,8 @@ Vec3 towards(float azimuth, float elevation) {
 
 std::string view_of(const Subject& subject, double aspect) {
   if (subject.bounds.empty()) return "LookAt 0 0 -5  0 0 0  0 1 0\n";
-  const Vec3 back = towards(kAzimuth, kElevation), right = normalize(cross(Vec3{0, 1, 0}, -back)), up = cross(-back, right);
+  const Vec3 back = towards(kAzimuth, kElevation), right = normalize(cross(Vec3{0, 1, 0}, -back)),
+             up = cross(-back, right);
   const float half = std::tan(static_cast<float>(kStudioFov) / 360 * kPi);
   const float tan_y = half, tan_x = half * static_cast<float>(aspect);
   Vec3 target = subject.bounds.center();
@@ -36,13 +37,15 @@ std::string view_of(const Subject& subject, double aspect) {
     distance = 1e-3f * size_of(subject);
     for (const Vec3& p : subject.points) {
       const Vec3 d = p - target;
-      distance = std::max(distance, kMargin * std::max(std::abs(dot(d, right)) / tan_x, std::abs(dot(d, up)) / tan_y) + dot(d, back));
+      distance = std::max(
+          distance, kMargin * std::max(std::abs(dot(d, right)) / tan_x, std::abs(dot(d, up)) / tan_y) + dot(d, back));
     }
     float low_x = kInfinity, high_x = -kInfinity, low_y = kInfinity, high_y = -kInfinity;
     for (const Vec3& p : subject.points) {
       const Vec3 d = p - target;
       const float z = std::max(distance - dot(d, back), 1e-6f), x = dot(d, right) / z, y = dot(d, up) / z;
-      low_x = std::min(low_x, x), high_x = std::max(high_x, x), low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+      low_x = std::min(low_x, x), high_x = std::max(high_x, x), low_y = std::min(low_y, y),
+      high_y = std::max(high_y, y);
     }
     target = target + right * (0.5f * (low_x + high_x) * distance) + up * (0.5f * (low_y + high_y) * distance);
   }
@@ -51,8 +54,9 @@ std::string view_of(const Subject& subject, double aspect) {
 
 std::string light_for(const Subject& subject, const std::string& hdr) {
   if (!hdr.empty())
-    return fmt::format("AttributeBegin\n  Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" {}\nAttributeEnd\n",
-                       in_quotes(hdr));
+    return fmt::format(
+        "AttributeBegin\n  Rotate -90 1 0 0\n  LightSource \"infinite\" \"string filename\" {}\nAttributeEnd\n",
+        in_quotes(hdr));
   const float size = subject.bounds.empty() ? 1 : size_of(subject);
   const Vec3 centre = subject.bounds.empty() ? Vec3{} : subject.bounds.center();
   const Vec3 key = centre + towards(-40, 50) * (6 * size);

@@ -183,7 +183,8 @@ std::string SceneWriter::mesh_file(std::size_t node, std::size_t primitive, bool
   const std::size_t primitives = (*document_)["meshes"][mesh]["primitives"].size();
   const std::string called = (*document_)["meshes"][mesh]["name"].text("");
   const std::string stem = for_file(called.empty() ? name_of(node, "mesh") : called);
-  const std::string name = folder_ + "/" + files_.add(primitives > 1 ? fmt::format("{}-{}", stem, primitive + 1) : stem, "mesh");
+  const std::string name =
+      folder_ + "/" + files_.add(primitives > 1 ? fmt::format("{}-{}", stem, primitive + 1) : stem, "mesh");
   const auto offer = [&](const std::string& file, int frame) {
     result_.files[file] = [document = document_, motion = motion_, node, mesh, primitive, frame] {
       const Document& d = *document;

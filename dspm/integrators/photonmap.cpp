@@ -196,8 +196,8 @@ class PhotonMapper final : public Integrator {
       estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,
                         [&](FrameSet frames, const Rgb& radiance) { add(hit, frames, radiance); });
     };
-    FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth}, global_, global_how_,
-                             counts.gather, counts.paths, add);
+    FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth},
+                             global_, global_how_, counts.gather, counts.paths, add);
     for (const SeenLight& light : tile.seen) sums.add(light);
     for (const HitPoint& hit : tile.glossy) estimate(hit, hidden_, caustic_how_);
     for (const HitPoint& hit : tile.hit_points) {

@@ -185,8 +185,9 @@ class SceneReader {
       throw SyntaxError(name.where, fmt::format("including the same files repeatedly adds up to {} MiB", bytes >> 20),
                         "ObjectBegin defines shapes once, and ObjectInstance places them as often as needed");
     try {
-      const SourceFile& included = gltf::is_gltf_name(path) ? load_gltf(path.string(), gltf_settings(directive, id), name.where)
-                                                            : load_text(path.string(), directive);
+      const SourceFile& included = gltf::is_gltf_name(path)
+                                       ? load_gltf(path.string(), gltf_settings(directive, id), name.where)
+                                       : load_text(path.string(), directive);
       open_.push_back({path.string(), id});
       return included;
     } catch (const std::runtime_error& error) {
@@ -205,8 +206,8 @@ class SceneReader {
   gltf::Settings gltf_settings(const Directive& directive, const std::string& id) {
     gltf::Settings settings = options_.gltf;
     ParamReader reader(directive.params, std::string(directive.info->name), directive.where, diagnostics_);
-    settings.animation =
-        reader.text("animation", settings.animation, "its name; by default the first, and those that move other things");
+    settings.animation = reader.text("animation", settings.animation,
+                                     "its name; by default the first, and those that move other things");
     reader.finish();
     if (!builder_.world_has_begun()) return settings;
     settings.around = gltf::Around{scene_.moments, scene_.fps};

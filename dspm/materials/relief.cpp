@@ -118,8 +118,7 @@ std::shared_ptr<const Relief> read_relief(ParamReader& reader, const TextureCont
   const auto height = reader.number_or_texture("displacement", 0, "scene units",
                                                "a height above the surface, from which normals are computed");
   if (!file.empty())
-    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context), scale,
-                                       false);
+    return std::make_shared<NormalMap>(picture_of_normals(file, reader, reader.diagnostics(), context), scale, false);
   if (!normals.texture.empty())
     return std::make_shared<NormalMap>(texture_of(normals, context.textures, reader.diagnostics()), scale, true);
   if (height.texture.empty()) return nullptr;

@@ -24,8 +24,8 @@ class ImageLookup {
  public:
   struct Settings {
     ImageFilter filter = ImageFilter::bilinear;
-    Wrap wrap = Wrap::repeat;                 // along s
-    std::optional<Wrap> wrap_v = {};          // along t; none: as along s
+    Wrap wrap = Wrap::repeat;         // along s
+    std::optional<Wrap> wrap_v = {};  // along t; none: as along s
     Channel channel = Channel::usual;
     float max_anisotropy = 8;  // of ewa: how much longer than wide an ellipse may be
   };

@@ -31,11 +31,11 @@ namespace dspm {
 namespace {
 
 Wrap wrap_of(const std::string& word) {
-  return word == "repeat"  ? Wrap::repeat
+  return word == "repeat"   ? Wrap::repeat
          : word == "mirror" ? Wrap::mirror
-         : word == "black" ? Wrap::black
-         : word == "clamp" ? Wrap::clamp
-                           : Wrap::octahedral_sphere;
+         : word == "black"  ? Wrap::black
+         : word == "clamp"  ? Wrap::clamp
+                            : Wrap::octahedral_sphere;
 }
 
 Channel channel_of(const std::string& word) {
@@ -79,8 +79,8 @@ class ImageTexture final : public Texture<T> {
 /// pbrt's word for the filter is also spelt in capitals.
 ImageLookup::Settings read_lookup(ParamReader& reader) {
   ImageLookup::Settings settings;
-  settings.wrap = wrap_of(
-      reader.choice("wrap", "repeat", {"repeat", "mirror", "black", "clamp", "octahedralsphere"}, "the picture outside 0..1"));
+  settings.wrap = wrap_of(reader.choice("wrap", "repeat", {"repeat", "mirror", "black", "clamp", "octahedralsphere"},
+                                        "the picture outside 0..1"));
   const std::string along_v =
       reader.choice("wrapv", "", {"", "repeat", "mirror", "black", "clamp"}, "the same along v alone; as wrap if \"\"");
   if (!along_v.empty()) settings.wrap_v = wrap_of(along_v);

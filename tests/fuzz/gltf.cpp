@@ -6,7 +6,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace dspm;
   try {
-    const auto document = std::make_shared<const gltf::Document>("/nowhere/fuzz.glb", std::string(fuzz::text(data, size)));
+    const auto document =
+        std::make_shared<const gltf::Document>("/nowhere/fuzz.glb", std::string(fuzz::text(data, size)));
     gltf::Settings settings;
     settings.around = gltf::Around{3, 2.0};
     const gltf::Translation translation = gltf::translate(document, "fuzz.glb", settings);

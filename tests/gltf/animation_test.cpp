@@ -1,9 +1,10 @@
 // Interpolation, poses and the choice of animations.
+#include "dspm/gltf/animation.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dspm/gltf/animation.h"
 #include "dspm/gltf/poses.h"
 #include "tests/gltf/gltf_file.h"
 
@@ -18,12 +19,13 @@ Document moving(const std::string& path, const std::vector<float>& values, const
   GltfFile file;
   file.add_floats({0, 2}, "SCALAR", 1);
   file.add_floats(values, type, width);
-  return Document("/nowhere/test.gltf",
-                  file.text(fmt::format(
-                      R"("nodes":[{{"children":[1]}},{{"translation":[0,1,0]}}],"animations":[{{"name":"a","channels":[)"
-                      R"({{"sampler":0,"target":{{"node":0,"path":"{}"}}}}],"samplers":[{{"input":0,"output":1,)"
-                      R"("interpolation":"{}"}}]}}])",
-                      path, interpolation)));
+  return Document(
+      "/nowhere/test.gltf",
+      file.text(fmt::format(
+          R"("nodes":[{{"children":[1]}},{{"translation":[0,1,0]}}],"animations":[{{"name":"a","channels":[)"
+          R"({{"sampler":0,"target":{{"node":0,"path":"{}"}}}}],"samplers":[{{"input":0,"output":1,)"
+          R"("interpolation":"{}"}}]}}])",
+          path, interpolation)));
 }
 
 std::vector<double> at(const Document& d, double time) { return choose_animation(d, "").channels.front().at(time); }
@@ -35,7 +37,8 @@ TEST(Channels, Interpolate) {
   EXPECT_EQ(at(moving("translation", two, "VEC3", 3, "LINEAR"), 9), (std::vector<double>{4, 2, 0}));
   // With tangents of 0, a cubic spline is 3 t^2 - 2 t^3; one that leaves at 1 a second adds t (1 - t)^2 times 2 s.
   const std::vector<float> cubic{0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 8, 0, 0, 0, 0, 0};
-  EXPECT_NEAR(at(moving("translation", cubic, "VEC3", 3, "CUBICSPLINE"), 0.5)[0], 8 * (3 / 16. - 2 / 64.) + 2 * 9 / 64., 1e-12);
+  EXPECT_NEAR(at(moving("translation", cubic, "VEC3", 3, "CUBICSPLINE"), 0.5)[0], 8 * (3 / 16. - 2 / 64.) + 2 * 9 / 64.,
+              1e-12);
 }
 
 TEST(Channels, RotationsTakeTheShorterWay) {
@@ -60,7 +63,8 @@ TEST(Animations, OthersPlayIfTheyMoveOtherThings) {
   file.add_floats({0, 1}, "SCALAR", 1), file.add_floats({0, 0, 0, 1, 1, 1}, "VEC3", 3);
   const auto animation = [](const char* name, int node) {
     return fmt::format(R"({{"name":"{}","channels":[{{"sampler":0,"target":{{"node":{},"path":"translation"}}}}],)"
-                       R"("samplers":[{{"input":0,"output":1}}]}})", name, node);
+                       R"("samplers":[{{"input":0,"output":1}}]}})",
+                       name, node);
   };
   const Document d("/nowhere/test.gltf",
                    file.text(fmt::format(R"("nodes":[{{}},{{}}],"animations":[{},{},{}])", animation("walk", 0),
@@ -77,9 +81,11 @@ TEST(Moments, PointersSetWhatIsThere) {
   file.add_floats({0, 1}, "SCALAR", 1), file.add_floats({0, 1}, "SCALAR", 1);
   const auto set = [&](const char* pointer) {
     const Document d("/nowhere/test.gltf",
-                     file.text(fmt::format(R"("materials":[{{}}],"animations":[{{"channels":[{{"sampler":0,"target":{{"path":"pointer",)"
-                                           R"("extensions":{{"KHR_animation_pointer":{{"pointer":"{}"}}}}}}}}],)"
-                                           R"("samplers":[{{"input":0,"output":1}}]}}])", pointer)));
+                     file.text(fmt::format(
+                         R"("materials":[{{}}],"animations":[{{"channels":[{{"sampler":0,"target":{{"path":"pointer",)"
+                         R"("extensions":{{"KHR_animation_pointer":{{"pointer":"{}"}}}}}}}}],)"
+                         R"("samplers":[{{"input":0,"output":1}}]}}])",
+                         pointer)));
     Json json = d.json();
     set_moment(json, choose_animation(d, ""), 0.25);
     return json["materials"].dump();

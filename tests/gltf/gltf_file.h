@@ -31,8 +31,8 @@ class GltfFile {
     views_ += fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", views_.empty() ? "" : ",",
                           bytes_.size(), numbers.size() * sizeof(T));
     accessors_ += fmt::format("{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"{}}}",
-                              accessors_.empty() ? "" : ",", count_, component, static_cast<int>(numbers.size()) / width,
-                              type, more);
+                              accessors_.empty() ? "" : ",", count_, component,
+                              static_cast<int>(numbers.size()) / width, type, more);
     const std::size_t at = bytes_.size();
     bytes_.resize((at + numbers.size() * sizeof(T) + 3) / 4 * 4);
     std::memcpy(bytes_.data() + at, numbers.data(), numbers.size() * sizeof(T));

@@ -17,9 +17,12 @@ Document document(const std::string& text) { return Document("/nowhere/test.gltf
 std::string fault_of(const std::string& text) try {
   translate(std::make_shared<const Document>("/nowhere/test.gltf", text), "test.gltf", {});
   return "";
-} catch (const std::runtime_error& error) { return error.what(); }
+} catch (const std::runtime_error& error) {
+  return error.what();
+}
 
-constexpr const char* kOneMesh = R"("scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}])";
+constexpr const char* kOneMesh =
+    R"("scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}])";
 
 TEST(Uri, DataAndEscapes) {
   EXPECT_EQ(data_of_uri("data:text/plain;base64,aGk="), "hi");
@@ -50,8 +53,10 @@ TEST(Accessors, SparseValuesReplaceOthers) {
     std::string changed = text;
     return changed.insert(changed.find(R"("accessors":[)") + 13, accessor + ",");
   };
-  EXPECT_EQ(numbers_of(document(with(R"({"bufferView":2,"componentType":5126,"count":4,"type":"SCALAR",)" + sparse + "}")), 0).values,
-            (std::vector<float>{1, 7, 3, 9}));
+  EXPECT_EQ(
+      numbers_of(document(with(R"({"bufferView":2,"componentType":5126,"count":4,"type":"SCALAR",)" + sparse + "}")), 0)
+          .values,
+      (std::vector<float>{1, 7, 3, 9}));
   EXPECT_EQ(numbers_of(document(with(R"({"componentType":5126,"count":4,"type":"SCALAR",)" + sparse + "}")), 0).values,
             (std::vector<float>{0, 7, 0, 9}));
 }
@@ -95,7 +100,8 @@ TEST(Faults, AreNamedWithTheirPlace) {
   EXPECT_EQ(fault_of(file.text(R"("extensionsRequired":["KHR_texture_basisu"])")),
             "it requires the extension KHR_texture_basisu, which dspm does not read");
   EXPECT_EQ(fault_of(R"({"asset":{"version":"1.0"}})"), "it is of glTF 1.0, and dspm reads glTF 2");
-  EXPECT_EQ(fault_of(file.text(R"("nodes":[])")), "its scene has nothing to show: no meshes with surfaces, and no lights");
+  EXPECT_EQ(fault_of(file.text(R"("nodes":[])")),
+            "its scene has nothing to show: no meshes with surfaces, and no lights");
   EXPECT_NE(fault_of("{").find("it is not a glTF file"), std::string::npos);
 }
 

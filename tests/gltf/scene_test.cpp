@@ -27,7 +27,8 @@ std::string chair() {
   GltfFile file;
   const Square square(file);
   const int times = file.add_floats({0, 1}, "SCALAR", 1), places = file.add_floats({0, 0, 0, 2, 0, 0}, "VEC3", 3);
-  const std::string variants = R"(,"material":0,"extensions":{"KHR_materials_variants":{"mappings":[{"material":0,"variants":[0]},{"material":1,"variants":[1]}]}})";
+  const std::string variants =
+      R"(,"material":0,"extensions":{"KHR_materials_variants":{"mappings":[{"material":0,"variants":[0]},{"material":1,"variants":[1]}]}})";
   return file.text(fmt::format(
       R"("scenes":[{{"nodes":[0]}}],"nodes":[{{"name":"seat","mesh":0}}],"meshes":[{{"primitives":[{}]}}],)"
       R"("materials":[{{"name":"wood"}},{{"name":"steel"}}],"extensions":{{"KHR_materials_variants":{{"variants":)"

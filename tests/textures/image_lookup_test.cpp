@@ -29,7 +29,7 @@ std::shared_ptr<const MipMap> noise(int width, int height) {
 
 ImageLookup lookup(std::shared_ptr<const MipMap> mip_map, ImageFilter filter, Wrap wrap = Wrap::clamp,
                    float anisotropy = 8) {
-  return ImageLookup(std::move(mip_map), {filter, wrap, anisotropy});
+  return ImageLookup(std::move(mip_map), {.filter = filter, .wrap = wrap, .max_anisotropy = anisotropy});
 }
 
 /// Calls fn with footprints of every size and shape.
