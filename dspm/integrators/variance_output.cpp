@@ -65,6 +65,7 @@ class VarianceOutput final : public Integrator {
     return statistics;
   }
 
+  std::string why_not_in_parts() const override { return inner_->why_not_in_parts(); }
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
     state.sum(step_.seconds);
