@@ -9,7 +9,7 @@
 namespace dspm::gltf {
 namespace {
 
-constexpr std::size_t kTriangles = 4, kStrip = 5, kFan = 6;
+constexpr std::size_t kTriangles = 4, kFan = 6;  // between them, a strip
 constexpr int kJointsEach = 4;
 
 class Reader {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dspm/gltf/exposure.h"
 #include "dspm/gltf/lights.h"
 #include "dspm/gltf/primitive.h"
 
@@ -217,13 +218,27 @@ std::string SceneWriter::header() {
   std::string text = fmt::format("# {}, as dspm reads it\n", document_->path().filename().string());
   if (motion_->frames > 1) text += fmt::format("Frames {} \"float fps\" {}\n", motion_->frames, motion_->fps);
   text += sight;
-  text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}\n",
-                      width, kHeight, in_quotes(stem + ".exr"));
-  text += "\nWorldBegin\n";
   const bool lights = studio || !settings_.hdr.empty() || (!has_light_ && !none);
+  text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}{}\n",
+                      width, kHeight, in_quotes(stem + ".exr"), lights ? "" : exposure());
+  text += "\nWorldBegin\n";
   if (lights) text += light_for(subject_, settings_.hdr);
   if (studio || (lights && !camera_node_ && settings_.hdr.empty())) text += ground_for(subject_);
   return text;
+}
+
+/// For the file's own lights alone: the studio's are as bright as they should be.
+std::string SceneWriter::exposure() {
+  std::vector<std::size_t> nodes;
+  for (std::size_t node = 0; node < useful_.size(); ++node)
+    if (useful_[node]) nodes.push_back(node);
+  const Vec3 middle = subject_.bounds.empty() ? Vec3{} : subject_.bounds.center();
+  const double lux = illuminance(*document_, *motion_->poses, nodes, {middle.x, middle.y, -middle.z});
+  const std::optional<double> factor = exposure_for(lux);
+  if (!factor) return {};
+  result_.notes.push_back(
+      fmt::format("its lights bring {:.4g} lux, so all images are multiplied by {:.3g} (Film's iso)", lux, *factor));
+  return fmt::format(" \"float iso\" {}", 100 * *factor);
 }
 
 std::string SceneWriter::picture_name(std::size_t image) {

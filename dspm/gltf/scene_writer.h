@@ -60,6 +60,7 @@ class SceneWriter {
   std::string world_name() const { return document_->path().stem().string() + ": world"; }
   std::string object_of(std::size_t mesh, std::size_t node);
   std::string header();
+  std::string exposure();
   std::string camera(std::size_t node, double& aspect);
   std::string name_of(std::size_t node, const char* instead) const;
 

@@ -75,6 +75,31 @@ AxisBegin "light" VariationBegin "day" VariationEnd VariationBegin "night" Varia
   EXPECT_EQ(scene.shapes[0].material.name, "chair: wood");
 }
 
+/// A square at the origin, and a light 2 in front of it.
+std::string lamp(const std::string& light) {
+  GltfFile file;
+  const Square square(file);
+  return file.text(fmt::format(
+      R"("nodes":[{{"mesh":0}},{{"translation":[0,0,2],"extensions":{{"KHR_lights_punctual":{{"light":0}}}}}}],)"
+      R"("meshes":[{{"primitives":[{}]}}],"extensions":{{"KHR_lights_punctual":{{"lights":[{{{}}}]}}}})",
+      square.primitive(), light));
+}
+
+// Lights in candela and lux: a white surface is to have a radiance near 1.
+TEST(GltfScene, IsExposedToItsLights) {
+  TemporaryDirectory directory;
+  const auto iso = [&](const std::string& light) {
+    put_file(directory / "lamp.gltf", lamp(light));
+    const SceneDescription scene = parsed(directory / "lamp.gltf");
+    const Param* const found = scene.film->params.find("iso");
+    return found == nullptr ? 0 : std::get<std::vector<float>>(found->values).front();
+  };
+  EXPECT_EQ(iso(R"("type":"directional","intensity":3)"), 0);               // as it is
+  EXPECT_EQ(iso(R"("type":"directional","intensity":2049)"), 100 / 512.f);  // 2049 / pi = 652
+  EXPECT_EQ(iso(R"("type":"point","intensity":2049)"), 100 / 128.f);        // 2049 / 4 / pi = 163
+  EXPECT_EQ(iso(R"("type":"point","intensity":0.5)"), 100 * 32);            // 1/8 lux, 0.04
+}
+
 TEST(GltfScene, SaysWhatIsWrong) {
   TemporaryDirectory directory;
   put_file(directory / "a.dsc", "WorldBegin Import \"b.gltf\" Include \"c.dsc\" \"string animation\" \"x\"");

@@ -1,0 +1,42 @@
+#include "dspm/gltf/exposure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dspm/math/transform.h"
+
+namespace dspm::gltf {
+namespace {
+
+constexpr double kPlausible = 8;  // times as dark or bright as it should be
+
+double brightest(const Value& light) {
+  const auto colour = light["color"].numbers(std::array<double, 3>{1, 1, 1});
+  return *std::max_element(colour.begin(), colour.end()) * light["intensity"].number(1);
+}
+
+}  // namespace
+
+double illuminance(const Document& document, const Poses& poses, const std::vector<std::size_t>& nodes,
+                   const Vec3& at) {
+  const Value lights = document.root().extension("KHR_lights_punctual")["lights"];
+  double sum = 0;
+  for (const std::size_t node : nodes) {
+    const Value use = document["nodes"][node].extension("KHR_lights_punctual")["light"];
+    if (!use.exists()) continue;
+    const Value light = lights[use.required_index(lights.size())];
+    const Vec3 to = at - Transform(poses.world(node, 0)).point({});
+    const double d2 = light["type"].text("") == "directional" ? 1 : static_cast<double>(length2(to));
+    sum += brightest(light) / std::max(d2, 1e-6);
+  }
+  return sum;
+}
+
+std::optional<double> exposure_for(double illuminance) {
+  const double white = illuminance / static_cast<double>(kPi);  // the radiance of a white surface
+  if (!(white > 0) || (white < kPlausible && white > 1 / kPlausible)) return std::nullopt;
+  return std::exp2(std::round(-std::log2(white)));
+}
+
+}  // namespace dspm::gltf

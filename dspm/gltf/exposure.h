@@ -1,0 +1,21 @@
+// How long the film must be exposed to a file's own lights, which may be as bright as a lamp or as the sun.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dspm/gltf/document.h"
+#include "dspm/gltf/poses.h"
+#include "dspm/math/vec.h"
+
+namespace dspm::gltf {
+
+/// What these nodes' lights (KHR_lights_punctual) bring to a place of the file's world in the first frame, in lux, if
+/// nothing is in the way.
+double illuminance(const Document& document, const Poses& poses, const std::vector<std::size_t>& nodes, const Vec3& at);
+
+/// By what power of two images are to be multiplied for a white surface to become about 1. Nullopt: as they are, it is
+/// neither dark nor too bright.
+std::optional<double> exposure_for(double illuminance);
+
+}  // namespace dspm::gltf
