@@ -9,6 +9,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -65,10 +66,10 @@ double error_of(std::span<const float> half, std::span<const float> all) {
   return median(relative);
 }
 
-class ErrorEstimate final : public Integrator {
+class ErrorEstimate final : public WrappingIntegrator {
  public:
   ErrorEstimate(std::unique_ptr<Integrator> inner, int frames, const PixelRect& crop)
-      : inner_(std::move(inner)),
+      : WrappingIntegrator(std::move(inner)),
         grid_(crop),
         frames_(static_cast<std::size_t>(frames)),
         kept_(bytes(frames, crop) / sizeof(float)),
@@ -78,13 +79,9 @@ class ErrorEstimate final : public Integrator {
            static_cast<std::size_t>(PixelGrid(crop).count());
   }
 
-  int iterations() const override { return inner_->iterations(); }
-  std::string settings() const override { return inner_->settings(); }
-  std::vector<OutputInfo> outputs() const override { return inner_->outputs(); }
   std::string why_not_in_parts() const override {
     return "an error is estimated from how the image changes, iteration by iteration";
   }
-  Image estimate(Frame frame, const std::string& output) const override { return inner_->estimate(frame, output); }
 
   void iterate(int iteration, const Scene& scene) override {
     inner_->iterate(iteration, scene);
@@ -121,7 +118,6 @@ class ErrorEstimate final : public Integrator {
     known_ |= static_cast<std::uint8_t>(has_half);
   }
 
-  std::unique_ptr<Integrator> inner_;
   PixelGrid grid_;
   std::size_t frames_;
   std::vector<float> kept_;  // luminances by slot, frame and pixel

@@ -10,6 +10,7 @@
 #include "dspm/integrators/coverage_ranks.h"
 #include "dspm/integrators/make_beside.h"
 #include "dspm/integrators/tiles.h"
+#include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -84,11 +85,11 @@ std::size_t bytes_of(Kind kind) {
   return is_id(kind) ? sizeof(Majority) : is_crypto(kind) ? sizeof(CoverageRanks) : 0;
 }
 
-class SurfaceOutputs final : public Integrator {
+class SurfaceOutputs final : public WrappingIntegrator {
  public:
   SurfaceOutputs(std::unique_ptr<Integrator> inner, const std::vector<Kind>& kinds, const Scene& scene,
                  const RenderSettings& render)
-      : inner_(std::move(inner)),
+      : WrappingIntegrator(std::move(inner)),
         render_(render),
         frames_(static_cast<std::size_t>(scene.frame_count())),
         bytes_(bytes(kinds, render.crop.count(), scene.frame_count())) {
@@ -107,9 +108,6 @@ class SurfaceOutputs final : public Integrator {
     for (const Kind kind : kinds) each += bytes_of(kind);
     return each * static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames);
   }
-
-  int iterations() const override { return inner_->iterations(); }
-  std::string settings() const override { return inner_->settings(); }
 
   void iterate(int iteration, const Scene& scene) override {
     inner_->iterate(iteration, scene);
@@ -151,7 +149,6 @@ class SurfaceOutputs final : public Integrator {
     state.sum(iterations_);
     return true;
   }
-  std::string why_not_in_parts() const override { return inner_->why_not_in_parts(); }
 
  private:
   static void name(Layer& layer, std::span<const std::string> names) {
@@ -260,7 +257,6 @@ class SurfaceOutputs final : public Integrator {
     return static_cast<std::size_t>(pixel) * frames_ + static_cast<std::size_t>(frame);
   }
 
-  std::unique_ptr<Integrator> inner_;
   RenderSettings render_;
   std::size_t frames_, bytes_;
   std::vector<std::uint32_t> met_;  // camera paths that met a surface, by pixel and frame

@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/parallel.h"
 
@@ -20,10 +21,10 @@ OutputInfo variance_info() {
   return info;
 }
 
-class VarianceOutput final : public Integrator {
+class VarianceOutput final : public WrappingIntegrator {
  public:
   VarianceOutput(std::unique_ptr<Integrator> inner, int frames, const PixelRect& crop)
-      : inner_(std::move(inner)),
+      : WrappingIntegrator(std::move(inner)),
         crop_(crop),
         frames_(frames),
         means_(bytes(frames, crop) / (2 * sizeof(Rgb))),
@@ -31,9 +32,6 @@ class VarianceOutput final : public Integrator {
   static std::size_t bytes(int frames, const PixelRect& crop) {
     return 2 * sizeof(Rgb) * static_cast<std::size_t>(frames) * static_cast<std::size_t>(crop.count());
   }
-
-  int iterations() const override { return inner_->iterations(); }
-  std::string settings() const override { return inner_->settings(); }
 
   void iterate(int iteration, const Scene& scene) override {
     inner_->iterate(iteration, scene);
@@ -65,7 +63,6 @@ class VarianceOutput final : public Integrator {
     return statistics;
   }
 
-  std::string why_not_in_parts() const override { return inner_->why_not_in_parts(); }
   bool persist(StateStream& state) override {
     if (!inner_->persist(state)) return false;
     state.sum(step_.seconds);
@@ -111,7 +108,6 @@ class VarianceOutput final : public Integrator {
     }
   }
 
-  std::unique_ptr<Integrator> inner_;
   PixelRect crop_;
   int frames_, done_ = 0;
   std::vector<Rgb> means_, squares_;  // by frame and pixel
