@@ -23,16 +23,6 @@ Options options_of(const Options& given, const MergedParts& parts) {
   return options;
 }
 
-OtherFiles other_files(const Options& options) {
-  OtherFiles files;
-  for (const std::string& scene : options.scenes)
-    if (scene != "-") files.read.push_back({scene, "the scene"});
-  for (const std::string& part : options.parts) files.read.push_back({part, "a part"});
-  if (!options.guide.empty()) files.read.push_back({options.guide, "the guide"});
-  if (!options.checkpoint.empty()) files.written.push_back({options.checkpoint, "the checkpoint"});
-  return files;
-}
-
 class Merge {
  public:
   Merge(const LoadedScene& loaded, const Options& options, const MergedParts& parts, Messages& messages)

@@ -10,12 +10,12 @@
 #include "dspm/system/readable.h"
 
 namespace dspm {
-namespace {
 
 OtherFiles other_files(const Options& options) {
   OtherFiles files;
   for (const std::string& scene : options.scenes)
     if (scene != "-") files.read.push_back({scene, "the scene"});
+  for (const std::string& part : options.parts) files.read.push_back({part, "a part"});
   if (!options.resume.empty() && (options.checkpoint.empty() || !is_same_file(options.resume, options.checkpoint)))
     files.read.push_back({options.resume, "the checkpoint to resume"});
   if (!options.checkpoint.empty()) files.written.push_back({options.checkpoint, "the checkpoint"});
@@ -23,8 +23,6 @@ OtherFiles other_files(const Options& options) {
   if (!options.save_guide.empty()) files.written.push_back({options.save_guide, "the guide"});
   return files;
 }
-
-}  // namespace
 
 void keep_guide(const Options& options, const Job& job) {
   if (!options.guide.empty()) expect_guide_is_used(options.guide, job);

@@ -30,6 +30,8 @@ struct Surroundings {
   LivePage* live = nullptr;  // if there is one
 };
 
+/// That a run reads and writes besides its images.
+OtherFiles other_files(const Options& options);
 /// Once an integrator has been made, which has learned what it needs.
 void keep_guide(const Options& options, const Job& job);
 

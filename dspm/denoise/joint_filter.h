@@ -18,7 +18,7 @@ inline constexpr float kNoSurface = 1e9f;
 /// Images for each pixel while it runs, its result included.
 inline constexpr int kImagesOfJointFilter = 5;
 
-/// Where there is no variance, nothing changes. The same bits with any number of threads.
+/// A pixel without variance stays as it is. The same bits with any number of threads.
 Image joint_filtered(const NoisyImage& image);
 
 }  // namespace dspm
