@@ -24,21 +24,17 @@ struct Row {
   using Number = T;
   static constexpr py::ssize_t columns = 0;
 };
-template <>
-struct Row<Vec2> {
+template <py::ssize_t count>
+struct FloatRow {
   using Number = float;
-  static constexpr py::ssize_t columns = 2;
+  static constexpr py::ssize_t columns = count;
 };
 template <>
-struct Row<Vec3> {
-  using Number = float;
-  static constexpr py::ssize_t columns = 3;
-};
+struct Row<Vec2> : FloatRow<2> {};
 template <>
-struct Row<Rgb> {
-  using Number = float;
-  static constexpr py::ssize_t columns = 3;
-};
+struct Row<Vec3> : FloatRow<3> {};
+template <>
+struct Row<Rgb> : FloatRow<3> {};
 template <>
 struct Row<FrameSet> {  // bit f: frame f
   using Number = std::uint64_t;
@@ -48,12 +44,13 @@ struct Row<FrameSet> {  // bit f: frame f
 template <class T>
 using Rows = py::array_t<typename Row<T>::Number, py::array::c_style | py::array::forcecast>;
 
-/// The vector's memory, which `owner` keeps alive.
+/// The memory of `count` values that lie `stride` bytes apart, which `owner` keeps alive.
 template <class T>
-py::array view(std::vector<T>& values, py::handle owner) {
-  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(values.size())};
-  if constexpr (Row<T>::columns > 0) shape.push_back(Row<T>::columns);
-  return py::array_t<typename Row<T>::Number>(shape, reinterpret_cast<typename Row<T>::Number*>(values.data()), owner);
+py::array view(T* first, std::size_t count, std::size_t stride, py::handle owner) {
+  using Number = typename Row<T>::Number;
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(count)}, strides = {static_cast<py::ssize_t>(stride)};
+  if constexpr (Row<T>::columns > 0) shape.push_back(Row<T>::columns), strides.push_back(sizeof(Number));
+  return py::array_t<Number>(shape, strides, reinterpret_cast<Number*>(first), owner);
 }
 
 /// An array that owns the vector.
@@ -61,7 +58,7 @@ template <class T>
 py::array array_of(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
   const py::capsule owner(kept, [](void* memory) { delete static_cast<std::vector<T>*>(memory); });
-  return view(*kept, owner);
+  return view(kept->data(), kept->size(), sizeof(T), owner);
 }
 
 /// The values of an array, as long as it lives. Throws ValueError if it has not this shape. `count`: of rows; below 0:
@@ -91,8 +88,20 @@ std::vector<T> copy_of(const std::optional<Rows<T>>& array, const char* name, py
 /// A property whose array is the vector itself.
 template <class Class, class T>
 void def_array(py::class_<Class>& of, const char* name, std::vector<T> Class::*member, const char* doc) {
-  of.def_property_readonly(
-      name, [member](const py::object& self) { return view(self.cast<Class&>().*member, self); }, doc);
+  const auto get = [member](const py::object& self) {
+    std::vector<T>& values = self.cast<Class&>().*member;
+    return view(values.data(), values.size(), sizeof(T), self);
+  };
+  of.def_property_readonly(name, get, doc);
+}
+/// The same of one field of its values.
+template <class Class, class S, class T>
+void def_field(py::class_<Class>& of, const char* name, std::vector<S> Class::*member, T S::*field, const char* doc) {
+  const auto get = [member, field](const py::object& self) {
+    std::vector<S>& values = self.cast<Class&>().*member;
+    return view(values.empty() ? nullptr : &(values.front().*field), values.size(), sizeof(S), self);
+  };
+  of.def_property_readonly(name, get, doc);
 }
 
 }  // namespace dspm::python

@@ -69,7 +69,8 @@ Parts partition(const Query& query, const Rays& rays) {
   return in_chunks<Parts>(rays.size(), [&](std::size_t i, Parts& chunk) {
     const FrameSet frames = rays.frames[i] & query.scene->frames();
     if (frames.empty()) return;
-    for (const FrameHit& part : query.scene->accel->partition(rays.at(i), frames)) chunk.add(static_cast<int>(i), part);
+    for (const FrameHit& part : query.scene->accel->partition(rays.rays[i], frames))
+      chunk.add(static_cast<int>(i), part);
   });
 }
 
@@ -80,7 +81,7 @@ py::array occluded(const Query& query, const Rays& rays) {
     parallel_for(static_cast<std::int64_t>(rays.size()), kRowsOfAChunk, [&](std::int64_t row) {
       const auto i = static_cast<std::size_t>(row);
       const FrameSet frames = rays.frames[i] & query.scene->frames();
-      if (!frames.empty()) hidden[i] = query.scene->accel->occluded(rays.at(i), frames);
+      if (!frames.empty()) hidden[i] = query.scene->accel->occluded(rays.rays[i], frames);
     });
   }
   return array_of(std::move(hidden));
@@ -89,8 +90,8 @@ py::array occluded(const Query& query, const Rays& rays) {
 Radiance escaped(const Query& query, const Rays& rays, const Parts& parts) {
   const py::gil_scoped_release without_python;
   return in_chunks<Radiance>(parts.size(), [&](std::size_t i, Radiance& chunk) {
-    if (parts.shape[i] >= 0) return;
-    const Ray ray = rays.at(static_cast<std::size_t>(parts.ray[i]));
+    if (!parts.hits[i].missed()) return;
+    const Ray& ray = rays.rays[static_cast<std::size_t>(parts.ray[i])];
     for_each_escape(*query.scene, parts.frames[i], ray,
                     [&](FrameSet frames, const Rgb& radiance, const SceneLight& light, const Light& state) {
                       chunk.add(parts.ray[i], frames, radiance, light.probability * state.escaped_pdf_w(ray));
@@ -102,18 +103,14 @@ Surfaces surfaces(const Query& query, const Rays& rays, const Parts& parts) {
   const py::gil_scoped_release without_python;
   const Scene& scene = *query.scene;
   return in_chunks<Surfaces>(parts.size(), [&](std::size_t i, Surfaces& chunk) {
-    const FrameHit part = parts.at(i);
-    if (part.hit.missed()) return;
+    if (parts.hits[i].missed()) return;
     chunk.scene = &scene;
-    const Vertex vertex(scene, rays.at(static_cast<std::size_t>(parts.ray[i])), part);
+    const Vertex vertex(scene, rays.rays[static_cast<std::size_t>(parts.ray[i])], {parts.frames[i], parts.hits[i]});
     if (!is_finite(vertex.point)) return;
     for_each_relief(vertex, [&](const Vertex& shown) {
       for_each_surface(shown, [&](FrameSet frames, const Bsdf& bsdf) {
-        chunk.ray.push_back(parts.ray[i]), chunk.frames.push_back(frames);
-        chunk.p.push_back(shown.point.p), chunk.ng.push_back(shown.point.ng), chunk.ns.push_back(shown.point.ns);
-        chunk.wo.push_back(shown.wo), chunk.uv.push_back(shown.point.uv), chunk.t.push_back(shown.hit.t);
-        chunk.shape.push_back(shown.hit.shape), chunk.material.push_back(shown.shape.material);
-        chunk.object.push_back(shown.shape.object);
+        chunk.ray.push_back(parts.ray[i]), chunk.frames.push_back(frames), chunk.wo.push_back(shown.wo);
+        chunk.material.push_back(shown.shape.material), chunk.object.push_back(shown.shape.object);
         chunk.hits.push_back(shown.hit), chunk.points.push_back(shown.point);
         chunk.bsdfs.push_back(BsdfSlot::copy_of(bsdf));
       });
@@ -135,10 +132,10 @@ For each ray: parts with disjoint frames, whose union is the frames of the ray; 
   parts.def("__len__", &Parts::size);
   def_array(parts, "ray", &Parts::ray, "(n,): row of the ray.");
   def_array(parts, "frames", &Parts::frames, "(n,), uint64");
-  def_array(parts, "t", &Parts::t, "(n,): the distance; infinite for a miss.");
-  def_array(parts, "shape", &Parts::shape, "(n,): the number of the placed shape; -1 for a miss.");
-  def_array(parts, "primitive", &Parts::primitive, "(n,): which of its primitives, such as triangles.");
-  def_array(parts, "uv", &Parts::uv, "(n, 2): where on the primitive.");
+  def_field(parts, "t", &Parts::hits, &RayHit::t, "(n,): the distance; infinite for a miss.");
+  def_field(parts, "shape", &Parts::hits, &RayHit::shape, "(n,): the number of the placed shape; -1 for a miss.");
+  def_field(parts, "primitive", &Parts::hits, &RayHit::primitive, "(n,): which of its primitives, such as triangles.");
+  def_field(parts, "uv", &Parts::hits, &RayHit::uv, "(n, 2): where on the primitive.");
 
   py::class_<Query>(module, "Query",
                     R"(What an integrator asks of a scene, for arrays of rays and up to 64 frames together.

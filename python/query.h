@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dspm/math/frames.h"
-#include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
@@ -17,19 +16,12 @@ namespace dspm::python {
 struct Parts {
   std::vector<int> ray;
   std::vector<FrameSet> frames;
-  std::vector<float> t;
-  std::vector<int> shape, primitive;
-  std::vector<Vec2> uv;
+  std::vector<RayHit> hits;
 
   std::size_t size() const { return ray.size(); }
-  FrameHit at(std::size_t i) const { return {frames[i], {t[i], shape[i], primitive[i], uv[i]}}; }
-  void add(int of, const FrameHit& part) {
-    ray.push_back(of), frames.push_back(part.frames), t.push_back(part.hit.t);
-    shape.push_back(part.hit.shape), primitive.push_back(part.hit.primitive), uv.push_back(part.hit.uv);
-  }
+  void add(int of, const FrameHit& part) { ray.push_back(of), frames.push_back(part.frames), hits.push_back(part.hit); }
   Parts& operator+=(const Parts& o) {
-    append(ray, o.ray), append(frames, o.frames), append(t, o.t);
-    append(shape, o.shape), append(primitive, o.primitive), append(uv, o.uv);
+    append(ray, o.ray), append(frames, o.frames), append(hits, o.hits);
     return *this;
   }
 };

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "dspm/math/vec.h"
 #include "python/arrays.h"
 #include "python/module.h"
 
@@ -13,12 +14,11 @@ Rays rays_of(const Rows<Vec3>& origin, const Rows<Vec3>& direction, const std::o
   const std::span<const Vec3> origins = values_of<Vec3>(origin, "origin");
   const auto count = static_cast<py::ssize_t>(origins.size());
   const std::span<const Vec3> directions = values_of<Vec3>(direction, "direction", count);
+  const std::vector<float> t = copy_of<float>(t_max, "t_max", count, kInfinity);
+  const std::vector<FrameSet> in = copy_of<FrameSet>(frames, "frames", count, FrameSet::first(kMaxFrames));
   Rays rays;
-  rays.origin.assign(origins.begin(), origins.end());
-  for (const Vec3& d : directions) rays.direction.push_back(normalize(d));
-  rays.t_max = copy_of<float>(t_max, "t_max", count, kInfinity);
-  rays.frames = copy_of<FrameSet>(frames, "frames", count, FrameSet::first(kMaxFrames));
-  for (int i = 0; i < static_cast<int>(count); ++i) rays.row.push_back(i);
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    rays.add({origins[i], normalize(directions[i]), t[i]}, in[i], static_cast<int>(i));
   return rays;
 }
 
@@ -52,9 +52,9 @@ Directions have unit length; hits lie at t in (0, t_max). Bit f of `frames` (uin
   rays.def(py::init(&rays_of), py::arg("origin"), py::arg("direction"), py::arg("frames") = py::none(),
            py::arg("t_max") = py::none(), "Directions are normalised. Without frames: in all; without t_max: infinite.")
       .def("__len__", &Rays::size);
-  def_array(rays, "origin", &Rays::origin, "(n, 3)");
-  def_array(rays, "direction", &Rays::direction, "(n, 3)");
-  def_array(rays, "t_max", &Rays::t_max, "(n,)");
+  def_field(rays, "origin", &Rays::rays, &Ray::origin, "(n, 3)");
+  def_field(rays, "direction", &Rays::rays, &Ray::direction, "(n, 3)");
+  def_field(rays, "t_max", &Rays::rays, &Ray::t_max, "(n,)");
   def_array(rays, "frames", &Rays::frames, "(n,), uint64");
   def_array(rays, "row", &Rays::row, "(n,): of what each ray was made from: of the film points, or of the surfaces.");
 

@@ -6,26 +6,19 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
-#include "dspm/math/vec.h"
 #include "python/chunks.h"
 
 namespace dspm::python {
 
 struct Rays {
-  std::vector<Vec3> origin, direction;
-  std::vector<float> t_max;
+  std::vector<Ray> rays;
   std::vector<FrameSet> frames;
   std::vector<int> row;  // of what the ray was made from
 
-  std::size_t size() const { return origin.size(); }
-  Ray at(std::size_t i) const { return {origin[i], direction[i], t_max[i]}; }
-  void add(const Ray& ray, FrameSet in, int from) {
-    origin.push_back(ray.origin), direction.push_back(ray.direction), t_max.push_back(ray.t_max);
-    frames.push_back(in), row.push_back(from);
-  }
+  std::size_t size() const { return rays.size(); }
+  void add(const Ray& ray, FrameSet in, int from) { rays.push_back(ray), frames.push_back(in), row.push_back(from); }
   Rays& operator+=(const Rays& o) {
-    append(origin, o.origin), append(direction, o.direction), append(t_max, o.t_max);
-    append(frames, o.frames), append(row, o.row);
+    append(rays, o.rays), append(frames, o.frames), append(row, o.row);
     return *this;
   }
 };

@@ -31,24 +31,26 @@ void for_each_row(const Surfaces& surfaces, const std::optional<Rows<int>>& row,
   });
 }
 
-py::array evaluate(const Surfaces& s, const Rows<Vec3>& wi, const std::optional<Rows<int>>& row) {
+/// What fn(bsdf, wo, wi) says of each row's direction.
+template <class T, class Fn>
+py::array of_directions(const Surfaces& s, const Rows<Vec3>& wi, const std::optional<Rows<int>>& row, Fn&& fn) {
   const std::span<const Vec3> directions = values_of<Vec3>(wi, "wi");
-  std::vector<Rgb> f(directions.size());
-  for_each_row(s, row, directions.size(), [&](std::size_t i, std::size_t at) {
-    const Bsdf& bsdf = *s.bsdfs[at];
-    f[i] = bsdf.evaluate(s.wo[at], directions[i], Transport::radiance, bsdf.all_lobes());
+  std::vector<T> values(directions.size());
+  for_each_row(s, row, directions.size(),
+               [&](std::size_t i, std::size_t at) { values[i] = fn(*s.bsdfs[at], s.wo[at], directions[i]); });
+  return array_of(std::move(values));
+}
+
+py::array evaluate(const Surfaces& s, const Rows<Vec3>& wi, const std::optional<Rows<int>>& row) {
+  return of_directions<Rgb>(s, wi, row, [](const Bsdf& bsdf, const Vec3& wo, const Vec3& w) {
+    return bsdf.evaluate(wo, w, Transport::radiance, bsdf.all_lobes());
   });
-  return array_of(std::move(f));
 }
 
 py::array pdf_w(const Surfaces& s, const Rows<Vec3>& wi, const std::optional<Rows<int>>& row) {
-  const std::span<const Vec3> directions = values_of<Vec3>(wi, "wi");
-  std::vector<float> pdf(directions.size());
-  for_each_row(s, row, directions.size(), [&](std::size_t i, std::size_t at) {
-    const Bsdf& bsdf = *s.bsdfs[at];
-    pdf[i] = bsdf.pdf_w(s.wo[at], directions[i], Transport::radiance, bsdf.all_lobes());
+  return of_directions<float>(s, wi, row, [](const Bsdf& bsdf, const Vec3& wo, const Vec3& w) {
+    return bsdf.pdf_w(wo, w, Transport::radiance, bsdf.all_lobes());
   });
-  return array_of(std::move(pdf));
 }
 
 Scattered sample(const Surfaces& s, const Rows<Vec3>& u) {
@@ -64,34 +66,29 @@ Scattered sample(const Surfaces& s, const Rows<Vec3>& u) {
   });
 }
 
-/// Chooses a light by power; u becomes a number that is uniform whatever was chosen.
-int choose_light(const Scene& scene, float& u) {
-  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
-    const float chance = scene.lights[static_cast<std::size_t>(i)].probability;
-    if (u < chance) {
-      u /= chance;
-      return i;
-    }
-    u -= chance;
-  }
-  return -1;
+/// By power.
+LightChoice light_choice(const Scene& scene) {
+  LightChoice choice;
+  for (const SceneLight& light : scene.lights) choice.probability.push_back(light.probability);
+  return choice;
 }
 
 LightSamples sample_lights(const Surfaces& s, const Rows<Vec3>& u) {
   const std::span<const Vec3> numbers = values_of<Vec3>(u, "u", static_cast<py::ssize_t>(s.size()));
   const py::gil_scoped_release without_python;
+  if (s.size() == 0) return {};
+  const LightChoice choice = light_choice(*s.scene);
   return in_chunks<LightSamples>(s.size(), [&](std::size_t i, LightSamples& chunk) {
-    float choice = numbers[i].x;
-    const int index = choose_light(*s.scene, choice);
-    if (index < 0) return;
-    const SceneLight& light = s.scene->lights[static_cast<std::size_t>(index)];
+    const ChosenLight chosen = choice.choose(numbers[i].x);
+    if (!(chosen.probability > 0)) return;
+    const SceneLight& light = s.scene->lights[static_cast<std::size_t>(chosen.index)];
     light.states.for_each(s.frames[i], [&](FrameSet frames, const Light& state) {
-      const auto lit = state.illuminate(s.p[i], {numbers[i].y, numbers[i].z});
+      const auto lit = state.illuminate(s.points[i].p, {numbers[i].y, numbers[i].z});
       if (!lit) return;
-      const float pdf = light.probability * (lit->pdf_w > 0 ? lit->pdf_w : 1);
+      const float pdf = chosen.probability * (lit->pdf_w > 0 ? lit->pdf_w : 1);
       chunk.rays.add(shadow_ray(s.points[i], *lit), frames, static_cast<int>(i));
       chunk.wi.push_back(lit->wi), chunk.weight.push_back(lit->radiance / pdf);
-      chunk.pdf_w.push_back(lit->pdf_w > 0 ? pdf : 0), chunk.light.push_back(index);
+      chunk.pdf_w.push_back(lit->pdf_w > 0 ? pdf : 0), chunk.light.push_back(chosen.index);
     });
   });
 }
@@ -99,7 +96,7 @@ LightSamples sample_lights(const Surfaces& s, const Rows<Vec3>& u) {
 Radiance emitted(const Surfaces& s) {
   const py::gil_scoped_release without_python;
   return in_chunks<Radiance>(s.size(), [&](std::size_t i, Radiance& chunk) {
-    const Ray ray{s.p[i] + s.wo[i] * s.t[i], -s.wo[i]};
+    const Ray ray{s.points[i].p + s.wo[i] * s.hits[i].t, -s.wo[i]};
     const Vertex vertex(*s.scene, ray, {s.frames[i], s.hits[i]});
     if (vertex.shape.light < 0) return;
     const float chance = s.scene->lights[static_cast<std::size_t>(vertex.shape.light)].probability;
@@ -153,13 +150,13 @@ Textures are looked up at points, without a footprint. Light that a body absorbs
       .def("spawn", spawn, py::arg("w"), "Rays in these directions, (n, 3), that start safely off the surfaces.");
   def_array(surfaces, "ray", &Surfaces::ray, "(n,): row of the ray.");
   def_array(surfaces, "frames", &Surfaces::frames, "(n,), uint64");
-  def_array(surfaces, "p", &Surfaces::p, "(n, 3)");
-  def_array(surfaces, "ng", &Surfaces::ng, "(n, 3): the geometric normal, outward.");
-  def_array(surfaces, "ns", &Surfaces::ns, "(n, 3): the shading normal.");
+  def_field(surfaces, "p", &Surfaces::points, &SurfacePoint::p, "(n, 3)");
+  def_field(surfaces, "ng", &Surfaces::points, &SurfacePoint::ng, "(n, 3): the geometric normal, outward.");
+  def_field(surfaces, "ns", &Surfaces::points, &SurfacePoint::ns, "(n, 3): the shading normal.");
   def_array(surfaces, "wo", &Surfaces::wo, "(n, 3): back along the ray.");
-  def_array(surfaces, "uv", &Surfaces::uv, "(n, 2): texture coordinates.");
-  def_array(surfaces, "t", &Surfaces::t, "(n,): the distance.");
-  def_array(surfaces, "shape", &Surfaces::shape, "(n,): the number of the placed shape.");
+  def_field(surfaces, "uv", &Surfaces::points, &SurfacePoint::uv, "(n, 2): texture coordinates.");
+  def_field(surfaces, "t", &Surfaces::hits, &RayHit::t, "(n,): the distance.");
+  def_field(surfaces, "shape", &Surfaces::hits, &RayHit::shape, "(n,): the number of the placed shape.");
   def_array(surfaces, "material", &Surfaces::material, "(n,): into Query.material_names.");
   def_array(surfaces, "object", &Surfaces::object, "(n,): into Query.object_names; -1: none.");
 }

@@ -18,10 +18,8 @@ struct Surfaces {
   const Scene* scene = nullptr;
   std::vector<int> ray;  // which one met it
   std::vector<FrameSet> frames;
-  std::vector<Vec3> p, ng, ns, wo;
-  std::vector<Vec2> uv;
-  std::vector<float> t;
-  std::vector<int> shape, material, object;
+  std::vector<Vec3> wo;
+  std::vector<int> material, object;
   std::vector<RayHit> hits;
   std::vector<SurfacePoint> points;
   std::vector<BsdfSlot> bsdfs;
@@ -29,8 +27,7 @@ struct Surfaces {
   std::size_t size() const { return ray.size(); }
   Surfaces& operator+=(const Surfaces& o) {
     scene = o.scene != nullptr ? o.scene : scene;
-    append(ray, o.ray), append(frames, o.frames), append(p, o.p), append(ng, o.ng), append(ns, o.ns);
-    append(wo, o.wo), append(uv, o.uv), append(t, o.t), append(shape, o.shape), append(material, o.material);
+    append(ray, o.ray), append(frames, o.frames), append(wo, o.wo), append(material, o.material);
     append(object, o.object), append(hits, o.hits), append(points, o.points), append(bsdfs, o.bsdfs);
     return *this;
   }

@@ -7,14 +7,12 @@ import tempfile
 import unittest
 import warnings
 
-BUILD, SOURCE = (pathlib.Path(path) for path in sys.argv[1:3])
-sys.path.insert(0, str(BUILD / "python"))
-try:
-    import numpy as np
-except ImportError:
-    print("SKIPPED: no numpy for this Python (python3-numpy)")
-    sys.exit(77)
+from surroundings import BUILD, SOURCE, need
+
+need("numpy", "python3-numpy")
+
 import dspm
+import numpy as np
 
 TINY = """
 Frames 3 "float fps" 25

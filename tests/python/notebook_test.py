@@ -2,16 +2,14 @@
 
 import json
 import os
-import pathlib
 import sys
 
-BUILD, SOURCE = (pathlib.Path(path) for path in sys.argv[1:3])
-sys.path.insert(0, str(BUILD / "python"))
-try:
-    import matplotlib
-except ImportError:
-    print("SKIPPED: no matplotlib for this Python (python3-matplotlib)")
-    sys.exit(77)
+from surroundings import SOURCE, need
+
+need("matplotlib", "python3-matplotlib")
+
+import matplotlib
+
 try:
     import IPython  # noqa: F401
 except ImportError:
