@@ -10,6 +10,7 @@ set(public_headers
   integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h
   integrators/light_groups.h integrators/output_info.h
   integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
+  integrators/summing_integrator.h
   integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
@@ -43,7 +44,7 @@ set(toolkit_headers
   integrators/pixel_statistics.h
   integrators/progressive.h
   integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h integrators/surface_kernel.h
-  integrators/walk.h
+  integrators/trace_tiles.h integrators/walk.h
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h materials/relief.h
   math/frame_lanes.h

@@ -11,24 +11,20 @@
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/image/image.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/summed_iterations.h"
-#include "dspm/integrators/tiles.h"
+#include "dspm/integrators/summing_integrator.h"
+#include "dspm/integrators/trace_tiles.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
-#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
-
-constexpr int kTileSide = 16;
 
 struct Hemisphere {
   bool by_cosine;
@@ -80,10 +76,13 @@ class PixelTracer {
   BranchingPath<CameraPath> branches_;
 };
 
-class AmbientOcclusion final : public Integrator {
+class AmbientOcclusion final : public SummingIntegrator {
  public:
   AmbientOcclusion(int iterations, const Hemisphere& hemisphere, int frames, const RenderSettings& render)
-      : iterations_(iterations), hemisphere_(hemisphere), render_(render), done_(render.crop, frames, at_start()) {}
+      : SummingIntegrator(frames, render, at_start()),
+        iterations_(iterations),
+        hemisphere_(hemisphere),
+        render_(render) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
@@ -96,15 +95,6 @@ class AmbientOcclusion final : public Integrator {
     });
   }
 
-  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
-  Statistics statistics() const override { return done_.statistics(); }
-
-  bool persist(StateStream& state) override {
-    done_.persist(state);
-    return true;
-  }
-  std::string why_not_in_parts() const override { return {}; }
-
  private:
   static Statistics at_start() {
     Statistics statistics;
@@ -114,21 +104,12 @@ class AmbientOcclusion final : public Integrator {
 
   void trace(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
     const StepTimer timer(statistics.steps[0]);
-    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
-    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene, render_, hemisphere_, sums);
-      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { tracer.trace(x, y, iteration); });
-      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
-      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
-    });
-    for (const Statistics& c : counts) statistics.camera += c.camera, statistics.rejections += c.rejections;
+    trace_tiles(render_.crop, iteration, statistics, [&] { return PixelTracer(scene, render_, hemisphere_, sums); });
   }
 
   int iterations_;
   Hemisphere hemisphere_;
   RenderSettings render_;
-  SummedIterations done_;
 };
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/image/image.h"
 #include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
@@ -20,18 +19,15 @@
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/summed_iterations.h"
-#include "dspm/integrators/tiles.h"
+#include "dspm/integrators/summing_integrator.h"
+#include "dspm/integrators/trace_tiles.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
-#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
-
-constexpr int kTileSide = 16;
 
 /// Where paths end.
 struct Limits {
@@ -135,14 +131,13 @@ class PixelTracer {
   BranchingPath<CameraPath> branches_;
 };
 
-class Path final : public Integrator {
+class Path final : public SummingIntegrator {
  public:
   Path(int iterations, const Limits& limits, const Scene& scene, const RenderSettings& render)
-      : iterations_(iterations),
+      : SummingIntegrator(scene, render, statistics_at_start()),
+        iterations_(iterations),
         limits_(limits),
-        render_(render),
-        groups_(light_group_outputs(scene)),
-        done_(render.crop, scene.frame_count(), statistics_at_start(), LightGroups(scene, render.outputs)) {}
+        render_(render) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override {
@@ -156,17 +151,6 @@ class Path final : public Integrator {
     });
   }
 
-  std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
-  Image estimate(Frame frame, const std::string& output) const override { return done_.mean(frame, output); }
-
-  Statistics statistics() const override { return done_.statistics(); }
-
-  bool persist(StateStream& state) override {
-    done_.persist(state);
-    return true;
-  }
-  std::string why_not_in_parts() const override { return {}; }
-
  private:
   static Statistics statistics_at_start() {
     Statistics statistics;
@@ -176,22 +160,12 @@ class Path final : public Integrator {
 
   void trace_paths(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) const {
     const StepTimer timer(statistics.steps[0]);
-    std::vector<Statistics> counts(static_cast<std::size_t>(tile_count(render_.crop, kTileSide)));
-    parallel_for(static_cast<std::int64_t>(counts.size()), 1, [&](std::int64_t t) {
-      PixelTracer tracer(scene, render_, limits_, sums);
-      for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { tracer.trace(x, y, iteration); });
-      counts[static_cast<std::size_t>(t)].camera = tracer.counts();
-      counts[static_cast<std::size_t>(t)].rejections = tracer.rejections();
-    });
-    for (const Statistics& c : counts) statistics.camera += c.camera, statistics.rejections += c.rejections;
+    trace_tiles(render_.crop, iteration, statistics, [&] { return PixelTracer(scene, render_, limits_, sums); });
   }
 
   int iterations_;
   Limits limits_;
   RenderSettings render_;
-  std::vector<OutputInfo> groups_;
-  SummedIterations done_;
 };
 
 }  // namespace

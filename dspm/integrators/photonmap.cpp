@@ -10,12 +10,11 @@
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/image/image.h"
 #include "dspm/integrators/final_gather.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
-#include "dspm/integrators/summed_iterations.h"
+#include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -111,12 +110,12 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
   return needs;
 }
 
-class PhotonMapper final : public Integrator {
+class PhotonMapper final : public SummingIntegrator {
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
-      : settings_(settings),
-        render_(render),
-        done_(render.crop, scene.frame_count(), statistics_at_start(settings, scene, render)) {
+      : SummingIntegrator(scene.frame_count(), render, statistics_at_start(settings, scene, render)),
+        settings_(settings),
+        render_(render) {
     global_how_ = {settings.nearest, global_radius(settings, scene), settings.photons};
     caustic_how_ = {settings.nearest, caustic_radius(settings, scene), settings.caustic_photons};
   }
@@ -136,16 +135,6 @@ class PhotonMapper final : public Integrator {
     });
     has_maps_ = true;
   }
-
-  Image estimate(Frame frame, const std::string&) const override { return done_.mean(frame); }
-
-  Statistics statistics() const override { return done_.statistics(); }
-
-  bool persist(StateStream& state) override {
-    done_.persist(state);
-    return true;
-  }
-  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics statistics_at_start(const PhotonMapSettings& settings, const Scene& scene,
@@ -230,7 +219,6 @@ class PhotonMapper final : public Integrator {
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;
-  SummedIterations done_;
 };
 
 }  // namespace

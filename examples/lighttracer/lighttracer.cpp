@@ -5,6 +5,7 @@
 // frames meet the same; then it splits into copies with disjoint sets of frames. Left out are things seen in a mirror
 // or through glass, and the lights themselves.
 #include <dspm/integrators/branching_path.h>
+#include <dspm/integrators/summing_integrator.h>
 #include <dspm/integrators/tiles.h>
 #include <dspm/modules/module.h>
 #include <dspm/system/parallel.h>
@@ -13,16 +14,10 @@ namespace {
 
 using namespace dspm;
 
-struct Splat {
-  int pixel;
-  FrameSet frames;
-  Rgb radiance;
-};
-
 class PhotonTracer {
  public:
-  PhotonTracer(const Scene& scene, const RenderSettings& render, int max_depth)
-      : scene_(scene), render_(render), max_depth_(max_depth), branches_(scene, counts_) {}
+  PhotonTracer(const Scene& scene, const RenderSettings& render, int photons, int max_depth)
+      : scene_(scene), render_(render), photons_(photons), max_depth_(max_depth), branches_(scene, counts_) {}
 
   void trace(std::uint64_t path_index, int iteration) {
     const PathRandom random(render_.seed, Stream::photon, path_index, static_cast<std::uint64_t>(iteration));
@@ -32,7 +27,9 @@ class PhotonTracer {
       const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.index)];
       light.states.for_each(choice.frames, [&](FrameSet frames, const Light& state) {
         const auto start = state.emit(random.pair(0, kLightPoint), random.pair(0, kLightDirection));
-        if (start) branches_.push({start->ray, start->flux / chosen.probability, frames}).random = random;
+        if (start)
+          branches_.push({start->ray, start->flux / (chosen.probability * static_cast<float>(photons_)), frames})
+              .random = random;
       });
     }
     branches_.follow(*this);
@@ -58,7 +55,7 @@ class PhotonTracer {
   void lost(const PathState&, FrameSet, const SceneElement&) {}
   bool postpones(const PathState&, const HitPartition&) { return false; }
 
-  const std::vector<Splat>& splats() const { return splats_; }
+  const std::vector<SeenLight>& splats() const { return splats_; }
   const PathCounts& counts() const { return counts_; }
 
  private:
@@ -81,65 +78,60 @@ class PhotonTracer {
 
   const Scene& scene_;
   const RenderSettings& render_;
-  int max_depth_;
-  std::vector<Splat> splats_;
+  int photons_, max_depth_;
+  std::vector<SeenLight> splats_;
   PathCounts counts_;
   BranchingPath<PathState> branches_;
 };
 
-class LightTracer final : public Integrator {
+class LightTracer final : public SummingIntegrator {
  public:
   LightTracer(int iterations, int photons, int max_depth, const Scene& scene, const RenderSettings& render)
-      : iterations_(iterations), photons_(photons), max_depth_(max_depth), render_(render) {
-    sums_.assign(static_cast<std::size_t>(scene.frame_count()), Image(render.crop.width(), render.crop.height()));
-    statistics_.steps = {{"photons"}};
-  }
+      : SummingIntegrator(scene.frame_count(), render, at_start()),
+        iterations_(iterations),
+        photons_(photons),
+        max_depth_(max_depth),
+        render_(render) {}
 
   int iterations() const override { return iterations_; }
   std::string settings() const override { return std::to_string(photons_) + " photons per iteration"; }
 
   void iterate(int iteration, const Scene& scene) override {
-    const StepTimer timer(statistics_.steps[0]);
-    constexpr int kGrain = 4096;  // fixed, so that sums have the same order with any number of threads
-    struct Chunk {
-      std::vector<Splat> splats;
-      PathCounts counts;
-    };
-    std::vector<Chunk> chunks(static_cast<std::size_t>(chunk_count(photons_, kGrain)));
-    parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
-      PhotonTracer tracer(scene, render_, max_depth_);
-      for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
-      chunks[static_cast<std::size_t>(begin / kGrain)] = {tracer.splats(), tracer.counts()};
+    done_.advance([&](SeenLightSums& sums, Statistics& statistics) {
+      const StepTimer timer(statistics.steps[0]);
+      for (const Chunk& chunk : traced(iteration, scene)) {
+        statistics.photon += chunk.counts;
+        statistics.counters.add("splats", chunk.splats.size());
+        for (const SeenLight& splat : chunk.splats) sums.add(splat);
+      }
     });
-    for (const Chunk& chunk : chunks) {
-      statistics_.photon += chunk.counts;
-      statistics_.counters.add("splats", chunk.splats.size());
-      for (const Splat& splat : chunk.splats)
-        splat.frames.for_each([&](Frame frame) {
-          sums_[static_cast<std::size_t>(frame)].pixels[static_cast<std::size_t>(splat.pixel)] += splat.radiance;
-        });
-    }
-    ++statistics_.iterations;
-  }
-
-  Image estimate(Frame frame, const std::string&) const override {
-    Image image = sums_[static_cast<std::size_t>(frame)];
-    const double paths = std::max(1.0, static_cast<double>(statistics_.iterations) * photons_);
-    for (Rgb& c : image.pixels) c = c * static_cast<float>(1 / paths);
-    return image;
-  }
-
-  Statistics statistics() const override { return statistics_; }
-  bool persist(StateStream& state) override {
-    for (Image& sum : sums_) state.value(sum.pixels);
-    return statistics_.persist(state), true;
   }
 
  private:
+  struct Chunk {
+    std::vector<SeenLight> splats;
+    PathCounts counts;
+  };
+
+  static Statistics at_start() {
+    Statistics statistics;
+    statistics.steps = {{"photons"}};
+    return statistics;
+  }
+
+  std::vector<Chunk> traced(int iteration, const Scene& scene) const {
+    constexpr int kGrain = 4096;  // fixed, so that sums have the same order with any number of threads
+    std::vector<Chunk> chunks(static_cast<std::size_t>(chunk_count(photons_, kGrain)));
+    parallel_chunks(photons_, kGrain, [&](std::int64_t begin, std::int64_t end) {
+      PhotonTracer tracer(scene, render_, photons_, max_depth_);
+      for (std::int64_t i = begin; i < end; ++i) tracer.trace(static_cast<std::uint64_t>(i), iteration);
+      chunks[static_cast<std::size_t>(begin / kGrain)] = {tracer.splats(), tracer.counts()};
+    });
+    return chunks;
+  }
+
   int iterations_, photons_, max_depth_;
   RenderSettings render_;
-  std::vector<Image> sums_;  // by frame
-  Statistics statistics_;
 };
 
 std::unique_ptr<Integrator> make_lighttracer(ParamReader& params, const Scene& scene, const RenderSettings& render) {

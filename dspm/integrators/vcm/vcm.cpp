@@ -24,7 +24,6 @@
 
 #include <algorithm>
 
-#include "dspm/image/image.h"
 #include "dspm/integrators/estimator.h"
 #include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/hit_point.h"
@@ -32,7 +31,7 @@
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/pilot_pixels.h"
-#include "dspm/integrators/summed_iterations.h"
+#include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/vcm/camera_subpaths.h"
 #include "dspm/integrators/vcm/light_subpaths.h"
 #include "dspm/integrators/vcm/light_vertex_map.h"
@@ -98,16 +97,15 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
   return static_cast<std::size_t>(kSlack * bytes / few.photons * settings.photons);
 }
 
-class Vcm final : public Integrator {
+class Vcm final : public SummingIntegrator {
  public:
   /// `sample`: of the file, if it has been made.
   Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render,
       std::shared_ptr<const Scene> sample)
-      : settings_(settings),
+      : SummingIntegrator(scene, render, statistics_at_start()),
+        settings_(settings),
         render_(render),
-        sample_(std::move(sample)),
-        groups_(light_group_outputs(scene)),
-        done_(render.crop, scene.frame_count(), statistics_at_start(), LightGroups(scene, render.outputs)) {}
+        sample_(std::move(sample)) {}
 
   int iterations() const override { return settings_.iterations; }
   std::string settings() const override {
@@ -130,17 +128,6 @@ class Vcm final : public Integrator {
       statistics.bytes = std::max(statistics.bytes, done_.bytes() + light_.bytes() + map_.bytes());
     });
   }
-
-  std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
-  Image estimate(Frame frame, const std::string& output) const override { return done_.mean(frame, output); }
-
-  Statistics statistics() const override { return done_.statistics(); }
-
-  bool persist(StateStream& state) override {
-    done_.persist(state);
-    return true;
-  }
-  std::string why_not_in_parts() const override { return {}; }
 
  private:
   static Statistics statistics_at_start() {
@@ -174,8 +161,6 @@ class Vcm final : public Integrator {
   VcmSettings settings_;
   RenderSettings render_;
   std::shared_ptr<const Scene> sample_;  // until learn(), which would make it again
-  std::vector<OutputInfo> groups_;
-  SummedIterations done_;
   IterationRadius radius_;
   std::shared_ptr<const LearnedEmission> learned_;  // null before the first iteration
   LightSubpaths light_;
