@@ -60,10 +60,11 @@ void add_image_options(CLI::App& app, Options& o) {
 }
 
 void show_optional_values(std::string& help) {
+  // With the spaces that the columns need to stay in line.
   replace(help, "{table}", "[=FILE]");
-  replace(help, "{all}", "[=NAMES]");
-  replace(help, "{own}", " [oidn]");
-  replace(help, "{8780}", " [PORT]");
+  replace(help, "{all}   ", "[=NAMES]");
+  replace(help, "{own}  ", " [oidn]");
+  replace(help, "{8780} ", " [PORT]");
 }
 
 }  // namespace dspm
