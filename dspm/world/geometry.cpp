@@ -27,14 +27,6 @@ bool is_open(const ParamList& params) {
   return values != nullptr && values->size() == 1 && values->front();
 }
 
-/// But for their parameters, among which only holes matter here.
-bool are_alike(const ShapeUse& a, const ShapeUse& b) {
-  return a.type == b.type && a.name == b.name && a.reverse_orientation == b.reverse_orientation &&
-         a.material.index == b.material.index && a.material.name == b.material.name && a.area_light == b.area_light &&
-         a.dynamic_block == b.dynamic_block && a.world_from_object == b.world_from_object &&
-         a.params.find("alpha") == nullptr && b.params.find("alpha") == nullptr;
-}
-
 }  // namespace
 
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
@@ -62,37 +54,6 @@ void Geometry::refuse_unknown_objects() {
     if (std::find(names.begin(), names.end(), use.name) == names.end())
       diagnostics_.error(use.where, fmt::format("there is no object named \"{}\"", use.name),
                          did_you_mean(use.name, names));
-}
-
-/// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
-void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
-  const ShapeUse* first = nullptr;
-  std::optional<Source> open;  // of `first`, and of what it has absorbed since
-  for (const ShapeUse& use : uses) {
-    std::optional<Source> source = make_source(use);
-    if (!source || (open && are_alike(*first, use) && open->absorb(*source))) continue;
-    if (open) add_source(*first, instances, *open);
-    first = &use, open = std::move(source);
-  }
-  if (open) add_source(*first, instances, *open);
-}
-
-/// The shapes that the directive makes in all of its states; nullopt if there are none.
-std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use) {
-  const auto* plugin = shape_plugins().find(use.type, use.type_where, diagnostics_);
-  if (!plugin) return std::nullopt;
-  Source source;
-  source.params =
-      param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
-  const int errors = diagnostics_.error_count();
-  expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics_);
-  for (const ParamList& params : source.params.states) {
-    ParamReader reader(params, subject_of(use), use.where, diagnostics_, description_.main_directory());
-    source.caustics = read_shape_caustics(reader);
-    source.made.push_back(plugin->make(reader));
-    if (diagnostics_.error_count() > errors) return std::nullopt;
-  }
-  return source.made.empty() ? std::nullopt : std::optional(std::move(source));
 }
 
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {

@@ -64,7 +64,7 @@ class Geometry {
   struct Place;
   void refuse_unknown_objects();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
-  std::optional<Source> make_source(const ShapeUse& use);
+  std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics) const;
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
                             std::size_t made) const;
