@@ -23,6 +23,7 @@ set(public_headers
   scene/scene.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
+  system/work.h
   textures/image_cache.h textures/mip_map.h textures/plugins.h textures/texture.h textures/texture_set.h
   world/choices.h)
 set(testing_headers

@@ -14,6 +14,8 @@
 #include <type_traits>
 
 #include "dspm/accel/bvh.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/work.h"
 
 namespace dspm {
 namespace {
@@ -171,7 +173,10 @@ Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size) {
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = set_bounds;
   arguments.createLeaf = make_leaf;
-  const void* root = rtcBuildBVH(&arguments);
+  const void* root = [&] {
+    const LibraryWork work(thread_count());
+    return rtcBuildBVH(&arguments);
+  }();
   if (!root) throw std::bad_alloc();
   return Copy(pieces).of(*static_cast<const Made*>(root));
 }

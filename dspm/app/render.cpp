@@ -13,6 +13,7 @@
 #include "dspm/session/out_of_memory.h"
 #include "dspm/system/parallel.h"
 #include "dspm/system/standard_streams.h"
+#include "dspm/system/work.h"
 
 namespace dspm {
 namespace {
@@ -78,6 +79,7 @@ void take_part_of_frames(const Part& part, Job& job) {
 int load_and(const Options& options, const Surroundings& around, const std::function<void()>& before,
              const std::function<int(Render&, const LoadedScene&)>& task) {
   std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
+  if (!options.stats.empty()) count_work();
   LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages);
   take_part_of_frames(options.frame_part, loaded.job);
   if (options.only_new && resumed != nullptr) go_as_far(*resumed, loaded.job);

@@ -57,6 +57,8 @@ int Render::run() {
   if (is_of_no_use()) return 0;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   report_.seconds = seconds_before + seconds.count();
+  report_.around = loaded_.steps;
+  for (const StepTime& step : steps_.end()) report_.around.push_back(step);
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
   if (options_.part.is_all())
     results_.say_end(report_.seconds, InterruptRequests::signal() != 0);

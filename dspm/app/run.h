@@ -15,6 +15,7 @@
 #include "dspm/app/watch.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
+#include "dspm/output/step_log.h"
 #include "dspm/scene/scene.h"
 #include "dspm/serve/live_page.h"
 #include "dspm/session/session.h"
@@ -46,6 +47,7 @@ class Render final : public SessionObserver {
   const std::vector<FrameList>& intervals() const { return intervals_; }
 
   void step_begins(const std::string& step, const std::string& who) override {
+    steps_.begin(step.starts_with("iteration") ? kIterations : step);
     watch_.begin(step, who);
     last_words_.begin(step, who);
     if (live_ != nullptr) live_->step_begins(step);
@@ -69,6 +71,7 @@ class Render final : public SessionObserver {
     return before;
   }
   void iteration_done(const IntervalProgress& progress, Integrator& integrator) override {
+    steps_.begin("between iterations");
     progress_->step(static_cast<int>(progress.index), progress.iterations, progress.error);
     if (!std::exchange(has_said_what_is_found_, true)) say_what_is_found(integrator.statistics());
     if (checkpoints_.due(progress.iterations)) save(progress, integrator);
@@ -151,6 +154,7 @@ class Render final : public SessionObserver {
   bool has_checkpoint_ = false;
   bool has_said_what_is_found_ = false;
   RunReport report_;
+  StepLog steps_;
   std::unique_ptr<Progress> progress_;
   std::optional<Onlookers> onlookers_;
 };

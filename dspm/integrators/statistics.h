@@ -10,6 +10,7 @@
 #include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/rejections.h"
 #include "dspm/system/state_stream.h"
+#include "dspm/system/work.h"
 
 namespace dspm {
 
@@ -79,6 +80,7 @@ struct TypicalHitPoint {
 struct StepTime {
   std::string name;  // "hit points", "photons", "photon map", "statistics", ...
   double seconds = 0;
+  Work work = {};  // of this run, if it is counted
 };
 
 struct Statistics {
@@ -108,13 +110,17 @@ struct Statistics {
 class StepTimer {
  public:
   explicit StepTimer(StepTime& step) : step_(step) {}
-  ~StepTimer() { step_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  ~StepTimer() {
+    step_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    step_.work += work_done() - before_;
+  }
   StepTimer(const StepTimer&) = delete;
   StepTimer& operator=(const StepTimer&) = delete;
 
  private:
   StepTime& step_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Work before_ = work_done();
 };
 
 }  // namespace dspm

@@ -9,6 +9,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/output/emission_table.h"
 #include "dspm/output/json.h"
+#include "dspm/output/scaling_table.h"
 #include "dspm/system/memory_use.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/version.h"
@@ -158,6 +159,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   for (const StepTime& step : s.steps)
     text += fmt::format("  {:<24}{:>16.2f}{:>9.1f}%\n", step.name, step.seconds, 100 * step.seconds / report.seconds);
   text += fmt::format("  {:<24}{:>16.2f}\n\n", "total, with writing", report.seconds);
+  text += scaling_table(report.around, s.steps);
 
   text += fmt::format("  {:<24}{:>16}{:>18}{:>10}\n", "work", "done", "separate renders", "factor");
   for (const auto& [name, count] : shared_counts(s))
@@ -196,6 +198,14 @@ std::string json_of(const Job& job, const RunReport& report) {
   json.member("seconds", report.seconds);
   json.key("steps").begin_object();
   for (const StepTime& step : s.steps) json.member(key_of(step.name), step.seconds);
+  json.end_object();
+  json.key("work").begin_object();
+  for (const StepTime& step : worked_steps(report.around, s.steps)) {
+    json.key(key_of(step.name)).begin_object();
+    json.member("seconds", step.work.all);
+    json.member("span", step.work.span);
+    json.end_object();
+  }
   json.end_object();
   write_work(json, s);
   write_energy(json, report);

@@ -13,12 +13,16 @@
 
 namespace dspm {
 
+/// The step of RunReport::around that holds the integrator's steps.
+inline constexpr const char* kIterations = "iterations";
+
 struct RunReport {
   std::vector<int> iterations;  // done, by frame interval
   double seconds = 0;           // from the start of the first iteration to the last image written
   int threads = 0;
   std::size_t tree_bytes = 0;  // of the largest interval's trees
   int exit_code = 0;
+  std::vector<StepTime> around;        // reading the scene, all iterations, writing, ...
   Statistics statistics;               // all intervals together
   std::vector<FileFrame> frames;       // of the energy balances, in their order
   std::map<FileFrame, double> errors;  // estimated

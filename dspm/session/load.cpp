@@ -60,7 +60,9 @@ void place_camera(CameraUse& camera, const std::array<double, 9>& v) {
 LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
                          std::optional<FileFrame> only) {
   Diagnostics diagnostics(choices.lenient);
+  std::optional<StepTimer> reading(steps[0]);
   SceneDescription read = parse_files(files, parse_options_of(choices), diagnostics);
+  reading.reset();
   if (only) read.frames = read.frames.only(*only);
   if (choices.look_at && read.camera) place_camera(*read.camera, *choices.look_at);
   description = std::make_unique<SceneDescription>(std::move(read));
@@ -77,6 +79,7 @@ LoadedScene::LoadedScene(const std::string& name, std::string text, const Choice
 }
 
 void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
+  const StepTimer timer(steps[1]);
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
   const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dspm/gltf/translation.h"
+#include "dspm/integrators/statistics.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/messages.h"
 #include "dspm/world/job.h"
@@ -23,6 +24,7 @@ struct LoadedScene {
   std::unique_ptr<const SceneDescription> description;  // locations in messages point into it
   Job job;
   std::unique_ptr<const World> world;
+  std::vector<StepTime> steps = {{"reading the scene"}, {"making objects"}};
 
  private:
   void make(const Choices& choices, Diagnostics& diagnostics);

@@ -11,6 +11,7 @@
 
 #include "dspm/system/cancellation.h"
 #include "dspm/system/thread_sanitizer.h"
+#include "dspm/system/work.h"
 
 #ifdef DSPM_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
@@ -82,9 +83,11 @@ int thread_count() {
 
 void detail::run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context) {
   LoopOrder order;
+  LoopWork work;
   const auto run_some = [&](const tbb::blocked_range<std::int64_t>& chunks) {
     for (std::int64_t c = chunks.begin(); c < chunks.end(); ++c) {
       const LoopOrder::Chunk chunk(order);
+      const LoopWork::Chunk worked(work);
       if (Cancellable::is_cancelled()) throw Cancelled{};
       body(context, c * grain, std::min(c * grain + grain, count));
     }

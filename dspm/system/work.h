@@ -1,0 +1,94 @@
+// How far more threads than this machine has would help: the work of a computation, and its span, the part that no
+// number of threads shortens. Measured by the processor time of threads, so other programs do not disturb it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace dspm {
+
+/// Processor time in seconds.
+struct Work {
+  double all = 0;   // of all threads
+  double span = 0;  // of the longest chain of pieces that wait for one another
+
+  /// The most that `threads` threads take if none idles while there is something to do [Brent 1974].
+  double seconds(int threads) const { return span + (all - span) / threads; }
+  double speedup(int threads) const { return all > 0 ? all / seconds(threads) : 1; }
+  /// Of all work; Amdahl's serial share.
+  double serial_share() const { return all > 0 ? span / all : 0; }
+
+  Work& operator+=(const Work& o) {
+    all += o.all, span += o.span;
+    return *this;
+  }
+  Work& operator-=(const Work& o) {
+    all -= o.all, span -= o.span;
+    return *this;
+  }
+  friend Work operator-(Work a, const Work& b) { return a -= b; }
+};
+
+/// From now on work is counted, which takes two looks at a thread's clock for each chunk of a loop.
+void count_work();
+/// What this thread and the loops that it ran have done since count_work(). Without it, nothing.
+Work work_done();
+
+namespace detail {
+
+/// What one thread does in one chunk, or outside of all loops.
+struct WorkAccount {
+  Work work;
+  double since = 0;  // by the thread's clock
+
+  void pause();
+  void go_on();
+};
+
+/// Lives as long as a loop. The thread that runs it waits; whatever it does meanwhile is a chunk's work.
+class LoopWork {
+ public:
+  LoopWork();
+  ~LoopWork();
+  LoopWork(const LoopWork&) = delete;
+  LoopWork& operator=(const LoopWork&) = delete;
+
+  /// Lives as long as a chunk runs.
+  class Chunk {
+   public:
+    explicit Chunk(LoopWork& loop);
+    ~Chunk();
+    Chunk(const Chunk&) = delete;
+    Chunk& operator=(const Chunk&) = delete;
+
+   private:
+    LoopWork& loop_;
+    WorkAccount account_;
+    WorkAccount* outer_ = nullptr;
+  };
+
+ private:
+  WorkAccount* account_ = nullptr;              // null: nothing is counted
+  std::atomic<std::int64_t> all_{0}, span_{0};  // in ns
+};
+
+}  // namespace detail
+
+/// Lives while a library works on threads that dspm's loops know nothing of. Its span cannot be seen; it is taken from
+/// how long the library takes on the threads that there are [Karp and Flatt 1990].
+class LibraryWork {
+ public:
+  explicit LibraryWork(int threads);
+  ~LibraryWork();
+  LibraryWork(const LibraryWork&) = delete;
+  LibraryWork& operator=(const LibraryWork&) = delete;
+
+ private:
+  int threads_;
+  detail::WorkAccount* account_ = nullptr;
+  double processor_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace dspm
