@@ -44,6 +44,8 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   if (s.transparent) facts.push_back({"the background", "transparent"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});
+  if (const float scale = job.description->options.displacement_edge_scale; scale != 1)
+    facts.push_back({"the scale of displaced edges", fmt::format("{}", scale)});
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
                               digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));

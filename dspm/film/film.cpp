@@ -54,17 +54,22 @@ constexpr std::string_view kRealSensors[] = {
     "hasselblad_l1d_20c", "nikon_d810",         "nikon_d850",        "sony_ilce_6400",      "sony_ilce_7m3",
     "sony_ilce_7rm3",     "sony_ilce_9"};
 
-/// After "whitebalance", whose default depends on it.
+/// pbrt's default for them.
+constexpr float kWhiteOfRealSensors = 6500;
+
+/// After "whitebalance", whose default depends on it. pbrt fits each sensor's response to XYZ under the white balance, so
+/// what cie1931 does not have of it is the error of that fit.
 void read_sensor(ParamReader& reader, FilmSettings& film) {
-  const std::string sensor = reader.text("sensor", "cie1931", "the sensor: only cie1931, which measures exactly");
+  const std::string sensor = reader.text("sensor", "cie1931", "cie1931; it stands in for pbrt's real cameras");
   if (sensor == "cie1931") return;
   if (std::find(std::begin(kRealSensors), std::end(kRealSensors), sensor) == std::end(kRealSensors))
-    return reader.error("sensor", fmt::format("unknown sensor \"{}\"", sensor), "dspm has cie1931");
-  reader.diagnostics().unsupported(
-      reader.where("sensor"),
-      fmt::format("dspm renders colours, not the spectra that sensor \"{}\" responds to", sensor),
-      "with --lenient, \"cie1931\" stands in for it, with pbrt's white balance for real sensors");
-  if (!reader.has("whitebalance")) film.white_kelvin = 6500;
+    return reader.error("sensor", fmt::format("unknown sensor \"{}\"", sensor),
+                        did_you_mean(sensor, {std::begin(kRealSensors), std::end(kRealSensors)}));
+  if (!reader.has("whitebalance")) film.white_kelvin = kWhiteOfRealSensors;
+  reader.diagnostics().note(reader.where("sensor"),
+                            fmt::format("\"cie1931\" stands in for sensor \"{}\", with a white balance of {:.0f} K: "
+                                        "dspm renders colours, not the spectra that real sensors respond to",
+                                        sensor, film.white_kelvin));
 }
 
 void read_common(ParamReader& reader, FilmSettings& film) {
@@ -98,6 +103,21 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   return film;
 }
 
+/// An rgb film with buckets that nothing fills.
+std::unique_ptr<FilmSettings> make_spectral(ParamReader& reader) {
+  const int buckets = reader.integer("nbuckets", 16, "", "of the wavelengths, in pbrt");
+  const float shortest = reader.number("lambdamin", 360, "nm", "shortest wavelength, in pbrt");
+  const float longest = reader.number("lambdamax", 830, "nm", "longest wavelength, in pbrt");
+  auto film = std::make_unique<FilmSettings>();
+  read_common(reader, *film);
+  if (buckets < 1) reader.error("nbuckets", "the number of buckets must be at least 1");
+  if (!(shortest < longest)) reader.error("lambdamax", "the longest wavelength must be above the shortest");
+  reader.diagnostics().note(reader.where(),
+                            "film \"spectral\" is rendered as \"rgb\": dspm renders colours, so the image "
+                            "has no layers of single wavelengths");
+  return film;
+}
+
 std::unique_ptr<FilmSettings> make_gbuffer(ParamReader& reader) {
   auto film = std::make_unique<FilmSettings>();
   film->surface_outputs = true;
@@ -112,8 +132,8 @@ std::unique_ptr<FilmSettings> make_gbuffer(ParamReader& reader) {
 PluginTable<Plugin<MakeFilm>>& film_plugins() {
   static PluginTable<Plugin<MakeFilm>> table("film",
                                              {{"rgb", "colour images, one per frame", make_rgb},
-                                              {"gbuffer", "colours, and what the camera sees first", make_gbuffer}},
-                                             {"spectral"});
+                                              {"gbuffer", "colours, and what the camera sees first", make_gbuffer},
+                                              {"spectral", "as rgb, with a note", make_spectral}});
   return table;
 }
 

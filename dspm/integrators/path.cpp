@@ -180,7 +180,9 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
                 "accepted for pbrt compatibility; dspm samples all lights, or eight of many");
-  params.unsupported("regularize", "path regularisation");
+  if (params.flag("regularize", false, "accepted for pbrt compatibility"))
+    params.diagnostics().note(params.where("regularize"),
+                              "paths are not regularized: the image has the caustics that pbrt blurs, and their noise");
   check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();

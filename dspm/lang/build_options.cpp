@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "dspm/lang/scene_builder.h"
 #include "dspm/params/params.h"
@@ -13,9 +16,25 @@ namespace {
 
 using enum DirectiveKind;
 
-constexpr std::string_view kOptionsOfPbrt[] = {
-    "disablewavelengthjitter", "displacementedgescale", "msereferenceimage", "msereferenceout",
-    "rendercoordsys",          "forcediffuse",          "pixelstats",        "wavefront"};
+const std::vector<std::string> kOptions = {"seed", "disablepixeljitter", "disabletexturefiltering",
+                                           "displacementedgescale"};
+/// They change pbrt's noise, its reports or how it computes, but not what its image converges to.
+constexpr std::string_view kOptionsWithoutEffect[] = {"disablewavelengthjitter", "msereferenceimage", "msereferenceout",
+                                                      "rendercoordsys",          "pixelstats",        "wavefront"};
+
+bool is_without_effect(std::string_view option) {
+  return std::find(std::begin(kOptionsWithoutEffect), std::end(kOptionsWithoutEffect), option) !=
+         std::end(kOptionsWithoutEffect);
+}
+
+/// Nullopt if the whole text is no number of that type.
+template <class T>
+std::optional<T> number_of(const std::string& text) {
+  T number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
 
 /// pbrt ignores case, dashes and underscores in the names of options.
 std::string normalized(std::string_view name) {
@@ -91,22 +110,26 @@ void SceneBuilder::option(const Directive& directive) {
   const Argument &name = directive.words[0], &value = directive.words[1];
   const std::string known = normalized(name.text);
   if (known == "seed") {
-    int seed = 0;
-    const char* const end = value.text.data() + value.text.size();
-    const auto [stop, error] = std::from_chars(value.text.data(), end, seed);
-    if (error != std::errc() || stop != end) diagnostics_.error(value.where, "expected an integer");
-    scene_.options.seed = seed;
+    const auto seed = number_of<int>(value.text);
+    if (!seed) diagnostics_.error(value.where, "expected an integer");
+    scene_.options.seed = seed.value_or(0);
+  } else if (known == "displacementedgescale") {
+    const float scale = number_of<float>(value.text).value_or(0);
+    if (!(scale > 0 && scale < kInfinity)) return diagnostics_.error(value.where, "expected a number above 0");
+    scene_.options.displacement_edge_scale = scale;
   } else if (known == "disablepixeljitter" || known == "disabletexturefiltering") {
     if (value.text != "true" && value.text != "false") diagnostics_.error(value.where, "expected true or false");
     (known == "disablepixeljitter" ? scene_.options.disable_pixel_jitter : scene_.options.disable_texture_filtering) =
         value.text == "true";
-  } else if (std::find(std::begin(kOptionsOfPbrt), std::end(kOptionsOfPbrt), known) != std::end(kOptionsOfPbrt)) {
+  } else if (is_without_effect(known)) {
+    diagnostics_.note(name.where, fmt::format("Option \"{}\" has no effect on the image", name.text));
+  } else if (known == "forcediffuse") {
     diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text),
                              "with --lenient, it has no effect");
   } else {
-    const std::string guess = did_you_mean(known, {"seed", "disablepixeljitter", "disabletexturefiltering"});
+    const std::string guess = did_you_mean(known, kOptions);
     diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),
-                       guess.empty() ? "available: seed, disablepixeljitter, disabletexturefiltering" : guess);
+                       guess.empty() ? fmt::format("available: {}", fmt::join(kOptions, ", ")) : guess);
   }
 }
 

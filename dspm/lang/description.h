@@ -36,6 +36,7 @@ struct SceneOptions {
   std::optional<int> seed;
   bool disable_pixel_jitter = false;
   bool disable_texture_filtering = false;
+  float displacement_edge_scale = 1;  // multiplies "edgelength" of every displaced mesh
 };
 
 struct MaterialUse : PluginUse {

@@ -11,13 +11,17 @@
 // frames share it, and where an amount is keyed, points change one by one. pbrt also makes it a function of the viewing
 // direction, so that a point is not the same for light that arrives and light that leaves. Each material keeps its own
 // relief, which a sum of both scattering functions could not have; but photons around a point count by the mean of both.
+// A part may have holes or be an "interface", which is nothing but a hole, and it may emit light: world gives the shape
+// the holes and the light of both parts, each by its share.
 // A body has one inside: where both materials are glass, they must absorb alike, and rust on coloured glass leaves the
 // body its colour.
 #include "dspm/materials/mix.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/parameters.h"
@@ -38,24 +42,52 @@ float number_at(const Vec3& p, int depth) {
   return static_cast<float>(bits >> 40) * 0x1p-24f;
 }
 
-/// Both, or none after an error.
-Parts find_parts(ParamReader& reader, const std::vector<std::string>& names, const MaterialContext& context) {
-  Parts parts;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    parts[i] = context.materials.find(names[i]);
-    if (parts[i] == nullptr) return {};  // its own error has been reported
-    if (parts[i]->is_seen()) continue;
-    reader.error("materials", "material \"" + names[i] + "\" of " + reader.subject() + " is an interface",
-                 "a shape with holes is one with \"alpha\"");
-    return {};
-  }
-  return parts;
+/// Both, or one that is null after an error, which has been reported.
+Parts find_parts(const std::vector<std::string>& names, const MaterialContext& context) {
+  return {context.materials.find(names[0]), context.materials.find(names[1])};
 }
 
 }  // namespace
 
+class MixMaterial::Opacity final : public FloatTexture {
+ public:
+  Opacity(TexturePtr<float> amount, Opacities of_parts) : amount_(std::move(amount)), of_parts_(std::move(of_parts)) {}
+
+  float evaluate(const TexturePoint& at) const override {
+    const auto [first, second] = cover_of(*amount_, of_parts_, at);
+    return first + second;
+  }
+  std::optional<float> constant() const override {
+    const auto is_constant = [](const TexturePtr<float>& texture) { return !texture || texture->constant(); };
+    if (!is_constant(amount_) || !is_constant(of_parts_[0]) || !is_constant(of_parts_[1])) return std::nullopt;
+    return evaluate({});
+  }
+
+ private:
+  TexturePtr<float> amount_;
+  Opacities of_parts_;
+};
+
+std::array<float, 2> MixMaterial::cover_of(const FloatTexture& amount, const Opacities& opacities,
+                                           const TexturePoint& at) {
+  const auto there = [&](std::size_t part) {
+    return opacities[part] ? std::clamp(opacities[part]->evaluate(at), 0.f, 1.f) : 1.f;
+  };
+  const float second = std::clamp(amount.evaluate(at), 0.f, 1.f);
+  return {(1 - second) * there(0), second * there(1)};
+}
+
+void MixMaterial::set_opacities(Opacities opacities) {
+  opacities_ = std::move(opacities);
+  if (opacities_[0] || opacities_[1]) opacity_ = std::make_shared<Opacity>(amount_, opacities_);
+}
+
 const Material* MixMaterial::chosen(const SurfacePoint& point, int depth) const {
-  const float amount = amount_->evaluate(texture_point(point));
+  float amount = amount_->evaluate(texture_point(point));
+  if (opacity_) {  // what is not there has let the ray through, so the rest is shared out
+    const auto [first, second] = cover(texture_point(point));
+    amount = first + second > 0 ? second / (first + second) : parts_[0]->is_seen() ? 0.f : 1.f;
+  }
   if (!(amount > 0)) return parts_[0].get();
   return parts_[amount >= 1 || number_at(point.p, depth) < amount ? 1 : 0].get();
 }
@@ -69,7 +101,7 @@ std::unique_ptr<Material> make_mix(ParamReader& reader, const MaterialContext& c
                  "\"string materials\" [\"paint\" \"rust\"]");
     return nullptr;
   }
-  Parts parts = find_parts(reader, names, context);
+  Parts parts = find_parts(names, context);
   if (parts[0] == nullptr || parts[1] == nullptr) return nullptr;
   if (parts[0]->bounds_a_body() && parts[1]->bounds_a_body() && parts[0]->absorption() != parts[1]->absorption())
     reader.error(

@@ -20,19 +20,33 @@ class MixMaterial final : public Material {
   bool bounds_a_body() const override { return parts_[0]->bounds_a_body() || parts_[1]->bounds_a_body(); }
   /// Of the part that bounds a body; if both do, they absorb alike.
   Rgb absorption() const override { return parts_[parts_[0]->bounds_a_body() ? 0 : 1]->absorption(); }
+  bool is_seen() const override { return parts_[0]->is_seen() || parts_[1]->is_seen(); }
   const Material* chosen(const SurfacePoint& point, int depth) const override;
   const Parts& parts() const { return parts_; }
 
+  /// Both parts' holes, as textures of how much of them is there; null: all. Set once, when the material is made.
+  using Opacities = std::array<TexturePtr<float>, 2>;
+  void set_opacities(Opacities opacities);
+  /// How much of the mix is there; null: all.
+  const TexturePtr<float>& opacity() const { return opacity_; }
+  /// How much of a point each part covers, which adds up to the opacity.
+  std::array<float, 2> cover(const TexturePoint& at) const { return cover_of(*amount_, opacities_, at); }
+
  private:
+  class Opacity;
+  static std::array<float, 2> cover_of(const FloatTexture& amount, const Opacities& opacities, const TexturePoint& at);
+
   Parts parts_;
   TexturePtr<float> amount_;
+  Opacities opacities_;
+  TexturePtr<float> opacity_;
 };
 
-/// Whether `holds(const Material&)` for some material that the mix is made of; of any other material, for itself.
+/// Whether `holds(const Material&)` for some seen material that the mix is made of; of any other material, for itself.
 template <class Holds>
 bool any_part(const Material& material, Holds&& holds) {
   const auto* mix = dynamic_cast<const MixMaterial*>(&material);
-  if (mix == nullptr) return holds(material);
+  if (mix == nullptr) return material.is_seen() && holds(material);
   return any_part(*mix->parts()[0], holds) || any_part(*mix->parts()[1], holds);
 }
 

@@ -40,7 +40,7 @@
 // mirrored it again, times basecolor, which it crosses once, whatever its thickness.
 // Alpha makes holes for camera paths, shadow rays and photons, times the alpha of the shape, and emission makes each
 // shape of the material an area light, which nothing above it dims; a shape's AreaLightSource takes its place. A `mix`
-// passes neither of them on.
+// has both by the share of its part.
 // Not there: subsurface scattering, iridescence, a relief of the coat alone.
 // [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_anisotropy, _clearcoat, _diffuse_transmission,
 // _emissive_strength, _ior, _sheen, _specular, _transmission, _volume;

@@ -36,6 +36,7 @@ std::filesystem::path ParamReader::take_file(std::string_view name, bool require
     return {};
   }
   const std::string& file_name = std::get<std::vector<std::string>>(param->values).front();
+  if (file_name.empty() && !required) return {};  // exporters write it where there is none
   std::filesystem::path found = existing_file(*param, file_name);
   if (!found.empty()) return found;
   std::vector<std::string> tried;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/shapes/mtl_options.h"
 #include "dspm/system/file_access.h"
 
 namespace dspm {
@@ -152,24 +153,22 @@ class Reader {
   }
 
   void alpha(const tinyobj::material_t& m) {
-    if (const auto picture = picture_of({"map_d", m.alpha_texname, m.alpha_texopt}))
+    if (const auto picture = plain_picture({"map_d", m.alpha_texname, m.alpha_texopt}))
       made_.alpha = *picture;
     else if (!is_glass(m.illum))
       add(number("alpha", in_unit(m.dissolve)));
   }
 
   /// Heights of a bump map are in the units of the scene. World takes pictures of normals, which many files have there,
-  /// for what they are, and "bumpscale" for the scale of the picture.
+  /// for what they are.
   void relief(const tinyobj::material_t& m) {
-    if (const auto picture = picture_of({"norm", m.normal_texname, m.normal_texopt}))
+    if (const auto picture = plain_picture({"norm", m.normal_texname, m.normal_texopt}))
       return add(param_of(ParamType::text, "normalmap", std::vector{picture->string()}, {}));
     const bool is_bump = !m.bump_texname.empty();
     const Picture heights = is_bump ? Picture{"map_Bump", m.bump_texname, m.bump_texopt}
                                     : Picture{"disp", m.displacement_texname, m.displacement_texopt};
-    const auto picture = texture(heights, false);
-    if (!picture) return;
-    add(param_of(ParamType::texture, "displacement", std::vector<std::string>{*picture}, {}));
-    add(number(kBumpScale, heights.options.bump_multiplier));
+    if (const auto picture = texture(heights, false))
+      add(param_of(ParamType::texture, "displacement", std::vector<std::string>{*picture}, {}));
   }
 
   static Picture diffuse_picture(const tinyobj::material_t& m) {
@@ -196,18 +195,24 @@ class Reader {
   std::optional<std::filesystem::path> picture_of(const Picture& picture) {
     std::string file = picture.file;
     if (file.empty()) return std::nullopt;
-    const auto& options = picture.options;
-    const auto without = [&](const char* option, bool is_there) {
-      leave_out(fmt::format("{} of {}", option, picture.statement), is_there);
-    };
-    without("-s", options.scale[0] != 1 || options.scale[1] != 1);
-    without("-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0);
-    without("-clamp", options.clamp);
     std::replace(file.begin(), file.end(), '\\', '/');
     const std::filesystem::path path = path_.parent_path() / file;
     if (seems_to_exist(path)) return std::filesystem::absolute(path);
     complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, made_.name));
     return std::nullopt;
+  }
+
+  /// One of which only the file counts.
+  std::optional<std::filesystem::path> plain_picture(const Picture& picture) {
+    const auto file = picture_of(picture);
+    const tinyobj::texture_option_t& options = picture.options;
+    if (!file) return file;
+    leave_out_of(picture, "-s", options.scale[0] != 1 || options.scale[1] != 1);
+    leave_out_of(picture, "-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0);
+    leave_out_of(picture, "-clamp", options.clamp);
+    leave_out_of(picture, "-mm", options.brightness != 0 || options.contrast != 1);
+    leave_out_always(picture);
+    return file;
   }
 
   /// The name of an imagemap of that file, if it is there.
@@ -216,7 +221,38 @@ class Reader {
     if (!file) return std::nullopt;
     std::string name = fmt::format("{} of {} in {}", picture.statement, made_.name, path_.string());
     made_.textures.push_back({name, *file, is_spectrum});
+    add_options(picture, name, is_spectrum);
     return name;
+  }
+
+  /// Where the picture lies and what multiplies it: s = scale u + offset, as exporters mean it.
+  void add_options(const Picture& picture, const std::string& texture, bool is_spectrum) {
+    const tinyobj::texture_option_t& options = picture.options;
+    const auto set = [&](const char* name, float value, float usual) {
+      if (value != usual) add(number(of_picture(name, texture), value));
+    };
+    const auto say = [&](const char* name, const char* word) {
+      add(param_of(ParamType::text, of_picture(name, texture), std::vector<std::string>{word}, {}));
+    };
+    set("uscale", options.scale[0], 1), set("vscale", options.scale[1], 1);
+    set("udelta", options.origin_offset[0], 0), set("vdelta", options.origin_offset[1], 0);
+    if (options.clamp) say("wrap", "clamp");
+    const float gain = options.brightness == 0 ? options.contrast : 1;
+    set("scale", options.bump_multiplier * gain, 1);
+    leave_out_of(picture, "-mm", options.brightness != 0);
+    if (!is_spectrum && options.imfchan == 'r') say("channel", "red");
+    if (!is_spectrum && options.imfchan == 'g') say("channel", "green");
+    if (!is_spectrum && options.imfchan == 'b') say("channel", "blue");
+    leave_out_always(picture);
+  }
+
+  void leave_out_always(const Picture& picture) {
+    const tinyobj::texture_option_t& options = picture.options;
+    leave_out_of(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0);
+    leave_out_of(picture, "-boost", options.sharpness != 1);
+  }
+  void leave_out_of(const Picture& picture, const char* option, bool is_there) {
+    leave_out(fmt::format("{} of {}", option, picture.statement), is_there);
   }
 
   void leave_out(const std::string& statement, bool is_there) {
@@ -238,7 +274,7 @@ std::string trimmed(std::string_view text) {
 
 std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
                                    std::vector<std::string>& complaints, MtlLeftOut& left_out) {
-  std::istringstream file(text);
+  std::istringstream file(with_all_numbers(text));
   std::vector<tinyobj::material_t> materials;
   std::map<std::string, int> numbers;
   std::string warning, error;

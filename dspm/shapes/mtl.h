@@ -14,8 +14,10 @@ namespace dspm {
 /// What was left out, and of which materials: statements of MTL by name.
 using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
 
-/// A parameter beside "displacement": what multiplies its picture.
-inline constexpr const char* kBumpScale = "bumpscale";
+/// Under this name, a parameter of one of the material's pictures is among its own; `texture` as FileTexture::name.
+inline std::string of_picture(const std::string& parameter, const std::string& texture) {
+  return parameter + " of " + texture;
+}
 
 /// A name as OBJ and MTL files end them: with the line.
 std::string trimmed(std::string_view text);

@@ -1,4 +1,3 @@
-#include "dspm/math/vec.h"
 #include "dspm/world/displacements.h"
 
 #include <map>
@@ -6,6 +5,7 @@
 #include <stdexcept>
 
 #include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
 #include "dspm/shapes/displace.h"
 #include "dspm/shapes/triangle_mesh.h"
 
@@ -87,7 +87,8 @@ GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_p
     Shapes& shapes = result.shapes.emplace_back(still[slot(params)]);
     if (const int number = numbers[slot(params)]; number >= 0)
       for (std::shared_ptr<const Shape>& shape : shapes)
-        shape = displacer.displaced(*shape, wanted[slot(params)]->edge_length, number, state);
+        shape = displacer.displaced(
+            *shape, wanted[slot(params)]->edge_length * description.options.displacement_edge_scale, number, state);
   }
   return result;
 }

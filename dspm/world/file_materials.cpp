@@ -41,8 +41,19 @@ void add_holes_and_light(ParamList& params, std::vector<FileTexture>& textures, 
   }
 }
 
-/// The material's relief: a picture of normals, or one of heights, which is scaled then.
-void sort_out_relief(ParamList& params, const std::vector<FileTexture>& textures, std::deque<TextureUse>& uses) {
+/// Moves those that a picture has among the material's.
+void take_params_of_picture(TextureUse& picture, ParamList& material) {
+  const std::string ending = of_picture("", picture.name);
+  for (Param& param : material.params)
+    if (param.name.ends_with(ending)) {
+      param.name.resize(param.name.size() - ending.size());
+      picture.params.params.push_back(std::move(param));
+    }
+  std::erase_if(material.params, [](const Param& param) { return param.name.empty(); });
+}
+
+/// The material's relief: a picture of heights or, for what it is, one of normals.
+void sort_out_relief(ParamList& params, const std::vector<FileTexture>& textures) {
   const auto displacement = std::find_if(params.params.begin(), params.params.end(),
                                          [](const Param& param) { return param.name == "displacement"; });
   if (displacement == params.params.end()) return;
@@ -50,13 +61,6 @@ void sort_out_relief(ParamList& params, const std::vector<FileTexture>& textures
   for (const FileTexture& texture : textures)
     if (texture.name == name && holds_normals(texture.file))
       *displacement = file_param("normalmap", texture.file, displacement->where);
-  const auto scale = std::find_if(params.params.begin(), params.params.end(),
-                                  [](const Param& param) { return param.name == kBumpScale; });
-  if (scale == params.params.end()) return;
-  scale->name = "scale";
-  for (TextureUse& use : uses)
-    if (use.name == name) use.params.params.push_back(*scale);
-  params.params.erase(scale);
 }
 
 }  // namespace
@@ -70,10 +74,12 @@ int Looks::add(const FileMaterial& file, const SourceLocation& where) {
   use.type = file.type, use.name = file.name, use.params = file.params;
   use.where = use.type_where = where;
   add_holes_and_light(use.params, textures, file, where);
-  std::deque<TextureUse> uses;
-  for (const FileTexture& texture : textures) uses.push_back(texture_use(texture, where));
-  sort_out_relief(use.params, textures, uses);
-  for (TextureUse& texture : uses) add_texture(texture_uses_.emplace_back(std::move(texture)));
+  for (const FileTexture& texture : textures) {
+    TextureUse& picture = texture_uses_.emplace_back(texture_use(texture, where));
+    take_params_of_picture(picture, use.params);
+    add_texture(picture);
+  }
+  sort_out_relief(use.params, textures);
   const int material = add_material(use, fmt::format("material \"{}\" of the file", file.name), file.name);
   from_files_.emplace(key, material);
   by_name_in_files_.emplace(file.name, material);

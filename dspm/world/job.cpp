@@ -90,23 +90,9 @@ FilmSettings resized(const FilmSettings& film, const Resolution& wanted) {
   return scaled(film, wanted.width, wanted.height);
 }
 
-/// What the scene says, but that with --lenient an rgb film stands in for a spectral one: without its buckets, otherwise
-/// the same.
-std::optional<PluginUse> film_of(const SceneDescription& description, Diagnostics& diagnostics) {
-  if (!description.film || description.film->type != "spectral") return description.film;
-  diagnostics.unsupported(description.film->type_where, "film \"spectral\" is not supported by dspm",
-                          "with --lenient, an rgb film of the same size and name stands in for it");
-  PluginUse film = *description.film;
-  film.type = "rgb";
-  std::erase_if(film.params.params, [](const Param& param) {
-    return param.name == "nbuckets" || param.name == "lambdamin" || param.name == "lambdamax";
-  });
-  return film;
-}
-
 FilmSettings make_film(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   const int errors = diagnostics.error_count();
-  FilmSettings film = *make_one(film_plugins(), "rgb", film_of(description, diagnostics), diagnostics);
+  FilmSettings film = *make_one(film_plugins(), "rgb", description.film, diagnostics);
   if (choices.resolution) film = resized(film, *choices.resolution);
   if (choices.quick) film = scaled(film, 1. / kQuickShare);
   if (!choices.outfile.empty()) film.filename = choices.outfile;

@@ -51,9 +51,11 @@ struct Recipe {
   std::vector<Ingredient<FloatTexture>> numbers;
   std::vector<Ingredient<RgbTexture>> colours;
   std::vector<Ingredient<Material>> materials;
+  std::vector<Ingredient<Material>> opacities = {};  // named textures of numbers: how much of these materials is there
   friend bool operator==(const Recipe& a, const Recipe& b) {
     return a.use->type == b.use->type && a.placement == b.placement && a.numbers == b.numbers &&
-           a.colours == b.colours && a.materials == b.materials && a.params.same_values(b.params);
+           a.colours == b.colours && a.materials == b.materials && a.opacities == b.opacities &&
+           a.params.same_values(b.params);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/mix.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 
@@ -91,7 +92,6 @@ int Looks::add_with_parts(std::size_t use_index, int depth) {
       diagnostics_.error(param.values_where, fmt::format("mixes are nested more than {} deep", kDeepestMix));
     } else {
       add_with_parts(found->second, depth + 1);
-      refuse_in_mix(definition_of(description_, description_.materials[found->second]), name, diagnostics_);
     }
   };
   for (const Definition::Use& each : definition_of(description_, use).uses)
@@ -212,6 +212,8 @@ int Looks::add_material(const MaterialUse& own, std::string name, const std::str
     const auto made = make_material(recipe, textures, diagnostics_);
     look.bounds_a_body = look.bounds_a_body || (made && made->bounds_a_body());
     look.seen.push_back(!made || made->is_seen());
+    const auto* mix = dynamic_cast<const MixMaterial*>(made.get());
+    look.has_open_parts.push_back(mix != nullptr && mix->opacity() != nullptr);
     return made;
   });
   if (!good || look.seen.size() < look.recipes.states.size()) return -1;

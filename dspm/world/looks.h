@@ -30,6 +30,7 @@ struct MaterialLight {
   Rgb radiance;
   std::shared_ptr<const EmissionPattern> pattern;  // null: the same everywhere
   bool is_dark() const { return is_black(radiance); }
+  Rgb at(const SurfacePoint& point) const { return pattern ? radiance * pattern->at(point) : radiance; }
 };
 
 class Looks {
@@ -103,6 +104,7 @@ class Looks {
   struct MaterialLook : Look<Material> {
     std::string name, own_name;
     bool bounds_a_body = false;
+    std::vector<bool> has_open_parts;   // by state: of a mix
     std::vector<bool> seen;             // by state
     std::vector<MaterialLight> lights;  // likewise
   };
@@ -119,10 +121,15 @@ class Looks {
     return std::get<Textures<T>>(textures_);
   }
 
-  static void refuse_in_mix(const Definition& part, const std::string& name, Diagnostics& diagnostics);
   void add_lights(MaterialLook& look) const;
-  /// What multiplies the number in a state (of none: -1) by the material's alpha in a state.
-  Recipe opacity_recipe(const TextureUse& use, const Recipe& material, int of_shape, int state) const;
+  MaterialLight own_light(const MaterialLook& look, const Recipe& recipe) const;
+  MaterialLight mixed_light(const MaterialLook& look, int state) const;
+  bool has_holes(const MaterialLook& look, int state) const;
+  /// How much of a material is there; null: all.
+  TexturePtr<float> opacity_of(const Ingredient<Material>& material, Diagnostics& diagnostics) const;
+  /// What multiplies the number in a state (of none: -1) by how much of the material is there in a state.
+  Recipe opacity_recipe(const TextureUse& use, const MaterialLook& material, int state, int of_shape,
+                        int state_of_shape) const;
 
   void add_texture(const TextureUse& own);
   template <class T>

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/mix.h"
 #include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -25,6 +26,8 @@ TextureSet Looks::known_textures(const Recipe& recipe) const {
   };
   for (const auto& each : recipe.numbers) add_alive(each);
   for (const auto& each : recipe.colours) add_alive(each);
+  for (const auto& each : recipe.opacities)
+    if (auto opacity = opacity_of(each, diagnostics_)) textures.add(each.name, std::move(opacity));
   return textures;
 }
 
@@ -32,6 +35,8 @@ TextureSet Looks::made_textures(const Recipe& recipe, Diagnostics& diagnostics) 
   TextureSet textures;
   for (const auto& each : recipe.numbers) textures.add(each.name, made(each, diagnostics));
   for (const auto& each : recipe.colours) textures.add(each.name, made(each, diagnostics));
+  for (const auto& each : recipe.opacities)
+    if (auto opacity = opacity_of(each, diagnostics)) textures.add(each.name, std::move(opacity));
   return textures;
 }
 
@@ -85,6 +90,8 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
   std::shared_ptr<Material> material = plugin->make(
       reader, MaterialContext{textures, made_materials(recipe, diagnostics), description_.dialect == Dialect::pbrt});
   if (material) material->set_relief(std::move(relief));
+  if (auto* mix = dynamic_cast<MixMaterial*>(material.get()))
+    mix->set_opacities({opacity_of(recipe.materials[0], diagnostics), opacity_of(recipe.materials[1], diagnostics)});
   return material;
 }
 

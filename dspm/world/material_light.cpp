@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/mix.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -30,42 +32,67 @@ class TexturePattern final : public EmissionPattern {
   TexturePtr<Rgb> texture_;
 };
 
+/// What the parts of a mix emit, each by how much of the point it covers.
+class MixedPattern final : public EmissionPattern {
+ public:
+  MixedPattern(std::shared_ptr<const MixMaterial> mix, std::array<MaterialLight, 2> lights)
+      : mix_(std::move(mix)), lights_(std::move(lights)) {}
+
+  Rgb at(const SurfacePoint& point) const override {
+    const auto cover = mix_->cover({point.p, point.uv, point.ng, point.dpdu, point.dpdv});
+    Rgb sum;
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+      if (cover[i] > 0) sum += lights_[i].at(point) * (cover[i] / (cover[0] + cover[1]));
+    return sum;
+  }
+
+ private:
+  std::shared_ptr<const MixMaterial> mix_;
+  std::array<MaterialLight, 2> lights_;
+};
+
 const Param* alpha_of(const Recipe& recipe) {
   return has_holes_and_light(recipe.use->type) ? recipe.params.find("alpha") : nullptr;
 }
 
 }  // namespace
 
-/// A mix would have to choose by the point what a shape is as a whole.
-void Looks::refuse_in_mix(const Definition& part, const std::string& name, Diagnostics& diagnostics) {
-  for (const Definition::Use& use : part.uses) {
-    if (!has_holes_and_light(use.plugin->type)) continue;
-    for (const auto& [param, instead] : {std::pair("alpha", "\"alpha\""), std::pair("emission", "an AreaLightSource")})
-      if (const Param* found = use.plugin->params.find(param))
-        diagnostics.unsupported(found->where,
-                                fmt::format("a mix does not pass on \"{}\" of material \"{}\"", param, name),
-                                fmt::format("give {} to the shape; with --lenient, the mix has none", instead));
-  }
+/// The parameters have been checked when the material was made.
+MaterialLight Looks::own_light(const MaterialLook& look, const Recipe& recipe) const {
+  MaterialLight light;
+  if (!has_holes_and_light(recipe.use->type) || recipe.params.find("emission") == nullptr) return light;
+  Diagnostics ignored(true);
+  ParamReader reader(recipe.params, look.name, recipe.use->where, ignored, description_.main_directory());
+  const EmissionLook emission = read_emission_look(reader);
+  light.radiance = Rgb(emission.strength);
+  const TexturePtr<Rgb> texture = texture_of(emission.colour, made_textures(recipe, ignored), ignored);
+  if (const auto colour = texture->constant())
+    light.radiance = *colour * emission.strength;
+  else
+    light.pattern = std::make_shared<TexturePattern>(texture);
+  return light;
 }
 
-/// The parameters have been checked when the material was made.
+/// Its parts have been made before it.
+MaterialLight Looks::mixed_light(const MaterialLook& look, int state) const {
+  std::array<MaterialLight, 2> lights;
+  const std::vector<Ingredient<Material>>& parts = look.recipes.states[slot(state)].materials;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    lights[i] = static_cast<const MaterialLook&>(*parts[i].look).lights[slot(parts[i].state)];
+  if (lights[0].is_dark() && lights[1].is_dark()) return {};
+  Diagnostics ignored(true);
+  auto mix = std::dynamic_pointer_cast<const MixMaterial>(made(Ingredient<Material>{{}, &look, state}, ignored));
+  return {Rgb(1), std::make_shared<MixedPattern>(std::move(mix), std::move(lights))};
+}
+
 void Looks::add_lights(MaterialLook& look) const {
-  const TexturePattern* last = nullptr;
-  for (const Recipe& recipe : look.recipes.states) {
-    MaterialLight& light = look.lights.emplace_back();
-    if (!has_holes_and_light(recipe.use->type) || recipe.params.find("emission") == nullptr) continue;
-    Diagnostics ignored(true);
-    ParamReader reader(recipe.params, look.name, recipe.use->where, ignored, description_.main_directory());
-    const EmissionLook emission = read_emission_look(reader);
-    light.radiance = Rgb(emission.strength);
-    const TexturePtr<Rgb> texture = texture_of(emission.colour, made_textures(recipe, ignored), ignored);
-    if (const auto colour = texture->constant()) {
-      light.radiance = *colour * emission.strength;
-      continue;
-    }
-    const bool again = last != nullptr && last->texture() == texture.get();
-    light.pattern = again ? look.lights[look.lights.size() - 2].pattern : std::make_shared<TexturePattern>(texture);
-    last = static_cast<const TexturePattern*>(light.pattern.get());
+  for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
+    const Recipe& recipe = look.recipes.states[s];
+    MaterialLight light = recipe.materials.empty() ? own_light(look, recipe) : mixed_light(look, static_cast<int>(s));
+    const auto* pattern = dynamic_cast<const TexturePattern*>(light.pattern.get());
+    const auto* last = s > 0 ? dynamic_cast<const TexturePattern*>(look.lights.back().pattern.get()) : nullptr;
+    if (pattern && last && pattern->texture() == last->texture()) light.pattern = look.lights.back().pattern;
+    look.lights.push_back(std::move(light));
   }
 }
 
@@ -74,38 +101,63 @@ bool Looks::emits(int material) const {
   return std::any_of(lights.begin(), lights.end(), [](const MaterialLight& light) { return !light.is_dark(); });
 }
 
-Recipe Looks::opacity_recipe(const TextureUse& use, const Recipe& material, int of_shape, int state) const {
+bool Looks::has_holes(const MaterialLook& look, int state) const {
+  return look.has_open_parts[slot(state)] || alpha_of(look.recipes.states[slot(state)]) != nullptr;
+}
+
+TexturePtr<float> Looks::opacity_of(const Ingredient<Material>& material, Diagnostics& diagnostics) const {
+  const Recipe& recipe = material.look->recipes.states[slot(material.state)];
+  if (alpha_of(recipe) != nullptr) {
+    ParamReader reader(recipe.params, material.name, recipe.use->where, diagnostics, description_.main_directory());
+    return texture_of(read_opacity(reader), made_textures(recipe, diagnostics), diagnostics);
+  }
+  const std::shared_ptr<const Material> object = made(material, diagnostics);
+  if (object && !object->is_seen()) return std::make_shared<ConstantTexture<float>>(0.f);
+  const auto* mix = dynamic_cast<const MixMaterial*>(object.get());
+  return mix != nullptr ? mix->opacity() : nullptr;
+}
+
+Recipe Looks::opacity_recipe(const TextureUse& use, const MaterialLook& material, int state, int of_shape,
+                             int state_of_shape) const {
   Recipe recipe;
   recipe.use = &use;
   if (of_shape >= 0) {
-    const Recipe& shape = numbers_[slot(of_shape)].recipes.states[slot(state)];
+    const Recipe& shape = numbers_[slot(of_shape)].recipes.states[slot(state_of_shape)];
     recipe.params = shape.params, recipe.numbers = shape.numbers;
   }
-  if (const Param* alpha = alpha_of(material)) {
+  const Recipe& own = material.recipes.states[slot(state)];
+  if (const Param* alpha = alpha_of(own)) {
     Param scale = *alpha;
     scale.name = "scale";
     if (scale.type == ParamType::texture)
-      for (const auto& each : material.numbers)
+      for (const auto& each : own.numbers)
         if (each.name == std::get<std::vector<std::string>>(scale.values).front()) recipe.numbers.push_back(each);
     recipe.params.params.push_back(std::move(scale));
+  } else if (material.has_open_parts[slot(state)]) {
+    const std::string name = "the opacity of " + material.name;
+    recipe.params.params.push_back(param_of(ParamType::texture, "scale", std::vector{name}, own.use->where));
+    recipe.opacities.push_back({name, &material, state});
   }
   return recipe;
 }
 
 int Looks::opacity(int material, int of_shape) {
   if (material < 0) return of_shape;
-  const Timeline<Recipe>& own = look(material).recipes;
-  if (std::none_of(own.states.begin(), own.states.end(), alpha_of)) return of_shape;
+  const MaterialLook& own = look(material);
+  const int states = static_cast<int>(own.recipes.states.size());
+  bool is_open = false;
+  for (int s = 0; s < states; ++s) is_open |= has_holes(own, s);
+  if (!is_open) return of_shape;
   const auto [known, is_new] = opacities_.try_emplace({material, of_shape});
   if (!is_new) return known->second;
   TextureUse& use = texture_uses_.emplace_back();
-  use.type = "scale", use.where = use.type_where = own.states.front().use->where;
+  use.type = "scale", use.where = use.type_where = own.recipes.states.front().use->where;
   Look<FloatTexture>& product = numbers_.emplace_back();
   product.recipes = Timeline<Recipe>::of(
       description_.frames.count(),
       [&](FileFrame f) {
         const int state = of_shape < 0 ? 0 : numbers_[slot(of_shape)].recipes.at(f);
-        return std::optional(opacity_recipe(use, own.states[slot(own.at(f))], of_shape, state));
+        return std::optional(opacity_recipe(use, own, own.recipes.at(f), of_shape, state));
       },
       [](const Recipe& a, const Recipe& b) { return a == b; });
   make_states(product, use);
@@ -121,7 +173,8 @@ TexturePtr<float> Looks::number(int number, int state) const {
 
 std::optional<float> Looks::constant(int number, int state) const {
   const Look<FloatTexture>& look = numbers_[slot(number)];
-  const bool cheap = look.recipes.states[slot(state)].numbers.empty() || is_kept(look.recipes.state_of, state);
+  const Recipe& recipe = look.recipes.states[slot(state)];
+  const bool cheap = (recipe.numbers.empty() && recipe.opacities.empty()) || is_kept(look.recipes.state_of, state);
   return cheap ? this->number(number, state)->constant() : std::nullopt;
 }
 

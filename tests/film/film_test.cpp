@@ -31,11 +31,11 @@ struct Reading {
   Diagnostics diagnostics;
 };
 
-Reading read(const std::vector<Param>& params, bool lenient = false) {
-  Reading result{{}, Diagnostics(lenient)};
+Reading read(const std::vector<Param>& params, const char* film = "rgb") {
+  Reading result;
   const ParamList list{params};
-  ParamReader reader(list, "film \"rgb\"", {}, result.diagnostics);
-  result.film = *film_plugins().front().make(reader);
+  ParamReader reader(list, "film", {}, result.diagnostics);
+  result.film = *film_plugins().find(film)->make(reader);
   return result;
 }
 
@@ -80,19 +80,30 @@ TEST(Film, WrongValuesAreErrors) {
                                                  {integers("pixelbounds", {2000, 3000, 0, 5})},
                                                  {numbers("iso", {0})},
                                                  {numbers("maxcomponentvalue", {-1})},
-                                                 {text("sensor", "canon_eos_5d")},
+                                                 {text("sensor", "canon_eos")},
                                                  {numbers("whitebalance", {500})}};
   for (const auto& params : wrong) EXPECT_GT(read(params).diagnostics.error_count(), 0) << params.front().name;
 }
 
-TEST(Film, WhatIsNotBuiltIsAWarningWhereLenient) {
-  const Reading r = read({text("sensor", "canon_eos_5d"), numbers("whitebalance", {5000})}, true);
-  EXPECT_EQ(r.diagnostics.error_count(), 0);
-  EXPECT_EQ(r.diagnostics.all().size(), 1u);
+TEST(Film, Cie1931StandsInForRealSensors) {
+  const Reading r = read({text("sensor", "canon_eos_5d"), numbers("whitebalance", {5000})});
+  ASSERT_EQ(r.diagnostics.all().size(), 1u);
+  EXPECT_EQ(r.diagnostics.all()[0].severity, Severity::note);
   EXPECT_EQ(r.film.white_kelvin, 5000);
-  EXPECT_EQ(read({text("sensor", "nikon_d850")}, true).film.white_kelvin, 6500);  // pbrt's for real sensors
-  EXPECT_EQ(read({text("sensor", "cie1931")}, true).film.white_kelvin, 0);
-  EXPECT_EQ(read({text("sensor", "canon")}, true).diagnostics.error_count(), 1);  // pbrt does not know it either
+  EXPECT_EQ(read({text("sensor", "nikon_d850")}).film.white_kelvin, 6500);  // pbrt's for real sensors
+  EXPECT_EQ(read({text("sensor", "cie1931")}).film.white_kelvin, 0);
+}
+
+TEST(Film, ASpectralFilmIsAnRgbFilmOfItsSizeAndName) {
+  const Reading r = read({integers("xresolution", {64}), text("filename", "a.exr"), integers("nbuckets", {8}),
+                          numbers("lambdamin", {400}), numbers("cropwindow", {0, 0.5f, 0, 1})},
+                         "spectral");
+  ASSERT_EQ(r.diagnostics.all().size(), 1u);
+  EXPECT_EQ(r.diagnostics.all()[0].severity, Severity::note);
+  EXPECT_EQ(r.film.filename, "a.exr");
+  EXPECT_EQ(crop_of(r.film).x1, 32);
+  EXPECT_EQ(read({numbers("lambdamin", {900})}, "spectral").diagnostics.error_count(), 1);
+  EXPECT_EQ(read({integers("nbuckets", {0})}, "spectral").diagnostics.error_count(), 1);
 }
 
 TEST(Film, ExposureTimeMultiplies) {

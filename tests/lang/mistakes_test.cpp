@@ -294,11 +294,15 @@ const Mistake kNames[] = {
      "scene.dsc:1:15: error: expected an integer\n"
      "    1 | Option \"seed\" 1.5\n"
      "      |               ^~~\n"},
-    {"Option \"wavefront\" true\nWorldBegin",
-     "scene.dsc:1:8: error: dspm has no Option \"wavefront\"\n"
-     "    1 | Option \"wavefront\" true\n"
-     "      |        ^~~~~~~~~~~\n"
+    {"Option \"forcediffuse\" true\nWorldBegin",
+     "scene.dsc:1:8: error: dspm has no Option \"forcediffuse\"\n"
+     "    1 | Option \"forcediffuse\" true\n"
+     "      |        ^~~~~~~~~~~~~~\n"
      "  with --lenient, it has no effect\n"},
+    {"Option \"displacementedgescale\" 0\nWorldBegin",
+     "scene.dsc:1:32: error: expected a number above 0\n"
+     "    1 | Option \"displacementedgescale\" 0\n"
+     "      |                                ^\n"},
     {"ColorSpace \"rec2022\"\nWorldBegin",
      "scene.dsc:1:12: error: unknown ColorSpace \"rec2022\"\n"
      "    1 | ColorSpace \"rec2022\"\n"

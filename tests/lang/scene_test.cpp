@@ -11,7 +11,7 @@ TEST(Scene, KeepsTheOptionsBlock) {
     Film "rgb" "integer xresolution" 32
     Sampler "zsobol"  PixelFilter "box"  Integrator "path"  Accelerator "bruteforce"
     Option "seed" 12  Option "Disable-Pixel_Jitter" true
-    Option "disabletexturefiltering" true
+    Option "disabletexturefiltering" true  Option "displacementedgescale" 2.5
     ColorSpace "srgb"
     Scale -1 1 1
     Camera "perspective" "float fov" 38
@@ -24,10 +24,18 @@ TEST(Scene, KeepsTheOptionsBlock) {
   EXPECT_EQ(scene.options.seed, 12);
   EXPECT_TRUE(scene.options.disable_pixel_jitter);
   EXPECT_TRUE(scene.options.disable_texture_filtering);
+  EXPECT_EQ(scene.options.displacement_edge_scale, 2.5f);
   EXPECT_EQ(scene.camera->type, "perspective");
   EXPECT_EQ(floats(scene.camera->params, "fov"), std::vector<float>{38});
   expect_near(scene.camera->camera_from_world.at(Moment()), Matrix4::scale(-1, 1, 1));
   EXPECT_EQ(scene.moments, 1);
+}
+
+TEST(Scene, OptionsThatDoNotChangeTheImageAreNotes) {
+  const Parsed parsed = parse("Option \"wavefront\" true  Option \"disable-wavelength-jitter\" true WorldBegin");
+  EXPECT_EQ(parsed.diagnostics.error_count(), 0);
+  ASSERT_EQ(parsed.diagnostics.all().size(), 2u);
+  for (const Diagnostic& said : parsed.diagnostics.all()) EXPECT_EQ(said.severity, Severity::note);
 }
 
 TEST(Scene, ReadsEveryTypeOfParameter) {

@@ -1,5 +1,8 @@
 // Scenes for pbrt-v3: known pairs of v3 and v4, and what cannot be translated.
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/upgrade.h"
@@ -51,7 +54,14 @@ TEST(V3, Materials) {
             "float eta" 1.5)"},
       {R"(Material "disney" "rgb color" [.1 .2 .3] "float clearcoat" .8 "float sheen" .5 "float roughness" .4)",
        R"(Material "principled" "rgb basecolor" [0.1 0.2 0.3] "float coat" 0.2 "float roughness" 0.4
-            "float coatroughness" 0.03162278 "rgb sheen" [0.5 0.5 0.5])"},
+            "float coatroughness" 0.03162278 "rgb sheen" [0.3844449 0.5188898 0.6533346])"},
+      {R"(Material "disney" "rgb color" [.5 .5 .5] "bool thin" "true" "float difftrans" .6 "float flatness" .5)",
+       R"(Material "principled" "rgb basecolor" [0.5 0.5 0.5] "float roughness" 0.5 "bool thin" true
+            "float diffusetransmission" 0.3)"},
+      {R"(Material "disney" "float difftrans" .6 "float flatness" .5)",
+       R"(Material "principled" "rgb basecolor" [0.5 0.5 0.5] "float roughness" 0.5)"},
+      {R"(Material "kdsubsurface" "rgb Kd" [.8 .6 .4] "rgb mfp" [.2 .1 .1] "float eta" 1.4)",
+       R"(Material "subsurface" "rgb reflectance" [0.8 0.6 0.4] "rgb mfp" [0.2 0.1 0.1] "float eta" 1.4)"},
       {R"(Material "none")", R"(Material "interface")"},
       {R"(Material "hair" "rgb color" [.3 .2 .1] "float beta_m" .3)",
        R"(Material "hair" "rgb reflectance" [0.3 0.2 0.1] "float beta_m" 0.3)"},
@@ -113,6 +123,9 @@ TEST(V3, Textures) {
           Identity
           Texture "t" "spectrum" "checkerboard" "string mapping" "planar" "vector3 v1" [1 0 0]
           TransformEnd)"},
+      {R"(Texture "t" "color" "uv" "float uscale" .5)",
+       R"(Texture "t" "spectrum" "bilerp" "float uscale" 0.5 "rgb v00" [0 0 0] "rgb v01" [0 1 0] "rgb v10" [1 0 0]
+            "rgb v11" [1 1 0])"},
   });
 }
 
@@ -240,9 +253,37 @@ TEST(V3, CommentsStay) {
             "ball\nShape \"sphere\"\n# the end\n");
 }
 
+/// Points on the surface [pbrt-v3, src/shapes/cone.cpp, paraboloid.cpp, hyperboloid.cpp], and normals across it.
+TEST(V3, ShapesOfRevolutionBecomeMeshes) {
+  struct Case {
+    const char* shape;
+    std::function<float(float x, float y, float z)> off;  // 0 on the surface
+  };
+  const Case cases[] = {{R"("cone" "float radius" 2 "float height" 3)",
+                         [](float x, float y, float z) { return std::hypot(x, y) - 2 * (1 - z / 3); }},
+                        {R"("paraboloid" "float radius" 2 "float zmin" .5 "float zmax" 3)",
+                         [](float x, float y, float z) { return x * x + y * y - 4 * z / 3; }},
+                        {R"("hyperboloid" "point p1" [1 0 0] "point p2" [1 1 1])",
+                         [](float x, float y, float z) { return x * x + y * y - 1 - z * z; }}};
+  for (const auto& [shape, off] : cases) {
+    const Parsed parsed = parse(std::string("Film \"image\" WorldBegin Shape ") + shape, {}, "a.pbrt");
+    ASSERT_EQ(parsed.diagnostics.error_count(), 0) << parsed.messages();
+    const ParamList& params = parsed.scene.shapes.at(0).params;
+    EXPECT_EQ(parsed.scene.shapes[0].type, "trianglemesh");
+    const std::vector<float> p = floats(params, "P"), n = floats(params, "N");
+    ASSERT_EQ(p.size(), n.size());
+    for (std::size_t i = 0; i < p.size(); i += 3) {
+      EXPECT_NEAR(off(p[i], p[i + 1], p[i + 2]), 0, 1e-5f) << shape;
+      // v3's point away from the axis here.
+      constexpr float kStep = 1e-2f;
+      EXPECT_GT(off(p[i] + kStep * n[i], p[i + 1] + kStep * n[i + 1], p[i + 2] + kStep * n[i + 2]), 0) << shape;
+    }
+  }
+}
+
 TEST(V3, WhatHasNoCounterpartIsAnError) {
-  for (const char* text : {R"(Material "fourier")", R"(MakeNamedMaterial "a" "string type" "kdsubsurface")",
-                           R"(Texture "t" "color" "uv")", R"(Shape "cone")"}) {
+  for (const char* text :
+       {R"(Material "fourier")", R"(MakeNamedMaterial "a" "string type" "fourier")", R"(Shape "nurbs")"}) {
     const Parsed strict = parse(std::string("Film \"image\" WorldBegin\n") + text, {}, "a.pbrt");
     ASSERT_EQ(strict.diagnostics.error_count(), 1) << text;
     EXPECT_NE(strict.messages().find("cannot be translated"), std::string::npos) << strict.messages();

@@ -291,6 +291,7 @@ TEST_F(ParamFiles, AreFoundBesideTheNamingFileElseBesideTheMainFile) {
              naming(ParamType::text, "c", "nowhere.txt"), naming(ParamType::text, "g", "wave.####.ply"),
              naming(ParamType::text, "d", (directory / "main.txt").string())},
             false, directory);
+  EXPECT_EQ(Reading({naming(ParamType::text, "h", "")}, false, directory).reader.optional_file("h", ""), "");
   EXPECT_EQ(r.reader.file("a", ""), directory / "parts" / "here.txt");
   EXPECT_EQ(r.reader.file("b", ""), directory / "main.txt");
   EXPECT_EQ(r.reader.file("d", ""), directory / "main.txt");

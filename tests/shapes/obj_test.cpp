@@ -135,7 +135,7 @@ class Mtl : public Obj {
     read("mtllib lib.mtl\nusemtl it\n" + kSquare + "f 1 2 3\n");
     return make({}).at(0).material.value();
   }
-  static float number(const FileMaterial& material, const char* name) {
+  static float number(const FileMaterial& material, const std::string& name) {
     return std::get<std::vector<float>>(material.params.find(name)->values).at(0);
   }
 };
@@ -236,7 +236,7 @@ TEST_F(Mtl, ReliefsAreNormalMapsOrHeights) {
   const FileMaterial bumpy = material("Kd 1 1 1\nbump -bm 0.02 b.png\n");
   EXPECT_EQ(bumpy.params.find("displacement")->type, ParamType::texture);
   EXPECT_FALSE(bumpy.textures.at(0).is_spectrum);
-  EXPECT_EQ(number(bumpy, kBumpScale), 0.02f);
+  EXPECT_EQ(number(bumpy, of_picture("scale", bumpy.textures.at(0).name)), 0.02f);
   const FileMaterial bent = material("Pr .3\nnorm b.png\nmap_Bump b.png\n");
   EXPECT_EQ(std::get<Texts>(bent.params.find("normalmap")->values), Texts{(directory / "b.png").string()});
   EXPECT_EQ(bent.params.find("displacement"), nullptr);
@@ -244,15 +244,36 @@ TEST_F(Mtl, ReliefsAreNormalMapsOrHeights) {
   EXPECT_EQ(test::messages(diagnostics), "");
 }
 
+TEST_F(Mtl, OptionsOfPicturesAreTheirParameters) {
+  test::put_file(directory / "a.png", "");
+  const FileMaterial m =
+      material("map_Kd -s 2 3 1 -o .25 .5 -clamp on -mm 0 .5 a.png\nPr .2\nmap_Pr -imfchan g a.png\n");
+  ASSERT_EQ(m.textures.size(), 2u);
+  const auto of = [&](const char* name, std::size_t texture) { return of_picture(name, m.textures[texture].name); };
+  EXPECT_EQ(number(m, of("uscale", 0)), 2);
+  EXPECT_EQ(number(m, of("vscale", 0)), 3);
+  EXPECT_EQ(number(m, of("udelta", 0)), 0.25f);
+  EXPECT_EQ(number(m, of("vdelta", 0)), 0.5f);
+  EXPECT_EQ(number(m, of("scale", 0)), 0.5f);
+  EXPECT_EQ(std::get<Texts>(m.params.find(of("wrap", 0))->values), Texts{"clamp"});
+  EXPECT_EQ(std::get<Texts>(m.params.find(of("channel", 1))->values), Texts{"green"});
+  EXPECT_EQ(m.params.find(of("uscale", 1)), nullptr);
+  const FileMaterial short_forms = material("map_Kd -o .25 -s 2 -t 0 a.png\n");
+  ASSERT_EQ(short_forms.textures.size(), 1u);
+  EXPECT_EQ(number(short_forms, of_picture("uscale", short_forms.textures[0].name)), 2);
+  EXPECT_EQ(test::messages(diagnostics), "");
+}
+
 TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
   test::put_file(directory / "a.png", "");
   test::put_file(directory / "lib.mtl",
                  "newmtl a\nKs 1 1 1\nmap_Ns a.png\nmap_Pc a.png\nnewmtl b\nKs 1 1 1\nmap_Ns a.png\nrefl b.png\n"
-                 "map_Kd -s 2 2 1 a.png\n");
+                 "map_Kd -boost 2 a.png\nmap_d -s 2 2 1 a.png\n");
   read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
   make({});
   EXPECT_EQ(test::messages(diagnostics),
-            "-s of map_Kd of material \"b\" is left out\nmap_Ns of material \"a\" and of 1 more is left out\nmap_Pc of "
+            "-boost of map_Kd of material \"b\" is left out\n-s of map_d of material \"b\" is left out\nmap_Ns of "
+            "material \"a\" and of 1 more is left out\nmap_Pc of "
             "material \"a\" is left out\nrefl of material \"b\" is left out\n");
 }
 

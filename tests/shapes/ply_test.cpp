@@ -18,7 +18,7 @@ namespace {
 const std::string kHeader =
     "comment a pyramid\nelement vertex 5\nproperty float x\nproperty double y\nproperty float z\n"
     "property uchar quality\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\n"
-    "property float t\nelement face 3\nproperty short flags\nproperty list uchar int vertex_indices\n"
+    "property float t\nelement face 3\nproperty short face_indices\nproperty list uchar int vertex_indices\n"
     "element edge 1\nproperty int a\nproperty list uint8 uint16 more\nend_header\n";
 
 /// Numbers as PLY types, in the one or the other order of bytes.

@@ -17,8 +17,9 @@ using test::TestScene;
 /// A box with contents, and its scene of all frames.
 class Made {
  public:
-  explicit Made(const std::string& contents, int frames = 1)
-      : test_(box("Frames " + std::to_string(frames) + "\n", contents)), scene_(test_.scene(test_.all_frames())) {}
+  explicit Made(const std::string& contents, int frames = 1, const std::string& option = "")
+      : test_(box("Frames " + std::to_string(frames) + "\n" + option + "\n", contents)),
+        scene_(test_.scene(test_.all_frames())) {}
 
   std::size_t count() const { return scene_->shapes.size(); }
   /// Its shapes from the last one on.
@@ -98,6 +99,11 @@ Texture "height" "float" "constant" "float value@1" 0.25 "float value@2" 0.5
   EXPECT_GT(first.shape->primitive_count(), 4);
   EXPECT_EQ(first.surface_point(0, {0.3f, 0.3f}).p.z, 0.25f);
   EXPECT_EQ(second.surface_point(0, {0.3f, 0.3f}).p.z, 0.5f);
+  const auto triangles = [&](const std::string& option) {
+    return Made(mesh + " \"float displacement\" 1 \"float edgelength\" 0.4", 1, option).last().shape->primitive_count();
+  };
+  EXPECT_EQ(triangles("Option \"displacementedgescale\" 4"), 1);
+  EXPECT_GT(triangles(""), 4);
   EXPECT_NE(fault(mesh + " \"float displacement\" 1 \"float edgelength\" 1e-6").find("20 million"), std::string::npos);
   EXPECT_NE(fault(mesh + " \"float displacement\" 1 \"float edgelength\" 0").find("above 0"), std::string::npos);
 }

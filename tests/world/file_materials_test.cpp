@@ -12,13 +12,14 @@
 namespace dspm::test {
 namespace {
 
-constexpr const char* kSquare = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
+constexpr const char* kSquare = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
 class FileMaterials : public testing::Test {
  protected:
   void put(const std::string& name, const std::string& material) {
     put_file(directory / (name + ".mtl"), "newmtl paint\n" + material);
-    put_file(directory / (name + ".obj"), fmt::format("mtllib {}.mtl\nusemtl paint\n{}f 1 2 3 4\n", name, kSquare));
+    put_file(directory / (name + ".obj"),
+             fmt::format("mtllib {}.mtl\nusemtl paint\n{}f 1/1 2/2 3/3 4/4\n", name, kSquare));
   }
   /// Of one colour.
   void put_picture(const std::string& name, const Rgb& c) {
@@ -112,6 +113,16 @@ TEST_F(FileMaterials, BumpMapsMayBeNormalMaps) {
   expect_near(seen(shape("bent"), light)[0], Rgb(slant));
   expect_near(seen(shape("norm"), light)[0], Rgb(slant));
   expect_near(seen(shape("flat"), light)[0], Rgb(1));
+}
+
+// A picture whose left half is black and whose right half is white, of which the square sees a tenth.
+TEST_F(FileMaterials, PicturesAreScaledAndMoved) {
+  test::put_file(directory / "halves.pgm", "P2\n4 1\n1\n0 0 1 1\n");
+  put("left", "map_Kd -s .1 .1 1 -o .2 0 halves.pgm\n"), put("right", "map_Kd -s .1 .1 1 -o .7 0 halves.pgm\n");
+  put("dim", "map_Kd -s .1 .1 1 -o .7 0 -mm 0 .5 halves.pgm\n");
+  expect_near(seen(shape("left"), light)[0], Rgb(0));
+  expect_near(seen(shape("right"), light)[0], Rgb(1));
+  expect_near(seen(shape("dim"), light)[0], Rgb(0.5f));
 }
 
 TEST_F(FileMaterials, OtherShapesUseThemByName) {

@@ -1,7 +1,11 @@
 // Which integrator renders: names that several renderers use for different things.
 #include "dspm/world/integrator_choice.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
 
 #include "dspm/session/load.h"
 #include "tests/support/idle_integrator.h"
@@ -28,6 +32,19 @@ TEST(IntegratorChoice, PathAndVcmAnswerToNamesOfPbrt) {
   for (const char* name : {"bdpt", "mlt", "lightpath"}) EXPECT_EQ(integrator_of(name), "vcm");
   for (const char* name : {"path", "vcm", "ao", "function"}) EXPECT_EQ(stand_in_for(name), "");
   EXPECT_THROW(integrator_of("ao"), SceneError);
+}
+
+TEST(IntegratorChoice, RegularizeIsANote) {
+  for (const char* word : {"true", "false"}) {
+    Diagnostics diagnostics;
+    const std::string text =
+        fmt::format("Integrator \"path\" \"bool regularize\" {} WorldBegin Shape \"sphere\"", word);
+    const LoadedScene loaded("test.pbrt", text, {}, diagnostics);
+    const auto notes = std::count_if(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& said) {
+      return said.message.find("not regularized") != std::string::npos;
+    });
+    EXPECT_EQ(notes, word == std::string("true") ? 1 : 0);
+  }
 }
 
 TEST(IntegratorChoice, BdptIsVcmWithoutMergingAndKeepsItsDepth) {

@@ -136,9 +136,31 @@ TEST(Mix, FaultsAreNamed) {
   EXPECT_TRUE(contains(with(R"(MakeNamedMaterial "a" "string type" "mix" "string materials" ["red" "b"]
     MakeNamedMaterial "b" "string type" "mix" "string materials" ["a" "green"] NamedMaterial "a")"),
                        "is made of itself"));
-  EXPECT_TRUE(contains(with(R"(MakeNamedMaterial "air" "string type" "interface"
-    Material "mix" "string materials" ["red" "air"])"),
-                       "is an interface"));
+}
+
+// The inner mix is there at half of its points, so a stop is red twice as often as green.
+TEST(Mix, WhatIsThereIsSharedByWhatStopsTheRay) {
+  const std::string looks = std::string(kPaints) + R"(MakeNamedMaterial "air" "string type" "interface"
+    MakeNamedMaterial "net" "string type" "mix" "string materials" ["green" "air"])";
+  expect_near(mean_paint(looks + R"(Material "mix" "string materials" ["red" "net"])"), {2 / 3.f, 1 / 3.f, 0});
+  expect_near(mean_paint(looks + R"(Material "mix" "string materials" ["air" "net"])"), {0, 1, 0});
+}
+
+TEST(Mix, HolesFollowVariationsAndKeys) {
+  const TestScene test(text(std::string(kPaints) + R"(MakeNamedMaterial "air" "string type" "interface"
+    MakeNamedMaterial "net" "string type" "mix" "string materials" ["red" "air"] "float amount" .25
+    NamedMaterial "net"
+    VariationBegin "net" MakeNamedMaterial "red" "string type" "diffuse" VariationEnd
+    VariationBegin "wide net" MakeNamedMaterial "net" "string type" "mix" "string materials" ["red" "air"]
+      "float amount" .75 VariationEnd
+    VariationBegin "closed" MakeNamedMaterial "net" "string type" "diffuse" VariationEnd
+    VariationBegin "gone" MakeNamedMaterial "net" "string type" "mix" "string materials" ["air" "air"] VariationEnd)"));
+  const auto scene = test.scene(test.all_frames());
+  ASSERT_EQ(scene->shapes.size(), 3u);
+  EXPECT_EQ(scene->shapes[0].cutout->alpha({}, {}), 0.75f);
+  EXPECT_EQ(scene->shapes[1].cutout->alpha({}, {}), 0.25f);
+  EXPECT_EQ(scene->shapes[2].cutout, nullptr);
+  EXPECT_EQ(scene->shapes[2].frames, FrameSet::single(2));
 }
 
 // Rust on amber leaves the inside amber; two colours of glass would have two insides.

@@ -31,10 +31,12 @@ constexpr Rule kMaterials[] = {
     {"mix", "mix", "namedmaterial1 namedmaterial2 amount:float.5"},
     {"hair", "hair", "sigma_a color=reflectance eumelanin pheomelanin eta beta_m beta_n alpha"},
     {"disney", "principled", "color=basecolor:rgb.5 metallic eta roughness:float.5 anisotropic=anisotropy sheen "
-                             "clearcoat=coat clearcoatgloss:float1 spectrans=transmission speculartint! sheentint! "
-                             "scatterdistance! thin flatness! difftrans! bumpmap=displacement"},
+                             "clearcoat=coat clearcoatgloss:float1 spectrans=transmission speculartint:float0 "
+                             "sheentint:float.5 scatterdistance! thin flatness difftrans:float1 bumpmap=displacement"},
     {"subsurface", "subsurface", "name sigma_a sigma_s scale eta g Kr! Kt! uroughness:float0 vroughness:float0 "
                                  "remaproughness bumpmap=displacement"},
+    {"kdsubsurface", "subsurface", "Kd=reflectance:rgb.5 mfp scale eta g Kr! Kt! uroughness:float0 vroughness:float0 "
+                                   "remaproughness bumpmap=displacement"},
     {"none", "interface", ""},
     {"", "interface", ""},
 };
@@ -141,6 +143,30 @@ void translucent(Edit& edit) {
     edit.set(ParamType::texture, "transmittance", scaled(transmit));
 }
 
+/// What tints highlights and sheen: white, and the hue of the colour by `tint`. [pbrt-v3, src/materials/disney.cpp]
+Rgb tinted(Edit& edit, std::string_view tint) {
+  const float share = edit.number(tint).value_or(0);
+  edit.take(tint);
+  const std::optional<Rgb> colour = edit.constant("basecolor");
+  if (!colour || share == 0 || !(luminance(*colour) > 0)) return Rgb(1);
+  return Rgb(1 - share) + *colour * (share / luminance(*colour));
+}
+
+/// Of a thin wall, half of "difftrans" of the diffuse light goes through; bodies have neither that nor "flatness".
+void thin_disney(Edit& edit) {
+  const bool is_flat = edit.take("flatness").has_value(), is_thin = edit.take_flag("thin", false);
+  const std::string texture = edit.texture("difftrans");
+  const float through = mean(edit.constant("difftrans").value_or(Rgb(1)));
+  edit.take("difftrans");
+  if (!is_thin) return;
+  if (is_flat) edit.only_close("disney (flatness has no effect)");
+  edit.set(ParamType::boolean, "thin", std::vector{true});
+  if (texture.empty())
+    edit.set_number("diffusetransmission", 0.5f * through);
+  else
+    edit.set(ParamType::texture, "diffusetransmission", std::vector{scaled_texture(edit, "float", texture, 0.5f)});
+}
+
 /// v3's coat reflects a quarter of clear varnish, with an alpha from 0.1 to 0.001 [Burley 2012].
 void disney(Edit& edit) {
   edit.only_close("disney");
@@ -150,10 +176,13 @@ void disney(Edit& edit) {
     edit.set_number("coat", 0.25f * *coat);
     edit.set_number("coatroughness", std::sqrt(std::lerp(0.1f, 0.001f, gloss)));
   }
+  const Rgb specular_tint = tinted(edit, "speculartint"), sheen_tint = tinted(edit, "sheentint");
+  if (specular_tint != Rgb(1)) edit.set_rgb("specularcolor", specular_tint);
   if (const auto sheen = edit.number("sheen")) {
     edit.take("sheen");
-    edit.set_rgb("sheen", Rgb(*sheen));
+    edit.set_rgb("sheen", *sheen * sheen_tint);
   }
+  thin_disney(edit);
 }
 
 /// "amount" is of the first material in v3, of the second in v4.
@@ -196,11 +225,9 @@ void finish(Edit& edit, std::string_view from) {
 
 void translate_material(Edit& edit) {
   const std::string from = edit.type();
-  for (const std::string_view lost : {"fourier", "kdsubsurface"})
-    if (from == lost)
-      throw NoCounterpart(edit.directive(), "material", from,
-                          from == "fourier" ? "pbrt-v4's nearest is \"measured\", with a file of its own"
-                                            : "pbrt-v4's nearest is \"subsurface\"");
+  if (from == "fourier")
+    throw NoCounterpart(edit.directive(), "material", from,
+                        "pbrt-v4's nearest is \"measured\", with a file of its own");
   const auto* rule =
       std::find_if(std::begin(kMaterials), std::end(kMaterials), [&](const Rule& each) { return each.from == from; });
   if (rule == std::end(kMaterials)) return;

@@ -23,6 +23,7 @@ constexpr Rule kTextures[] = {
     {"windy", "", ""},
     {"marble", "", "octaves roughness scale variation"},
     {"ptex", "", "filename gamma"},
+    {"uv", "bilerp", "mapping uscale vscale udelta vdelta v1 v2"},
 };
 #undef DSPM_MAPPING
 
@@ -70,6 +71,13 @@ void scale(Edit& edit) {
   }
 }
 
+/// Red is s, green is t; v3 takes their fractions.
+void uv(Edit& edit) {
+  edit.only_close("uv (it does not repeat outside of 0 to 1)");
+  for (const float s : {0.f, 1.f})
+    for (const float t : {0.f, 1.f}) edit.set_rgb(fmt::format("v{}{}", s, t), {s, t, 0});
+}
+
 /// v3 projects along axes of the world, whatever the transform in force.
 void lay_flat_in_world(Edit& edit) {
   const Param* const mapping = edit.find("mapping");
@@ -86,13 +94,13 @@ void translate_texture(Edit& edit) {
   Argument& values = edit.directive().words[1];
   if (values.text == "color") values.text = "spectrum";
   const std::string from = edit.type();
-  if (from == "uv") throw NoCounterpart(edit.directive(), "texture", from, "pbrt-v4 has no such texture");
   const auto* rule =
       std::find_if(std::begin(kTextures), std::end(kTextures), [&](const Rule& each) { return each.from == from; });
   if (rule == std::end(kTextures)) return;
   edit.apply(*rule);
   if (from == "imagemap") imagemap(edit);
   if (from == "scale") scale(edit);
+  if (from == "uv") uv(edit);
   if (from == "ptex")
     if (const auto gamma = edit.number("gamma")) {
       edit.take("gamma");
