@@ -19,6 +19,8 @@
 #include "dspm/app/render.h"
 #include "dspm/app/signals.h"
 #include "dspm/app/to_dsc.h"
+#include "dspm/app/together.h"
+#include "dspm/machines/find_link.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/modules/blame.h"
 #include "dspm/params/errors.h"
@@ -32,7 +34,11 @@
 namespace dspm {
 namespace {
 
-int run(const Options& options) {
+/// `others`: machines that MPI has started together with this one, or null. Only the first does what is no render.
+int run(const Options& options, Link* others) {
+  const bool is_render = options.task == Task::render && !are_images(options);
+  if (others != nullptr && is_render) return render_together(options, *others);
+  if (others != nullptr && others->me() != 0) return 0;
   switch (options.task) {
     case Task::list: return print_data(list_plugins()), 0;
     case Task::describe: return print_data(describe_plugins(options.described)), 0;
@@ -52,7 +58,7 @@ int run(const Options& options) {
     case Task::farm: return print_data(farm_job(options)), 0;
     case Task::check: return check_scene(options);
     case Task::render:
-      if (are_images(options)) return look_at_images(options), 0;
+      if (!is_render) return look_at_images(options), 0;
       return render_scene(options);
   }
   return 0;
@@ -67,14 +73,14 @@ void confine(const Options& options) {
   }
 }
 
-int run_or_inform(const std::vector<std::string>& arguments) {
+int run_or_inform(const std::vector<std::string>& arguments, Link* others) {
   try {
     const Options options = parse_options(arguments);
     confine(options);
     load_modules(options.modules);
-    return run(options);
+    return run(options, others);
   } catch (const Information& information) {
-    print_data(information.text);
+    if (others == nullptr || others->me() == 0) print_data(information.text);
     return 0;
   }
 }
@@ -82,18 +88,22 @@ int run_or_inform(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run_command_line(const std::vector<std::string>& arguments) {
-  const auto say = [](const std::string& what) {
+  std::unique_ptr<Link> others;
+  const auto is_silent = [&] { return others != nullptr && others->me() != 0; };  // what is wrong is said once
+  const auto say = [&](const std::string& what) {
+    if (is_silent()) return;
     const LoadedModule* const module = module_that_threw();
     const std::string who = module != nullptr ? in_words(*module) + " threw: " : "";
     print_message(fmt::format("dspm: {}{}\n", who, what));
   };
   try {
-    return run_or_inform(arguments);
+    others = find_link();
+    return run_or_inform(arguments, others.get());
   } catch (const UsageError& error) {
     say(error.what());
     return 2;
   } catch (const SceneError& error) {
-    print_message(error.what());
+    if (!is_silent()) print_message(error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     say(fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::exception& error) {

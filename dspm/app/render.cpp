@@ -27,16 +27,6 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
   print(explain_photons(loaded, render.intervals().front(), messages));
 }
 
-std::unique_ptr<const CheckpointFile> file_to_resume(const Options& options) {
-  return options.resume.empty() ? nullptr : std::make_unique<const CheckpointFile>(options.resume);
-}
-
-Choices choices_of(const Options& options, const CheckpointFile* resumed) {
-  Choices choices = options;
-  if (resumed != nullptr) choices.known = resumed->render().frames;
-  return choices;
-}
-
 /// As the frames that were there, unless something else was asked for.
 void go_as_far(const CheckpointFile& resumed, Job& job) {
   int most = 0;
@@ -45,7 +35,7 @@ void go_as_far(const CheckpointFile& resumed, Job& job) {
 }
 
 /// The same, with surroundings of its own.
-int with_render(const Options& options, const char* step,
+int with_render(const Options& options, const char* step, Link* others,
                 const std::function<int(Render&, const LoadedScene&, Messages&)>& task) {
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
@@ -56,16 +46,38 @@ int with_render(const Options& options, const char* step,
   LastWords last_words;
   last_words.begin(step, "");
   std::optional<InterruptRequests> interrupts;
+  std::optional<Leader> leader;
+  if (others != nullptr) leader.emplace(*others, [] { return InterruptRequests::signal() != 0; });
   return naming_memory_step(
       [&] { return watch.step(); },
       [&] {
         return load_and(
-            options, {messages, memory, watch, last_words}, [&] { interrupts.emplace(); },
+            options, {messages, memory, watch, last_words, nullptr, leader ? &*leader : nullptr},
+            [&] { interrupts.emplace(); },
             [&](Render& render, const LoadedScene& loaded) { return task(render, loaded, messages); });
       });
 }
 
 }  // namespace
+
+std::unique_ptr<const CheckpointFile> file_to_resume(const Options& options) {
+  return options.resume.empty() ? nullptr : std::make_unique<const CheckpointFile>(options.resume);
+}
+
+Choices choices_of(const Options& options, const CheckpointFile* resumed) {
+  Choices choices = options;
+  if (resumed != nullptr) choices.known = resumed->render().frames;
+  return choices;
+}
+
+void prepare(const Options& options, const CheckpointFile* resumed, bool together, Job& job) {
+  take_part_of_frames(options.frame_part, job);
+  if (options.only_new && resumed != nullptr) go_as_far(*resumed, job);
+  // What only counts must not take memory that was meant for the render.
+  job.settings.count_found = (options.explain || !options.stats.empty()) && options.memory == 0;
+  job.settings.learn_at_once = together || !options.guide.empty() || !options.save_guide.empty();
+  if (!options.guide.empty()) load_guide(options.guide, job);
+}
 
 void take_part_of_frames(const Part& part, Job& job) {
   if (part.is_all()) return;
@@ -81,32 +93,28 @@ int load_and(const Options& options, const Surroundings& around, const std::func
   std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
   if (!options.stats.empty()) count_work();
   LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages);
-  take_part_of_frames(options.frame_part, loaded.job);
-  if (options.only_new && resumed != nullptr) go_as_far(*resumed, loaded.job);
-  // What only counts must not take memory that was meant for the render.
-  loaded.job.settings.count_found = (options.explain || !options.stats.empty()) && options.memory == 0;
-  loaded.job.settings.learn_at_once = !options.guide.empty() || !options.save_guide.empty();
-  if (!options.guide.empty()) load_guide(options.guide, loaded.job);
+  prepare(options, resumed.get(), around.leader != nullptr, loaded.job);
   before();
   Render render(loaded, options, around, std::move(resumed));
   if (options.explain) explain(loaded, render, around.messages);
   return task(render, loaded);
 }
 
-int render_scene(const Options& options) {
+int render_scene(const Options& options, Link* others) {
   if (options.serve) return render_live(options);
-  return with_render(options, "reading the scene",
+  return with_render(options, "reading the scene", others,
                      [](Render& render, const LoadedScene&, Messages&) { return render.run(); });
 }
 
 int check_scene(const Options& options) {
-  return with_render(options, "checking the scene", [&](Render&, const LoadedScene& loaded, Messages& messages) {
-    const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
-    make_integrator(loaded.job, *scene, messages);
-    keep_guide(options, loaded.job);
-    messages.say("scene ok: {}", summary_of(loaded));
-    return 0;
-  });
+  return with_render(options, "checking the scene", nullptr,
+                     [&](Render&, const LoadedScene& loaded, Messages& messages) {
+                       const std::unique_ptr<Scene> scene = loaded.world->scene({loaded.job.frames.data(), 1});
+                       make_integrator(loaded.job, *scene, messages);
+                       keep_guide(options, loaded.job);
+                       messages.say("scene ok: {}", summary_of(loaded));
+                       return 0;
+                     });
 }
 
 }  // namespace dspm

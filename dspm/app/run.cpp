@@ -38,6 +38,7 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
       watch_(around.watch),
       last_words_(around.last_words),
       live_(around.live),
+      leader_(around.leader),
       results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
                [this] { return end_wanted(); }),
       checkpoints_(loaded.job, options, std::move(resumed), messages_),
@@ -49,9 +50,7 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
 int Render::run() {
   const auto begin = std::chrono::steady_clock::now();
   const double seconds_before = checkpoints_.seconds();
-  SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
-  settings.part = options_.part;
-  Session(loaded_, intervals_, memory_, settings, messages_, *this).run();
+  Session(loaded_, intervals_, memory_, session_settings(), messages_, *this).run();
   onlookers_.reset();
   progress_.reset();
   if (is_of_no_use()) return 0;
@@ -67,6 +66,18 @@ int Render::run() {
   if (end_wanted() && !checkpoints_.path().empty())
     messages_.say("--resume {} continues from here", checkpoints_.path().string());
   return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
+}
+
+SessionSettings Render::session_settings() {
+  SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
+  settings.part = options_.part;
+  if (leader_ == nullptr) return settings;
+  leader_->expect(digest_of(loaded_.job));
+  settings.share_out = [this](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
+    return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), all);
+  };
+  settings.at_a_time = [](int done, int all) { return Block::from(done, all).end - done; };
+  return settings;
 }
 
 void Render::say_end_of_part() const {
@@ -104,8 +115,10 @@ void Render::announce(const Scene& scene, const Integrator& integrator, int iter
   const std::string limit =
       options_.time_limit > 0 ? fmt::format(", {} at most", readable_time(options_.time_limit)) : "";
   const std::string part = options_.part.is_all() ? "" : fmt::format(" ({})", options_.part.in_words());
-  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}{}, {}", job.scene_file, job.frames_in_words(), crop.width(),
-                crop.height(), job.integrator, count, part, error, limit,
+  const std::string machines =
+      leader_ == nullptr ? "" : counted(static_cast<std::size_t>(leader_->machines()), "machine") + " and here ";
+  messages_.say("{}: {} of {} x {} pixels, {}, {}{}{}{}, {}{}", job.scene_file, job.frames_in_words(), crop.width(),
+                crop.height(), job.integrator, count, part, error, limit, machines,
                 counted(static_cast<std::size_t>(thread_count()), "thread"));
   messages_.say("{}: {}", job.integrator, integrator.settings());
   messages_.say("memory before the first iteration: {}, of which trees {}, pixels {}", readable_bytes(peak_memory()),

@@ -13,6 +13,7 @@
 #include "dspm/app/progress.h"
 #include "dspm/app/signals.h"
 #include "dspm/app/watch.h"
+#include "dspm/machines/leader.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
 #include "dspm/output/step_log.h"
@@ -29,6 +30,7 @@ struct Surroundings {
   Watch& watch;
   LastWords& last_words;
   LivePage* live = nullptr;  // if there is one
+  Leader* leader = nullptr;  // if other machines help
 };
 
 /// That a run reads and writes besides its images.
@@ -57,8 +59,8 @@ class Render final : public SessionObserver {
     announce(scene, integrator, iterations);
     onlookers_.emplace(loaded_.job, options_, View(options_.view), messages_);
     if (live_ != nullptr) live_->begin_run(loaded_.job, scene, integrator, iterations, false);
-    if (const std::string why = integrator.why_not_in_parts(); !options_.part.is_all() && !why.empty())
-      throw UsageError(fmt::format("--part: {} cannot be rendered in parts: {}",
+    if (const std::string why = integrator.why_not_in_parts(); (is_part() || leader_ != nullptr) && !why.empty())
+      throw UsageError(fmt::format("{}: {} cannot be rendered in parts: {}", is_part() ? "--part" : "mpirun",
                                    in_words("integrator", loaded_.job.integrator), why));
     checkpoints_.begin(intervals_, integrator);
   }
@@ -95,6 +97,8 @@ class Render final : public SessionObserver {
   int more_iterations(const IntervalProgress& progress, Integrator& integrator) override;
 
  private:
+  bool is_part() const { return !options_.part.is_all(); }
+  SessionSettings session_settings();
   void say_end_of_part() const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.
@@ -147,6 +151,7 @@ class Render final : public SessionObserver {
   Watch& watch_;
   LastWords& last_words_;
   LivePage* live_;
+  Leader* leader_;
   Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;

@@ -97,6 +97,12 @@ std::vector<const Fact*> unmatched(const std::vector<Fact>& facts, const std::ve
 
 }  // namespace
 
+std::string digest_of(const Job& job) {
+  std::string all(kVersion);
+  for (const Fact& fact : facts_of(job, all_frames(job))) all += fmt::format("\n{}: {}", fact.name, fact.text);
+  return fmt::format("{:016x}", digest(all));
+}
+
 FramesPart all_frames(const Job& job) {
   const FileFrames& frames = job.description->frames;
   return {frames.moments(), static_cast<int>(frames.combinations().size())};

@@ -23,6 +23,8 @@ struct Fact {
 std::vector<Fact> facts_of(const Job& job, const FramesPart& part);
 /// Those of the scene itself: its description and the files that were read.
 std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& part);
+/// A digest of all of them, and of the version of dspm: two machines that have the same render the same.
+std::string digest_of(const Job& job);
 /// All frames of the file.
 FramesPart all_frames(const Job& job);
 

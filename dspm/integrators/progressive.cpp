@@ -26,7 +26,8 @@ class Progressive final : public Integrator {
  public:
   Progressive(const ProgressiveSettings& settings, const Scene& scene, const RenderSettings& render,
               const EstimatorKind& estimator)
-      : settings_(settings),
+      : given_(settings),
+        settings_(settings),
         render_(render),
         lights_(static_cast<int>(scene.lights.size())),
         found_(render.crop.count(), scene.frame_count(), render.outputs),
@@ -139,6 +140,7 @@ class Progressive final : public Integrator {
     emission.direct.persist(state);
     emission.guides.persist(state, lights_);
     state.value(emission.goes_on);
+    settings_ = given_;
     learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
     settings_.photon.guides = learned_ != nullptr ? &learned_->guides : nullptr;
     if (learned_ != nullptr) go_on_if_learned();
@@ -275,7 +277,8 @@ class Progressive final : public Integrator {
            bytes_of(tiles_);
   }
 
-  ProgressiveSettings settings_;
+  const ProgressiveSettings given_;
+  ProgressiveSettings settings_;  // with what was learned
   RenderSettings render_;
   PhotonBatches batches_;
   int lights_;

@@ -71,9 +71,10 @@ void Session::render_interval(std::size_t index) {
   const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
   const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
-  const std::unique_ptr<Integrator> integrator =
+  std::unique_ptr<Integrator> integrator =
       make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
   const int iterations = iterations_of(*integrator);
+  if (settings_.share_out) integrator = settings_.share_out(index, std::move(integrator), iterations);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
     throw UsageError(
         fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",
@@ -113,11 +114,13 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
     return !finished();
   };
   while (goes_on() && iterate(progress, scene, integrator, expected())) {
-    ++progress.iterations;
+    const int before = progress.iterations;
+    progress.iterations += settings_.at_a_time(before, iterations);
     progress.seconds = seconds_before + seconds_since(time.begin);
     progress.error = worst_error(integrator);
     observer_.iteration_done(progress, integrator);
-    if (progress.iterations == RunWarnings::kFirstLook) warnings_.look(integrator.statistics(), iterations);
+    if (before < RunWarnings::kFirstLook && progress.iterations >= RunWarnings::kFirstLook)
+      warnings_.look(integrator.statistics(), iterations);
     const bool wanted = observer_.images_wanted();
     if (wanted)
       messages_.say("writing the images after {}, as requested",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ struct SessionSettings {
   // state and are not cancelled.
   double long_iteration = 5;
   Part part = {};  // of all iterations
+  /// What iterates an interval: the integrator itself, or one that has other machines help it. The former does one
+  /// iteration at a time, the latter as many as at_a_time() says after so many, of `all`.
+  std::function<std::unique_ptr<Integrator>(std::size_t interval, std::unique_ptr<Integrator>, int all)> share_out = {};
+  std::function<int(int done, int all)> at_a_time = [](int, int) { return 1; };
 };
 
 class Session {

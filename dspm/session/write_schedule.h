@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 namespace dspm {
 
@@ -14,10 +16,12 @@ struct Interval {
 class WriteSchedule {
  public:
   explicit WriteSchedule(const Interval& every) : every_(every) {}
-  /// Whether to write after that many iterations; if so, the clock starts anew.
+  /// Whether to write after that many iterations, which may be several more than at the last call; if so, the clock
+  /// starts anew.
   bool due(int iterations) {
     const std::chrono::duration<double> passed = Clock::now() - last_;
-    const bool yes = (every_.iterations > 0 && iterations % every_.iterations == 0) ||
+    const int before = std::exchange(asked_, iterations).value_or(iterations - 1);
+    const bool yes = (every_.iterations > 0 && iterations / every_.iterations > before / every_.iterations) ||
                      (every_.seconds > 0 && passed.count() >= every_.seconds);
     if (yes) last_ = Clock::now();
     return yes;
@@ -27,6 +31,7 @@ class WriteSchedule {
   using Clock = std::chrono::steady_clock;
   Interval every_;
   Clock::time_point last_ = Clock::now();
+  std::optional<int> asked_;  // at the last call
 };
 
 }  // namespace dspm

@@ -1,0 +1,152 @@
+#include "dspm/machines/leader.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "dspm/integrators/wrapping_integrator.h"
+#include "dspm/scene/scene.h"
+#include "dspm/system/cancellation.h"
+
+namespace dspm {
+
+class Leader::SharedIterations final : public WrappingIntegrator {
+ public:
+  SharedIterations(std::unique_ptr<Integrator> inner, Leader& leader, int all)
+      : WrappingIntegrator(std::move(inner)), leader_(leader), all_(all), zero_(state_of(*inner_)) {}
+  ~SharedIterations() override {
+    const std::lock_guard lock(leader_.mutex_);
+    leader_.desk_.close();
+  }
+
+  void iterate(int begin, const Scene& scene) override {
+    if (begin != next_) reopen(begin);
+    for (;;) {
+      std::unique_lock lock(leader_.mutex_);
+      if (!leader_.failure_.empty()) throw std::runtime_error(leader_.failure_);
+      if (std::optional<std::string> state = leader_.desk_.take(begin)) {
+        leader_.fetch();
+        lock.unlock();
+        add(std::move(*state), *inner_);
+        next_ = Block::from(begin, all_).end;
+        return;
+      }
+      if (const std::optional<Block> own = leader_.desk_.hand_out(0)) {
+        lock.unlock();
+        render(*own, scene);
+        continue;
+      }
+      if (leader_.end_wanted_()) throw Cancelled{};
+      leader_.changed_.wait_for(lock, std::chrono::milliseconds(100));
+    }
+  }
+
+  Statistics statistics() const override {
+    Statistics statistics = inner_->statistics();
+    statistics.counters.add("machines", static_cast<std::uint64_t>(leader_.machines()));
+    statistics.counters.add("bytes between them", leader_.post_.bytes());
+    statistics.bytes += zero_.size();
+    return statistics;
+  }
+
+ private:
+  /// At the beginning, after a resume, and if more iterations are wanted than were at first.
+  void reopen(int begin) {
+    if (begin >= all_) all_ = 0;
+    const std::lock_guard lock(leader_.mutex_);
+    leader_.desk_.open(begin, all_);
+    leader_.serve();
+  }
+
+  /// The integrator serves twice: it holds the sum, and renders a block in between.
+  void render(const Block& block, const Scene& scene) {
+    const std::string sum = state_of(*inner_);
+    std::string state;
+    try {
+      state = rendered(block, *inner_, scene, zero_);
+    } catch (...) {
+      load(sum, *inner_);
+      throw;
+    }
+    load(sum, *inner_);
+    const std::lock_guard lock(leader_.mutex_);
+    leader_.desk_.arrived(block.begin, std::move(state));
+    leader_.fetch();
+  }
+
+  Leader& leader_;
+  int all_, next_ = -1;
+  const std::string zero_;
+};
+
+Leader::Leader(Link& link, std::function<bool()> end_wanted)
+    : link_(link),
+      end_wanted_(std::move(end_wanted)),
+      post_(link, [this](Letter letter) { open(std::move(letter)); }) {}
+
+Leader::~Leader() {
+  for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::end);
+}
+
+void Leader::expect(std::string digest) {
+  const std::lock_guard lock(mutex_);
+  digest_ = std::move(digest);
+  serve();
+}
+
+std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
+                                              std::size_t memory, int all) {
+  const std::lock_guard lock(mutex_);
+  ++order_.interval, order_.frames = frames, order_.memory = memory;
+  return std::make_unique<SharedIterations>(std::move(integrator), *this, all);
+}
+
+/// By the thread of the post.
+void Leader::open(Letter letter) {
+  const std::lock_guard lock(mutex_);
+  const auto is_now = [&](const Rendered& each) { return each.interval == order_.interval; };
+  if (letter.kind == LetterKind::ready) {
+    ready_.push_back(std::move(letter));
+  } else if (letter.kind == LetterKind::done) {
+    if (const auto block = read<Rendered>(letter.text); is_now(block)) desk_.rendered(letter.machine, block.begin);
+    waiting_.push_back(letter.machine);
+  } else if (letter.kind == LetterKind::state) {
+    const auto block = read<Rendered>(letter.text);
+    if (is_now(block)) desk_.arrived(block.begin, letter.text.substr(written(block).size()));
+  } else if (letter.kind == LetterKind::failed) {
+    failure_ = letter.text;
+  }
+  fetch();
+  serve();
+  changed_.notify_all();
+}
+
+/// Orders to those that wait for one; the mutex is held.
+void Leader::serve() {
+  for (; digest_ && !ready_.empty(); ready_.pop_front()) {
+    const Hello hello = read<Hello>(ready_.front().text);
+    if (hello.digest != *digest_)
+      failure_ = fmt::format("{} has another scene, other files of it or another version of dspm", hello.host);
+    else
+      waiting_.push_back(ready_.front().machine);
+  }
+  std::deque<int> still;
+  for (const int machine : std::exchange(waiting_, {})) {
+    Order order = order_;
+    if (const std::optional<Block> block = desk_.hand_out(machine))
+      order.block = *block, post_.send(machine, LetterKind::order, written(order));
+    else
+      still.push_back(machine);
+  }
+  waiting_ = std::move(still);
+}
+
+/// What is to be added next comes here while others render; the mutex is held.
+void Leader::fetch() {
+  for (const auto& [machine, begin] : desk_.to_fetch())
+    if (machine != 0) post_.send(machine, LetterKind::bring, written(Rendered{order_.interval, begin}));
+}
+
+}  // namespace dspm

@@ -1,0 +1,58 @@
+// The machine that leads: it renders as the others do, adds up everybody's blocks, and alone writes images and
+// checkpoints, shows progress and answers to its user.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/machines/desk.h"
+#include "dspm/machines/post.h"
+#include "dspm/session/frame_intervals.h"
+
+namespace dspm {
+
+class Leader {
+ public:
+  /// `end_wanted`: by the user; a block that another machine is still rendering is then not waited for.
+  Leader(Link& link, std::function<bool()> end_wanted);
+  /// Tells all others that it is over.
+  ~Leader();
+
+  /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
+  void expect(std::string digest);
+
+  /// What the others do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that follow in
+  /// its block (Block::from). `all`: iterations; 0: endless. `memory`: bytes that each machine's integrator may hold; 0:
+  /// no bound. To be made with RenderSettings::learn_at_once, or each block would learn anew. Its iterate() throws std::runtime_error if another machine has failed. It must not outlive the leader.
+  std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
+                                        std::size_t memory, int all);
+
+  int machines() const { return link_.machines(); }
+
+ private:
+  class SharedIterations;
+
+  void open(Letter letter);
+  void serve();
+  void fetch();
+
+  Link& link_;
+  std::function<bool()> end_wanted_;
+  std::mutex mutex_;  // of all that follows but the post
+  std::condition_variable changed_;
+  Desk desk_;
+  Order order_;  // but for its block: the interval that is being rendered
+  std::optional<std::string> digest_;
+  std::deque<int> waiting_;   // machines that have asked for an order
+  std::deque<Letter> ready_;  // that came before the leader knew its own scene
+  std::string failure_;
+  Post post_;  // the last member: its thread uses the others
+};
+
+}  // namespace dspm

@@ -1,0 +1,75 @@
+// What machines that render together write to one another. The first one leads: it hands out blocks of iterations, and
+// adds up what comes back. The others help.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dspm/machines/block.h"
+#include "dspm/math/frames.h"
+#include "dspm/system/state_in_memory.h"
+
+namespace dspm {
+
+enum class LetterKind {
+  ready,   // helper: who it is, and a digest of its scene; asks for an order
+  order,   // leader
+  done,    // helper: its order's block is rendered; asks for the next one
+  bring,   // leader: a block's turn has come
+  state,   // helper: of that block
+  failed,  // helper: why it cannot go on
+  end      // leader: there are no more orders
+};
+
+struct Letter {
+  int machine = 0;  // the other one
+  LetterKind kind = LetterKind::end;
+  std::string text;
+};
+
+/// A block to render.
+struct Order {
+  std::uint64_t interval = 0;     // how many the run began before
+  std::vector<FileFrame> frames;  // of the interval
+  std::uint64_t memory = 0;       // bytes that its integrator may hold; 0: no bound
+  Block block;
+
+  void persist(StateStream& state) {
+    state.value(interval);
+    state.list(frames, std::size_t{1} << 24);
+    state.value(memory);
+    state.value(block);
+  }
+};
+
+/// A block that is rendered. In a letter of the kind `state` it is followed by what was made of it.
+struct Rendered {
+  std::uint64_t interval = 0;
+  int begin = 0;  // of the block
+
+  void persist(StateStream& state) { state.value(interval), state.value(begin); }
+  friend auto operator<=>(const Rendered&, const Rendered&) = default;
+};
+
+/// A helper introduces itself.
+struct Hello {
+  std::string host, digest;  // the machine's name, and what its scene is
+
+  void persist(StateStream& state) { state.text(host, 1 << 10), state.text(digest, 1 << 10); }
+};
+
+/// Anything with persist(), as the text of a letter, and back. Throws std::runtime_error if it is not one.
+template <class T>
+std::string written(T value) {
+  return state_of(value);
+}
+template <class T>
+T read(const std::string& text) {
+  T value;
+  LoadedState state(text);
+  value.persist(state);
+  return value;
+}
+
+}  // namespace dspm

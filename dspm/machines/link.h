@@ -1,0 +1,25 @@
+// How letters travel between machines, as one thread uses it. Optional libraries implement it in a module that the
+// program loads if it was started by their tools: see mpi/mpi_link.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "dspm/machines/letter.h"
+
+namespace dspm {
+
+class Link {
+ public:
+  virtual ~Link() = default;
+  /// They count from 0, which leads.
+  virtual int machines() const = 0;
+  virtual int me() const = 0;
+  /// Begins to send; the letter is on its way until all_sent().
+  virtual void send(Letter letter) = 0;
+  virtual bool all_sent() = 0;
+  /// One that has come, or nullopt.
+  virtual std::optional<Letter> receive() = 0;
+};
+
+}  // namespace dspm

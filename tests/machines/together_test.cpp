@@ -1,0 +1,185 @@
+// Several machines, here threads of one process: the bits do not depend on how many there are, nor on their speed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "dspm/machines/helper.h"
+#include "dspm/machines/leader.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/session.h"
+#include "dspm/system/cancellation.h"
+
+namespace dspm::test {
+namespace {
+
+const std::string kScene = R"(
+Frames 3
+Integrator "dsppm" "integer iterations" 22 "integer photons" 300 "integer seed" 5
+Camera "perspective"
+Film "rgb" "integer xresolution" 9 "integer yresolution" 7
+WorldBegin
+LightSource "point" "point3 from" [0 2 2]
+Shape "disk" "float height" 4 "float radius" 5
+DynamicBegin "ball" Keyframe 1 Translate -1 0 3 Keyframe 3 Translate 1 0 3 KeyframeEnd
+Shape "sphere" "float radius" 0.4 DynamicEnd
+)";
+
+/// Letters between threads.
+class Network {
+ public:
+  class Wire final : public Link {
+   public:
+    Wire(Network& network, int me) : network_(network), me_(me) {}
+    int machines() const override { return static_cast<int>(network_.boxes_.size()); }
+    int me() const override { return me_; }
+    void send(Letter letter) override {
+      const auto to = static_cast<std::size_t>(std::exchange(letter.machine, me_));
+      const std::lock_guard lock(network_.mutex_);
+      network_.boxes_[to].push_back(std::move(letter));
+    }
+    bool all_sent() override { return true; }
+    std::optional<Letter> receive() override {
+      const std::lock_guard lock(network_.mutex_);
+      std::deque<Letter>& box = network_.boxes_[static_cast<std::size_t>(me_)];
+      if (box.empty()) return std::nullopt;
+      Letter letter = std::move(box.front());
+      box.pop_front();
+      return letter;
+    }
+
+   private:
+    Network& network_;
+    int me_;
+  };
+
+  explicit Network(int machines) : boxes_(static_cast<std::size_t>(machines)) {}
+  Wire wire(int machine) { return {*this, machine}; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::deque<Letter>> boxes_;
+};
+
+struct Loaded {
+  Loaded() : scene("scene.dsc", kScene, {}, diagnostics) { scene.job.settings.learn_at_once = true; }
+  Diagnostics diagnostics;
+  LoadedScene scene;
+};
+
+/// A helper that begins late, or is not what it should be.
+struct Hand {
+  int rest = 0;  // milliseconds before it begins
+  std::string digest = "this scene", fault = {};
+  bool is_stuck = false;  // with its first block
+};
+
+void get_stuck(Network::Wire& wire) {
+  wire.send({0, LetterKind::ready, written(Hello{"stuck", "this scene"})});
+  for (;;) {
+    const std::optional<Letter> letter = wire.receive();
+    if (letter && letter->kind == LetterKind::end) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void help(Network& network, int machine, const Hand& hand) {
+  Network::Wire wire = network.wire(machine);
+  if (hand.is_stuck) return get_stuck(wire);
+  Helper helper(wire, [] {});
+  Messages messages(true);
+  std::this_thread::sleep_for(std::chrono::milliseconds(hand.rest));
+  if (!hand.fault.empty()) return helper.fail(hand.fault);
+  const Loaded loaded;
+  helper.render(loaded.scene, messages, "machine" + std::to_string(machine), hand.digest);
+}
+
+/// What the leader has in the end.
+struct Sum {
+  std::vector<float> images;  // of all frames
+  std::string state;
+};
+
+Sum sum_of(Integrator& integrator, int frames) {
+  Sum sum{{}, state_of(integrator)};
+  for (int f = 0; f < frames; ++f)
+    for (const Rgb& c : integrator.estimate(static_cast<Frame>(f)).pixels)
+      sum.images.insert(sum.images.end(), {c.r, c.g, c.b});
+  return sum;
+}
+
+struct Run {
+  int begin = 0, end = 22;  // iterations
+  std::string before = {};  // the state to go on from; empty: none
+  std::function<bool()> end_wanted = [] { return false; };
+};
+
+Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
+  Network network(static_cast<int>(hands.size()) + 1);
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 0; i < hands.size(); ++i)
+    threads.emplace_back([&, i] { help(network, static_cast<int>(i) + 1, hands[i]); });
+  const Loaded loaded;
+  Messages messages(true);
+  Network::Wire wire = network.wire(0);
+  Leader leader(wire, run.end_wanted);
+  leader.expect("this scene");
+  const FrameList& frames = loaded.scene.job.frames;
+  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
+  const auto integrator = leader.share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, run.end);
+  if (!run.before.empty()) load(run.before, *integrator);
+  for (int i = run.begin; i < run.end; i = Block::from(i, run.end).end) integrator->iterate(i, *scene);
+  return sum_of(*integrator, static_cast<int>(frames.size()));
+}
+
+/// The same without machines: each block by itself, added in their order.
+Sum slow_twin() {
+  const Loaded loaded;
+  Messages messages(true);
+  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
+  const auto sum = make_integrator(loaded.scene.job, *scene, messages);
+  for (int begin = 0; begin < 22; begin += 4) {
+    const auto block = make_integrator(loaded.scene.job, *scene, messages);
+    for (int i = begin; i < std::min(begin + 4, 22); ++i) block->iterate(i, *scene);
+    add(state_of(*block), *sum);
+  }
+  return sum_of(*sum, 3);
+}
+
+TEST(Together, TheBitsAreThoseOfBlocksInOrder) {
+  const Sum wanted = slow_twin();
+  EXPECT_EQ(led({}).images, wanted.images);
+  EXPECT_EQ(led({{}}).images, wanted.images);
+  EXPECT_EQ(led({{.rest = 20}, {}, {.rest = 5}, {}}).images, wanted.images);
+}
+
+TEST(Together, GoesOnWithOtherMachines) {
+  const Sum half = led({{}, {}}, {.end = 12});
+  EXPECT_EQ(led({{}}, {.begin = 12, .before = half.state}).images, slow_twin().images);
+  EXPECT_EQ(led({}, {.begin = 12, .before = half.state}).images, slow_twin().images);
+}
+
+void expect_failure(const Hand& hand, const std::string& words) {
+  try {
+    led({hand}, {.end = 100'000});
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), words);
+  }
+}
+
+TEST(Together, AHelperThatFailsEndsTheRun) {
+  expect_failure({.fault = "machine1: out of memory"}, "machine1: out of memory");
+  expect_failure({.digest = "another"}, "machine1 has another scene, other files of it or another version of dspm");
+}
+
+TEST(Together, AnEndThatIsWantedDoesNotWaitForOthers) {
+  // The leader renders two blocks ahead; then only the other machine's block is missing.
+  EXPECT_THROW(led({{.is_stuck = true}}, {.end = 1'000'000, .end_wanted = [] { return true; }}), Cancelled);
+}
+
+}  // namespace
+}  // namespace dspm::test
