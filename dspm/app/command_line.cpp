@@ -37,6 +37,7 @@ namespace {
 /// `others`: machines that MPI has started together with this one, or null. Only the first does what is no render.
 int run(const Options& options, Link* others) {
   const bool is_render = options.task == Task::render && !are_images(options);
+  if (others == nullptr && options.block) throw UsageError("--block: of which machines? It is for mpirun");
   if (others != nullptr && is_render) return render_together(options, *others);
   if (others != nullptr && others->me() != 0) return 0;
   switch (options.task) {

@@ -44,6 +44,7 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   int plan = 0;                      // machines to plan for
   std::string farm;                  // the kind of farm to write jobs for
   std::optional<int> farm_parts;     // none: 8
+  std::optional<int> block;          // iterations that one of several machines does in one go; none: 4
   // The command line in one spelling: what a part's render needs, and what the merge does.
   std::vector<std::string> words_of_render, words_of_images;
   std::string guide, save_guide;     // files; empty: none

@@ -35,6 +35,8 @@ void add(CLI::App& app, Options& o) {
          "do not render, print a job for a farm: the parts of this render and their merge; slurm, openjd or flamenco")
       ->check(CLI::IsMember(farms()).description(""))
       ->type_name("KIND");
+  add_count(app, "--block", o.block, 1, 1'000'000,
+            "with mpirun: iterations that a machine does in one go, before they are added up (default: 4)");
   add_count(app, "--parts", o.farm_parts, 2, Part::kMost, "of a --farm: so many (default: 8)");
 }
 

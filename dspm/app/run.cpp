@@ -73,10 +73,11 @@ SessionSettings Render::session_settings() {
   settings.part = options_.part;
   if (leader_ == nullptr) return settings;
   leader_->expect(digest_of(loaded_.job));
-  settings.share_out = [this](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
-    return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), all);
+  const int block = options_.block.value_or(4);
+  settings.share_out = [this, block](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
+    return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), {all, block});
   };
-  settings.at_a_time = [](int done, int all) { return Block::from(done, all).end - done; };
+  settings.at_a_time = [block](int done, int all) { return Block::from(done, all, block).end - done; };
   return settings;
 }
 

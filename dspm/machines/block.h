@@ -11,13 +11,11 @@
 namespace dspm {
 
 struct Block {
-  static constexpr int kIterations = 4;
-
   int begin = 0, end = 0;  // iterations
 
-  /// The one that begins at an iteration, of `all`; 0: endless.
-  static Block from(int begin, int all) {
-    const int end = (begin / kIterations + 1) * kIterations;
+  /// The one that begins at an iteration: to the next multiple of `size`, but not beyond `all`; 0: endless.
+  static Block from(int begin, int all, int size) {
+    const int end = (begin / size + 1) * size;
     return {begin, all > 0 ? std::min(end, all) : end};
   }
 };

@@ -5,9 +5,9 @@
 
 namespace dspm {
 
-void Desk::open(int begin, int all) {
+void Desk::open(int begin, int all, int size) {
   blocks_.clear();
-  open_ = true, next_ = begin, all_ = all;
+  open_ = true, next_ = begin, all_ = all, size_ = size;
 }
 
 std::optional<Block> Desk::hand_out(int machine) {
@@ -15,7 +15,7 @@ std::optional<Block> Desk::hand_out(int machine) {
     return each.second.machine == machine && each.second.is_rendered;
   });
   if (!open_ || (all_ > 0 && next_ >= all_) || held >= kMostHeld) return std::nullopt;
-  const Block block = Block::from(next_, all_);
+  const Block block = Block::from(next_, all_, size_);
   next_ = block.end;
   blocks_.emplace(block.begin, Entry{block, machine});
   return block;

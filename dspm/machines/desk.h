@@ -15,8 +15,8 @@ class Desk {
   /// A machine holds at most so many rendered blocks: then it waits until one has been fetched.
   static constexpr int kMostHeld = 2;
 
-  /// Blocks from iteration `begin` on, of `all`; 0: endless. Forgets all that was before.
-  void open(int begin, int all);
+  /// Blocks of `size` iterations from iteration `begin` on, of `all`; 0: endless. Forgets all that was before.
+  void open(int begin, int all, int size);
   /// No block is handed out until it is opened again.
   void close() { open_ = false; }
 
@@ -44,8 +44,8 @@ class Desk {
   };
 
   bool open_ = false;
-  int all_ = 0, next_ = 0;       // iterations
-  std::map<int, Entry> blocks_;  // by their beginning: those that were handed out and not yet taken
+  int all_ = 0, size_ = 1, next_ = 0;  // iterations
+  std::map<int, Entry> blocks_;        // by their beginning: those that were handed out and not yet taken
 };
 
 }  // namespace dspm

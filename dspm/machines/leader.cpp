@@ -14,8 +14,8 @@ namespace dspm {
 
 class Leader::SharedIterations final : public WrappingIntegrator {
  public:
-  SharedIterations(std::unique_ptr<Integrator> inner, Leader& leader, int all)
-      : WrappingIntegrator(std::move(inner)), leader_(leader), all_(all), zero_(state_of(*inner_)) {}
+  SharedIterations(std::unique_ptr<Integrator> inner, Leader& leader, const Extent& extent)
+      : WrappingIntegrator(std::move(inner)), leader_(leader), extent_(extent), zero_(state_of(*inner_)) {}
   ~SharedIterations() override {
     const std::lock_guard lock(leader_.mutex_);
     leader_.desk_.close();
@@ -30,7 +30,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
         leader_.fetch();
         lock.unlock();
         add(std::move(*state), *inner_);
-        next_ = Block::from(begin, all_).end;
+        next_ = Block::from(begin, extent_.iterations, extent_.block).end;
         return;
       }
       if (const std::optional<Block> own = leader_.desk_.hand_out(0)) {
@@ -54,9 +54,9 @@ class Leader::SharedIterations final : public WrappingIntegrator {
  private:
   /// At the beginning, after a resume, and if more iterations are wanted than were at first.
   void reopen(int begin) {
-    if (begin >= all_) all_ = 0;
+    if (begin >= extent_.iterations) extent_.iterations = 0;
     const std::lock_guard lock(leader_.mutex_);
-    leader_.desk_.open(begin, all_);
+    leader_.desk_.open(begin, extent_.iterations, extent_.block);
     leader_.serve();
   }
 
@@ -77,7 +77,8 @@ class Leader::SharedIterations final : public WrappingIntegrator {
   }
 
   Leader& leader_;
-  int all_, next_ = -1;
+  Extent extent_;
+  int next_ = -1;
   const std::string zero_;
 };
 
@@ -97,10 +98,10 @@ void Leader::expect(std::string digest) {
 }
 
 std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
-                                              std::size_t memory, int all) {
+                                              std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
   ++order_.interval, order_.frames = frames, order_.memory = memory;
-  return std::make_unique<SharedIterations>(std::move(integrator), *this, all);
+  return std::make_unique<SharedIterations>(std::move(integrator), *this, extent);
 }
 
 /// By the thread of the post.

@@ -27,11 +27,15 @@ class Leader {
   /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
   void expect(std::string digest);
 
-  /// What the others do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that follow in
-  /// its block (Block::from). `all`: iterations; 0: endless. `memory`: bytes that each machine's integrator may hold; 0:
+  /// How the iterations of an interval are shared out: so many, 0: endless; in blocks of that size, see Block::from.
+  struct Extent {
+    int iterations, block;
+  };
+  /// What all machines together do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that
+  /// follow in its block. `memory`: bytes that each machine's integrator may hold; 0:
   /// no bound. To be made with RenderSettings::learn_at_once, or each block would learn anew. Its iterate() throws std::runtime_error if another machine has failed. It must not outlive the leader.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
-                                        std::size_t memory, int all);
+                                        std::size_t memory, const Extent& extent);
 
   int machines() const { return link_.machines(); }
 

@@ -19,7 +19,7 @@ int begin_of(const std::optional<Block>& block) { return block ? block->begin : 
 TEST(Desk, HandsOutAllIterationsOnce) {
   Desk desk;
   EXPECT_FALSE(desk.hand_out(1));  // not open yet
-  desk.open(6, 14);
+  desk.open(6, 14, 4);
   std::vector<int> edges;
   for (int machine = 1; const auto block = desk.hand_out(machine); ++machine)
     edges.insert(edges.end(), {block->begin, block->end});
@@ -28,7 +28,7 @@ TEST(Desk, HandsOutAllIterationsOnce) {
 
 TEST(Desk, FetchesInOrderAndFewAtATime) {
   Desk desk;
-  desk.open(0, 0);
+  desk.open(0, 0, 4);
   for (const int machine : {1, 2, 3, 4}) desk.hand_out(machine);
   for (const int machine : {2, 3, 4}) desk.rendered(machine, 4 * (machine - 1));
   EXPECT_EQ(to_fetch(desk), Fetches{});  // the first one is missing
@@ -46,7 +46,7 @@ TEST(Desk, FetchesInOrderAndFewAtATime) {
 
 TEST(Desk, MachinesWaitWithTwoBlocksInHand) {
   Desk desk;
-  desk.open(0, 0);
+  desk.open(0, 0, 4);
   EXPECT_EQ(begin_of(desk.hand_out(1)), 0);  // a slow machine
   for (const int begin : {4, 8}) {
     EXPECT_EQ(begin_of(desk.hand_out(2)), begin);
@@ -60,11 +60,11 @@ TEST(Desk, MachinesWaitWithTwoBlocksInHand) {
 
 TEST(Desk, ForgetsWhatWasBefore) {
   Desk desk;
-  desk.open(0, 8);
+  desk.open(0, 8, 4);
   desk.hand_out(1);
   desk.close();
   EXPECT_FALSE(desk.hand_out(1));
-  desk.open(8, 16);
+  desk.open(8, 16, 4);
   desk.rendered(1, 0), desk.arrived(0, "late");
   EXPECT_EQ(to_fetch(desk), Fetches{});
   EXPECT_FALSE(desk.take(0));

@@ -129,9 +129,10 @@ Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
   leader.expect("this scene");
   const FrameList& frames = loaded.scene.job.frames;
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
-  const auto integrator = leader.share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, run.end);
+  const auto integrator =
+      leader.share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, {run.end, 4});
   if (!run.before.empty()) load(run.before, *integrator);
-  for (int i = run.begin; i < run.end; i = Block::from(i, run.end).end) integrator->iterate(i, *scene);
+  for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) integrator->iterate(i, *scene);
   return sum_of(*integrator, static_cast<int>(frames.size()));
 }
 
