@@ -33,7 +33,7 @@ set(toolkit_headers
   materials/rough_boundary.h accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h shapes/beyond_hole.h
   cameras/projection.h
   colour/rgb_lanes.h
-  grid/point_grid.h grid/points_within.h grid/refit.h
+  grid/buffer.h grid/point_grid.h grid/points_within.h
   integrators/balance.h integrators/body.h integrators/branching_path.h integrators/camera_path.h integrators/direct_balance.h
   integrators/direct_light.h
   integrators/estimator.h

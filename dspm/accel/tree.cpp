@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "dspm/accel/tree_limits.h"
 #include "dspm/accel/triangle_pieces.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
@@ -11,9 +12,6 @@
 
 namespace dspm {
 namespace {
-
-// Bits of a leaf's number: it is a placed object; its triangles fill two packets.
-constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29;
 
 // From here on, Embree's builder is faster, even as it starts its threads.
 constexpr std::size_t kManyPieces = 5000;
@@ -48,6 +46,7 @@ class Tree::Builder {
     pieces_ = std::move(triangles.pieces);
     for (const int s : which)
       if (!is_world_mesh(shape(s))) place(s);
+    expect_numbered(pieces_.size(), 0);
 
     const bool alike =
         std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); });
@@ -57,7 +56,9 @@ class Tree::Builder {
     if (alike) tree_.bvh_.node_frames = {};
     pieces_ = {};  // frees memory for the packets
     tree_.bvh_.nodes.shrink_to_fit();
-    tree_.packets_.reserve(packets_in(triangles)), tree_.placed_.reserve(placed_.size());
+    const std::size_t packets = packets_in(triangles);
+    expect_numbered(triangles.count(), packets);
+    tree_.packets_.reserve(packets), tree_.placed_.reserve(placed_.size());
     for (Bvh::Node& node : tree_.bvh_.nodes)
       for (std::uint32_t& child : node.child)
         if (child >= Bvh::kLeaf) child = Bvh::kLeaf + add_leaf(tree_.bvh_.leaves[child - Bvh::kLeaf], triangles);

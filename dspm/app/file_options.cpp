@@ -49,7 +49,8 @@ void add(CLI::App& app, Options& o) {
       ->excludes(save_guide)
       ->type_name("FILE");
   app.add_flag("--quiet", o.quiet, "only errors and warnings");
-  app.add_flag("--stats{table}", o.stats, "print a table of times, counts and what more threads would do; with FILE: as JSON");
+  app.add_flag("--stats{table}", o.stats,
+               "print a table of times, counts and what more threads would do; with FILE: as JSON");
 }
 
 void check(const Options& o) {

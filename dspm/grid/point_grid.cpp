@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "dspm/grid/counting_sort.h"
-#include "dspm/grid/refit.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
 
 constexpr std::int64_t kGrain = 1 << 14;
-constexpr double kCellsPerPoint = 8, kLeastCells = 4096;
 
 /// At least 0; NaN, which huge coordinates can cause, becomes 0.
 int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
@@ -39,8 +38,14 @@ PointGrid::Cell PointGrid::cell_of(const Vec3& p) const {
 }
 
 void PointGrid::build(std::span<const Vec3> points, float cell_size) {
-  refit(order_, points.size()), refit(by_bucket_, points.size());
-  for (auto* coordinates : {&x_, &y_, &z_}) refit(*coordinates, points.size() + PointsWithin::kPadding);
+  if (points.size() > kMostPoints)
+    throw std::length_error(
+        "more than 4.29 billion photons are stored at once; --memory traces an iteration's photons in batches");
+  order_.refit(points.size()), by_bucket_.refit(points.size());
+  for (Buffer<float>* coordinates : {&x_, &y_, &z_}) {
+    coordinates->refit(points.size() + PointsWithin::kPadding);
+    std::fill(coordinates->begin() + points.size(), coordinates->end(), 0.f);
+  }
   if (points.empty()) return;
   choose_cells(points, cell_size);
   const BucketBegins begins = sort_into_buckets(points);
@@ -64,12 +69,11 @@ void PointGrid::choose_cells(std::span<const Vec3> points, float cell_size) {
   for (const Bounds3& b : bounds) bounds_.add(b);
 
   const Vec3 extent = bounds_.extent();
-  const float cell =
-      affordable_cell(extent, cell_size, std::max(kLeastCells, kCellsPerPoint * static_cast<double>(count)));
+  const float cell = affordable_cell(extent, cell_size, static_cast<double>(most_cells(points.size())));
   inverse_cell_ = 1 / cell;
   nx_ = cells_along(extent.x, cell), ny_ = cells_along(extent.y, cell), nz_ = cells_along(extent.z, cell);
   const std::size_t cells = index_of(nx_ - 1, ny_ - 1, nz_ - 1) + 1;
-  refit(begin_, cells + 1);
+  begin_.refit(cells + 1);
   begin_.back() = static_cast<std::uint32_t>(count);
   bucket_shift_ = std::max(0, static_cast<int>(std::bit_width(cells - 1)) - kBucketBits);
 }
@@ -108,8 +112,7 @@ void PointGrid::sort_bucket(std::size_t bucket, std::uint32_t begin, std::uint32
 }
 
 std::size_t PointGrid::bytes() const {
-  return (begin_.capacity() + order_.capacity()) * sizeof(std::uint32_t) + by_bucket_.capacity() * sizeof(Sorted) +
-         (x_.capacity() + y_.capacity() + z_.capacity()) * sizeof(float);
+  return begin_.bytes() + order_.bytes() + by_bucket_.bytes() + x_.bytes() + y_.bytes() + z_.bytes();
 }
 
 }  // namespace dspm

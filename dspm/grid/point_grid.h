@@ -1,12 +1,15 @@
 // Points in a uniform grid, sorted by cell, for finding all points within a radius. Independent of rendering.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "dspm/grid/buffer.h"
 #include "dspm/grid/points_within.h"
 #include "dspm/math/vec.h"
 
@@ -15,8 +18,15 @@ namespace dspm {
 /// Cells of one row (neighbours along x) are contiguous in memory, so a query reads a few contiguous runs.
 class PointGrid {
  public:
+  /// Points and cells are numbered in 32 bits, of which places beyond the last point need a few.
+  static constexpr std::size_t kMostPoints = 0xffff'ff00;
+  static constexpr std::size_t most_cells(std::size_t points) {
+    constexpr std::size_t kCellsPerPoint = 8, kLeastCells = 4096;
+    return std::clamp(kCellsPerPoint * points, kLeastCells, kMostPoints);
+  }
+
   /// Sorts `points` by cell; points of a cell keep their order. Cells are `cell_size` wide, or wider if that would
-  /// make more than a few cells per point. `points` is not kept.
+  /// make more than a few cells per point. `points` is not kept. Throws std::length_error if there are too many.
   void build(std::span<const Vec3> points, float cell_size);
 
   /// Place i of the sorted order holds point order()[i].
@@ -54,11 +64,11 @@ class PointGrid {
   Bounds3 bounds_;
   float inverse_cell_ = 1;
   int nx_ = 0, ny_ = 0, nz_ = 0;
-  std::vector<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
+  Buffer<std::uint32_t> begin_;  // of each cell in the sorted order, and one past the last
   int bucket_shift_ = 0;
-  std::vector<Sorted> by_bucket_;
-  std::vector<std::uint32_t> order_;
-  std::vector<float> x_, y_, z_;  // of the sorted points, plus PointsWithin::kPadding more
+  Buffer<Sorted> by_bucket_;
+  Buffer<std::uint32_t> order_;
+  Buffer<float> x_, y_, z_;  // of the sorted points, plus PointsWithin::kPadding more
 };
 
 template <class Fn>

@@ -10,6 +10,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <ImfTiledOutputFile.h>
 #include <half.h>
 
@@ -26,6 +27,8 @@
 #include "dspm/image/exr_compression.h"
 #include "dspm/image/image.h"
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/work.h"
 
 namespace dspm {
 
@@ -108,6 +111,20 @@ void insert(Imf::FrameBuffer& buffer, const ExrLayer& layer, const Imath::Box2i&
     buffer.insert(name, Imf::Slice::Make(type_of(layer), first++, window, kStride, kStride * width));
 }
 
+/// OpenEXR compresses rows on threads of its own, and writes them in order. It keeps two blocks of up to 32 rows for
+/// each thread; together they take no more than half of the image. 0: none but the caller's.
+int threads_for(int rows) {
+  constexpr int kRows = 128;
+  const int threads = std::clamp(rows / kRows, 1, thread_count());
+  if (threads == 1) return 0;
+  try {
+    if (threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  } catch (const std::exception&) {  // no memory for their stacks
+    return 0;
+  }
+  return threads;
+}
+
 std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header, const ExrFormat& format) {
   const Imf::Header imf = imf_header(layers, header, format);
   const Imath::Box2i& window = imf.dataWindow();
@@ -119,13 +136,15 @@ std::string encode(std::span<const ExrLayer> layers, const ExrHeader& header, co
     else
       insert(buffer, layer, window, &layer.image->pixels.front().r);
 
+  const int threads = threads_for(window.max.y - window.min.y + 1);
+  const LibraryWork work(threads);
   MemoryOutput output;
   if (format.tile > 0) {
-    Imf::TiledOutputFile file(output, imf);
+    Imf::TiledOutputFile file(output, imf, threads);
     file.setFrameBuffer(buffer);
     file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
   } else {
-    Imf::OutputFile file(output, imf);
+    Imf::OutputFile file(output, imf, threads);
     file.setFrameBuffer(buffer);
     file.writePixels(window.max.y - window.min.y + 1);
   }  // the files' destructors write the table of rows or tiles

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dspm/integrators/emission_tree.h"
 #include "dspm/integrators/learn_indirect.h"
@@ -124,30 +125,33 @@ class Learner {
 
   void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, PilotRound& round) const {
     const std::size_t choices = scene_.light_choices.size();
-    std::vector<std::vector<double>> squares(traces_.size());  // by trace, path and choice
+    std::vector<std::uint64_t> first_path(traces_.size());
+    for (std::size_t t = 0; t < traces_.size(); ++t) first_path[t] = std::exchange(path, path + traces_[t].ends.size());
+    std::vector<std::vector<FoundPath>> found(traces_.size());
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
-      std::vector<double>& of_trace = squares[static_cast<std::size_t>(t)];
+      std::vector<double> squares;  // by path and choice
       std::size_t photon = 0, hidden = 0;
       for (const PhotonTrace::End& end : trace.ends) {
-        of_trace.resize(of_trace.size() + choices);
-        double* const sums = &of_trace.back() + 1 - choices;
+        squares.resize(squares.size() + choices);
+        double* const sums = &squares.back() + 1 - choices;
         const auto add = [&](float radiance, FrameSet frames, const HitPoint&) {
           sums[choice_of(frames)] += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
         };
         for (; photon < end.photons; ++photon) matte.for_each_gathering(trace.photons[photon], add);
         for (; hidden < end.hidden; ++hidden) glossy.for_each_gathering(trace.hidden[hidden], add);
       }
+      for (std::size_t i = 0; i < squares.size(); ++i) {
+        const std::size_t choice = i % choices;
+        const PathRandom random(photon_.seed, photon_.stream, first_path[static_cast<std::size_t>(t)] + i / choices,
+                                rounds_);
+        if (const double sum = squares[i]; sum > 0 && std::isfinite(sum))
+          found[static_cast<std::size_t>(t)].push_back({choice, start_of(&round.guides, scene_, choice, random), sum});
+      }
     });
     for (std::size_t t = 0; t < traces_.size(); ++t) {
       round.work += traces_[t].paths.segments.done + traces_[t].photons.size();
-      for (std::size_t i = 0; i < squares[t].size(); ++i) {
-        const std::size_t choice = i % choices;
-        const PathRandom random(photon_.seed, photon_.stream, path + i / choices, rounds_);
-        if (const double sum = squares[t][i]; sum > 0 && std::isfinite(sum))
-          round.found.push_back({choice, start_of(&round.guides, scene_, choice, random), sum});
-      }
-      path += traces_[t].ends.size();
+      round.found.insert(round.found.end(), found[t].begin(), found[t].end());
     }
   }
 
@@ -175,16 +179,21 @@ class Learner {
   EmissionGuides guides_after(const std::vector<PilotRound>& rounds) {
     std::vector<std::vector<EmissionRecord>> records(scene_.light_choices.size());
     std::size_t count = 0;
-    for (const PilotRound& round : rounds)
-      for (const FoundPath& path : round.found) {
-        double mixture = 0;
-        for (const PilotRound& other : rounds) mixture += density(other.guides, path);
+    for (const PilotRound& round : rounds) {
+      std::vector<double> mixtures(round.found.size());
+      parallel_for(static_cast<std::int64_t>(mixtures.size()), 1 << 8, [&](std::int64_t i) {
+        for (const PilotRound& other : rounds)
+          mixtures[static_cast<std::size_t>(i)] += density(other.guides, round.found[static_cast<std::size_t>(i)]);
+      });
+      for (std::size_t i = 0; i < mixtures.size(); ++i) {
+        const FoundPath& path = round.found[i];
         const EmissionStart& start = path.start;
         const auto own = static_cast<double>(start.density), wanted = favour(start.light);
         records[path.choice].push_back(
-            {start.light, start.numbers, path.squares * own * own / mixture * wanted * wanted});
-        ++count;
+            {start.light, start.numbers, path.squares * own * own / mixtures[i] * wanted * wanted});
       }
+      count += mixtures.size();
+    }
     // The records, once more by light and box, and the trees.
     bytes_ =
         std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +

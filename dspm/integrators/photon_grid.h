@@ -5,8 +5,8 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/colour/rgb_lanes.h"
+#include "dspm/grid/buffer.h"
 #include "dspm/grid/point_grid.h"
-#include "dspm/grid/refit.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -42,9 +42,7 @@ class PhotonGrid {
   template <class PhotonOf, class GatheredOf>
   void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered);
 
-  std::size_t bytes() const {
-    return grid_.bytes() + photons_.capacity() * sizeof(Gathered) + points_.capacity() * sizeof(Vec3);
-  }
+  std::size_t bytes() const { return grid_.bytes() + photons_.bytes() + points_.bytes(); }
   /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many it
   /// tested.
   template <class Fn>
@@ -56,8 +54,8 @@ class PhotonGrid {
 
  private:
   PointGrid grid_;
-  std::vector<Gathered> photons_;
-  std::vector<Vec3> points_;
+  Buffer<Gathered> photons_;
+  Buffer<Vec3> points_;
 };
 
 template <class Gathered>
@@ -65,13 +63,13 @@ template <class PhotonOf, class GatheredOf>
 void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered) {
   constexpr std::int64_t kGrain = 1 << 14;
   const auto photons = static_cast<std::int64_t>(count);
-  refit(points_, count);
+  points_.refit(count);
   parallel_for(photons, kGrain, [&](std::int64_t number) {
     const auto i = static_cast<std::size_t>(number);
     points_[i] = photon(i).p;
   });
   grid_.build(points_, cell_size);
-  refit(photons_, count);
+  photons_.refit(count);
   parallel_for(photons, kGrain, [&](std::int64_t place) {
     const auto i = static_cast<std::size_t>(place);
     photons_[i] = gathered(grid_.order()[i]);

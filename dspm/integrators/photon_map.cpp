@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "dspm/grid/counting_sort.h"
-#include "dspm/grid/refit.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
@@ -61,8 +60,8 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
   Places begin(frames + 3);
   turn_into_places(places, begin);
   const std::size_t first_strands = begin[frames + 1];
-  refit(photons_, begin.back());
-  refit(strands_, begin.back() - first_strands);
+  photons_.refit(begin.back());
+  strands_.refit(begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
     for (const Photon& photon : traces[t].*which) {
       if (only != nullptr && !only->hold(photon)) continue;
@@ -104,8 +103,7 @@ void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
 }
 
 std::size_t PhotonMap::bytes() const {
-  std::size_t sum = (photons_.capacity() + strands_.capacity()) * sizeof(Photon*) + common_.bytes() + single_.bytes() +
-                    with_strands_.bytes();
+  std::size_t sum = photons_.bytes() + strands_.bytes() + common_.bytes() + single_.bytes() + with_strands_.bytes();
   for (const auto& grid : of_frame_) sum += grid.bytes();
   return sum;
 }

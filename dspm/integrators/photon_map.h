@@ -55,8 +55,8 @@ class PhotonMap {
 
   static constexpr int kFewFrames = 3;  // up to this many are searched in their own grids, one by one
 
-  std::vector<const Photon*> photons_;  // shared ones, those of each frame, those with strands
-  std::vector<const Strand*> strands_;  // of the latter
+  Buffer<const Photon*> photons_;  // shared ones, those of each frame, those with strands
+  Buffer<const Strand*> strands_;  // of the latter
   std::span<const Strand> of_lights_;
   PhotonGrid<GatheredPhoton> common_, single_;
   std::vector<PhotonGrid<GatheredPhoton>> of_frame_;  // single_, frame by frame; empty if common_ has all

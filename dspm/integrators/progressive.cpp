@@ -247,8 +247,9 @@ class Progressive final : public Integrator {
   template <class Value>
   Image image_of(Value&& value) const {
     Image image(render_.crop.width(), render_.crop.height());
-    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = value(pixel);
+    parallel_for(render_.crop.count(), 1 << 12, [&](std::int64_t pixel) {
+      image.pixels[static_cast<std::size_t>(pixel)] = value(static_cast<int>(pixel));
+    });
     return image;
   }
 

@@ -7,6 +7,7 @@
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
+#include "dspm/integrators/pixel_count.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -60,7 +61,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
                  "light groups need estimator \"kz11\": with \"hj09\" a radius depends on the photons of all lights");
   check_max_depth(params, max_depth, 1);
   params.finish();
-  if (s.photons == -1) s.photons = std::max(1, render.width * render.height);  // pbrt's default
+  if (s.photons == -1) s.photons = pixel_count(render);  // pbrt's default
   s.photon.seed = render.seed;
   s.photon.max_depth = s.hit_point.max_depth = max_depth;
   s.photon.least_alpha = s.hit_point.least_alpha = least_alpha;

@@ -6,6 +6,7 @@
 #include "dspm/math/rng.h"
 #include "dspm/math/vec.h"
 #include "dspm/shapes/beyond_hole.h"
+#include "dspm/shapes/placed_bounds.h"
 #include "dspm/shapes/rounding.h"
 
 namespace dspm {
@@ -43,12 +44,13 @@ float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
 
 }  // namespace
 
-Bounds3 PlacedShape::bounds(int primitive) const {
-  const Bounds3 own = shape->bounds(primitive);
-  if (!in_object_space() || own.empty()) return own;
-  Bounds3 world = to_world.bounds(own);
+Bounds3 PlacedShape::bounds(int primitive) const { return bounds_of(*this, shape->bounds(primitive)); }
+
+Bounds3 bounds_of(const PlacedShape& placed, const Bounds3& own) {
+  if (!placed.in_object_space() || own.empty()) return own;
+  Bounds3 world = placed.to_world.bounds(own);
   const Vec3 reach = max(abs(own.low), abs(own.high));
-  const Vec3 error = round_trip_error(to_world, reach, max(abs(world.low), abs(world.high)));
+  const Vec3 error = round_trip_error(placed.to_world, reach, max(abs(world.low), abs(world.high)));
   world.low = world.low - error;
   world.high = world.high + error;
   return world;

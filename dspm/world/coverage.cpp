@@ -76,15 +76,14 @@ void expect_covered(const SceneDescription& description, const Geometry& geometr
   Faults faults(frames);
   for (FileFrame f = first; f.index() < frames.count(); ++f) expect_light(lights, choices, f, faults);
   for (const WorldShape& shape : geometry.shapes()) {
-    const auto added = shape.present.begin() + first.index();
-    if (shape.nowhere || std::find(added, shape.present.end(), true) == shape.present.end()) continue;
+    if (shape.nowhere || !shape.present.any(first, FileFrame(frames.count()))) continue;
     const bool is_outside = !is_within(shape, sphere), shines = shape.emitter >= 0;
     const bool is_lit = shines && geometry.emitters()[static_cast<std::size_t>(shape.emitter)].is_hidden;
-    for (FileFrame f = first; f.index() < frames.count(); ++f) {
-      if (!shape.present[f.slot()]) continue;
+    shape.present.for_each([&](FileFrame f) {
+      if (f < first) return;
       if (is_outside) faults.add("some of it lies outside of what the checkpoint was begun with", f);
       if (is_lit) faults.add("an area light is seen that was not in the frames that the checkpoint was begun with", f);
-    }
+    });
   }
   faults.report(diagnostics);
 }

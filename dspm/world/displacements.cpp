@@ -8,6 +8,7 @@
 #include "dspm/math/vec.h"
 #include "dspm/shapes/displace.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/world/likeness.h"
 
 namespace dspm {
 namespace {
@@ -81,7 +82,8 @@ GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_p
         const int number = numbers[slot(params)];
         return std::pair{params, number < 0 ? 0 : looks.states_of_number(number)[f.slot()]};
       },
-      [](const auto& a, const auto& b) { return a == b; });
+      [](const auto& a, const auto& b) { return a == b; },
+      [](const auto& state) { return Likeness().add(state.first).add(state.second).number(); });
   if (diagnostics.error_count() > errors) return result;
   for (const auto& [params, state] : result.states.states) {
     Shapes& shapes = result.shapes.emplace_back(still[slot(params)]);

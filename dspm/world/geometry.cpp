@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
@@ -11,6 +12,7 @@
 #include "dspm/shapes/mesh_check.h"
 #include "dspm/shapes/mesh_params.h"
 #include "dspm/shapes/mesh_repair.h"
+#include "dspm/shapes/placed_bounds.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
@@ -41,9 +43,21 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   refuse_unknown_objects();
   for (const ObjectDefinition& object : description.objects)
     if (const auto found = uses.find(object.name); found != uses.end()) add_sources(object.shapes, found->second);
+  find_bounds();
+}
+
+/// What lies within the box so far cannot widen it, so of a million trees few are looked at leaf by leaf.
+void Geometry::find_bounds() {
+  std::unordered_map<const Shape*, Bounds3> boxes;  // in their own spaces
   for (const WorldShape& shape : shapes_) {
-    if (!is_there(shape, description.frames.base().count())) continue;
-    for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+    if (!is_there(shape, description_.frames.base().count())) continue;
+    const Shape& own = *shape.placed.shape;
+    const auto [box, is_new] = boxes.try_emplace(&own);
+    for (int i = 0; is_new && i < own.primitive_count(); ++i) box->second.add(own.bounds(i));
+    Bounds3 wider = bounds_;
+    wider.add(bounds_of(shape.placed, box->second));
+    if (wider.low == bounds_.low && wider.high == bounds_.high) continue;
+    for (int i = 0; i < own.primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
   }
 }
 

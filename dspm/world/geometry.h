@@ -15,16 +15,17 @@
 #include "dspm/shapes/placed_shape.h"
 #include "dspm/world/alphas.h"
 #include "dspm/world/distinct_names.h"
+#include "dspm/world/frame_ranges.h"
 #include "dspm/world/looks.h"
 
 namespace dspm {
 
 /// A shape at one place, and the frames in which it is there.
 struct WorldShape {
-  PlacedShape placed;         // `frames` and `light` are set when a scene is cut
-  std::vector<bool> present;  // by frame of the file
-  int emitter = -1;           // which of Geometry::emitters it belongs to
-  int dynamic_block = -1;     // of the description; -1: static
+  PlacedShape placed;      // `frames` and `light` are set when a scene is cut
+  FrameRanges present;     // in the file
+  int emitter = -1;        // which of Geometry::emitters it belongs to
+  int dynamic_block = -1;  // of the description; -1: static
   const ShapeUse* use = nullptr;
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
   bool nowhere = false;                  // a hole everywhere: no ray can meet it
@@ -44,10 +45,7 @@ struct Emitter : EmissionUse {
 };
 
 /// In some of the first frames.
-inline bool is_there(const WorldShape& shape, int frames) {
-  const auto end = shape.present.begin() + frames;
-  return std::find(shape.present.begin(), end, true) != end;
-}
+inline bool is_there(const WorldShape& shape, int frames) { return shape.present.any(FileFrame(0), FileFrame(frames)); }
 
 class Geometry {
  public:
@@ -62,12 +60,15 @@ class Geometry {
  private:
   struct Source;
   struct Place;
+  struct Placement;
   void refuse_unknown_objects();
+  void find_bounds();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
   std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics) const;
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
                             std::size_t made) const;
+  Placement placement(const ShapeUse& use, const ObjectUse* instance, const Source& source) const;
   static std::vector<int> only_matrices(const Timeline<Place>& places, std::size_t geometries, int base);
   void add_emitter(Emitter emitter);
   void place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone);

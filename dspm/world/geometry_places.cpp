@@ -7,21 +7,24 @@
 #include "dspm/math/frames.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
+#include "dspm/world/likeness.h"
 #include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
 namespace {
 
+Matrix4 matrix_at(Moment moment, const ShapeUse& use, const ObjectUse* instance) {
+  const Matrix4 own = use.world_from_object.at(moment);
+  return instance ? instance->world_from_instance.at(moment) * own : own;
+}
+
 Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
                              const std::vector<bool>& present) {
   return Timeline<Matrix4>::of_moments(
-      frames, present,
-      [&](Moment moment) {
-        const Matrix4 own = use.world_from_object.at(moment);
-        return instance ? instance->world_from_instance.at(moment) * own : own;
-      },
-      [](const Matrix4& a, const Matrix4& b) { return a == b; });
+      frames, present, [&](Moment moment) { return matrix_at(moment, use, instance); },
+      [](const Matrix4& a, const Matrix4& b) { return a == b; },
+      [](const Matrix4& matrix) { return Likeness().add(matrix).number(); });
 }
 
 /// Its mesh file without folder and extension, else its type.
@@ -68,7 +71,8 @@ Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeli
         return Place{source.geometry.states.at(f), matrices.at(f),
                      alpha < 0 ? 0 : looks_.states_of_number(alpha)[f.slot()]};
       },
-      [](const Place& a, const Place& b) { return a == b; });
+      [](const Place& a, const Place& b) { return a == b; },
+      [](const Place& p) { return Likeness().add(p.geometry).add(p.matrix).add(p.alpha).number(); });
 }
 
 /// The only matrix that places each geometry in the base of the file's frames, or in all if it is in none of these; -1
@@ -88,7 +92,18 @@ std::vector<int> Geometry::only_matrices(const Timeline<Place>& places, std::siz
   return only;
 }
 
-void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
+/// Over the frames of the file.
+struct Geometry::Placement {
+  struct OfMade {
+    std::vector<Place> states;
+    std::vector<FrameRanges> seen;  // by state
+    std::vector<int> only;          // by geometry, see only_matrices
+  };
+  std::vector<Matrix4> matrices;
+  std::vector<OfMade> made;
+};
+
+Geometry::Placement Geometry::placement(const ShapeUse& use, const ObjectUse* instance, const Source& source) const {
   std::vector<bool> present(source.params.state_of.size());
   for (std::size_t f = 0; f < present.size(); ++f) present[f] = source.params.state_of[f] >= 0;
   if (instance && instance->dynamic_block >= 0) {
@@ -96,22 +111,42 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
     for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
   const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
-  const int object = object_of(use, instance);
+  Placement placement{matrices.states, {}};
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Timeline<Place> places = places_of(source, matrices, present, i);
-    const std::vector<int> only =
-        only_matrices(places, source.geometry.shapes.size(), description_.frames.base().count());
+    Placement::OfMade made{places.states, std::vector<FrameRanges>(places.states.size()),
+                           only_matrices(places, source.geometry.shapes.size(), description_.frames.base().count())};
+    for (FileFrame f(0); f.slot() < present.size(); ++f)
+      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
+        made.seen[static_cast<std::size_t>(state)].add(f);
+    placement.made.push_back(std::move(made));
+  }
+  return placement;
+}
+
+void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
+  const bool moves = use.world_from_object.is_keyed() || (instance && instance->world_from_instance.is_keyed());
+  const int block = instance ? instance->dynamic_block : -1;
+  std::shared_ptr<const Placement> placement = moves ? nullptr : source.unmoved[block];
+  if (!placement) placement = std::make_shared<const Placement>(this->placement(use, instance, source));
+  if (!moves) source.unmoved[block] = placement;
+  std::vector<Matrix4> matrices = placement->matrices;
+  if (!moves)
+    for (Matrix4& only : matrices) only = matrix_at(Moment(), use, instance);
+  const int object = object_of(use, instance);
+  for (std::size_t i = 0; i < source.materials.size(); ++i) {
+    const Placement::OfMade& made = placement->made[i];
     std::map<int, std::shared_ptr<const Shape>> in_world;  // by geometry
     Emitter emitter{source.lights[i], {}};
-    const std::size_t first = shapes_.size();
     ++placed_;
-    for (const Place& place : places.states) {
+    for (std::size_t p = 0; p < made.states.size(); ++p) {
+      const Place& place = made.states[p];
       const auto state = static_cast<std::size_t>(place.geometry);
       std::shared_ptr<const Shape> shape = source.geometry.shapes[state][i];
-      Transform to_world(matrices.states[static_cast<std::size_t>(place.matrix)]);
+      Transform to_world(matrices[static_cast<std::size_t>(place.matrix)]);
       // A mesh that stays in one place is moved into world space; one that moves rigidly or is instanced is stored
       // once.
-      if (alone && only[state] == place.matrix && shape->triangles()) {
+      if (alone && made.only[state] == place.matrix && shape->triangles()) {
         std::shared_ptr<const Shape>& moved = in_world[place.geometry];
         if (!moved && to_world.is_identity()) moved = shape;
         if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
@@ -120,6 +155,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       WorldShape& world = shapes_.emplace_back();
       owned_.push_back(shape);
       world.use = &use;
+      world.present = made.seen[p];
       world.placed.shape = shape.get();
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();
@@ -129,16 +165,12 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.object = object;
       world.placed.cutout_key = placed_;
       world.dynamic_block = instance && use.dynamic_block < 0 ? instance->dynamic_block : use.dynamic_block;
-      world.present.resize(present.size());
       alphas_.set(world, source.alphas[i], place.alpha);
       if (emitter.use) {
         world.emitter = static_cast<int>(emitters_.size());
         emitter.shapes.push_back(static_cast<int>(shapes_.size()) - 1);
       }
     }
-    for (FileFrame f(0); f.index() < static_cast<int>(present.size()); ++f)
-      if (const int state = places.at(f); state >= 0 && is_seen(source.materials[i], f))
-        shapes_[first + static_cast<std::size_t>(state)].present[f.slot()] = true;
     if (emitter.use) add_emitter(std::move(emitter));
   }
 }

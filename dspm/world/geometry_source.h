@@ -1,6 +1,8 @@
 // What Geometry makes of a Shape directive before it places it.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "dspm/lang/description.h"
@@ -20,6 +22,8 @@ struct Geometry::Source {
   std::vector<int> alphas;          // likewise, see WorldShape
   bool caustics = true;             // see PlacedShape
   GeometryStates geometry;
+  // By the instances' dynamic block: objects that do not move differ in nothing but their matrix.
+  std::map<int, std::shared_ptr<const Placement>> unmoved;
 
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
   bool absorb(Source& next) {

@@ -10,6 +10,7 @@
 #include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/world/likeness.h"
 #include "dspm/world/same_in_all_frames.h"
 #include "dspm/world/variations.h"
 
@@ -65,13 +66,15 @@ class LightMaker {
     const AreaLightUse& use = *emitter.use;
     const auto* plugin = area_light_plugins().find(use.type, use.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
+    std::vector<int> shape_of(static_cast<std::size_t>(description_.frames.count()), -1);
+    for (const int shape : emitter.shapes)
+      geometry_.shapes()[static_cast<std::size_t>(shape)].present.for_each(
+          [&](FileFrame f) { shape_of[f.slot()] = shape; });
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
-      for (const int shape : emitter.shapes)
-        if (geometry_.shapes()[static_cast<std::size_t>(shape)].present[f.slot()])
-          return emitter.of_material < 0
-                     ? LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden}
-                     : of_material(emitter, shape, f);
-      return std::nullopt;
+      const int shape = shape_of[f.slot()];
+      if (shape < 0) return std::nullopt;
+      if (emitter.of_material >= 0) return of_material(emitter, shape, f);
+      return LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden};
     });
     auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
     if (light) light->is_delta = emitter.is_hidden;
@@ -99,8 +102,9 @@ class LightMaker {
 
   template <class At>
   Timeline<LightState> timeline(At&& at) const {
-    return Timeline<LightState>::of(description_.frames.count(), at,
-                                    [](const LightState& a, const LightState& b) { return a == b; });
+    return Timeline<LightState>::of(
+        description_.frames.count(), at, [](const LightState& a, const LightState& b) { return a == b; },
+        [](const LightState& s) { return Likeness().add(s.shape).add(s.placement).add(s.params).number(); });
   }
 
   std::optional<WorldLight> finish(const PluginUse& use, std::string name, const Plugin<MakeLight>& plugin,

@@ -12,6 +12,7 @@
 #include "dspm/math/transform.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/texture.h"
+#include "dspm/world/likeness.h"
 #include "dspm/world/timeline.h"
 
 namespace dspm {
@@ -58,6 +59,18 @@ struct Recipe {
            a.params.same_values(b.params);
   }
 };
+
+template <class T>
+void add_ingredients(Likeness& likeness, const std::vector<Ingredient<T>>& ingredients) {
+  for (const Ingredient<T>& each : ingredients) likeness.add(static_cast<const void*>(each.look)).add(each.state);
+}
+
+inline std::uint64_t likeness_of(const Recipe& recipe) {
+  Likeness all;
+  all.add(recipe.placement).add(recipe.params);
+  add_ingredients(all, recipe.numbers), add_ingredients(all, recipe.colours), add_ingredients(all, recipe.materials);
+  return all.number();
+}
 
 template <class T>
 struct Look {

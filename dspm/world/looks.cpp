@@ -39,6 +39,12 @@ struct Source {
     return a.use.plugin == b.use.plugin && a.moment == b.moment && a.numbers == b.numbers && a.colours == b.colours &&
            a.materials == b.materials;
   }
+  std::uint64_t likeness() const {
+    Likeness all;
+    all.add(static_cast<const void*>(use.plugin)).add(moment.frames());
+    add_ingredients(all, numbers), add_ingredients(all, colours), add_ingredients(all, materials);
+    return all.number();
+  }
   Recipe recipe() const {
     return {use.plugin,
             use.plugin->params.is_keyed() ? use.plugin->params.at(moment) : use.plugin->params,
@@ -133,11 +139,13 @@ Timeline<Recipe> Looks::recipes_of(const Definition& definition) const {
         add_ingredients(source.materials, use.plugin->params, f);
         return std::optional(std::move(source));
       },
-      [](const Source& a, const Source& b) { return a == b; });
+      [](const Source& a, const Source& b) { return a == b; }, [](const Source& source) { return source.likeness(); });
   Timeline<Recipe> recipes;
+  Timeline<Recipe>::Index index;
   std::vector<int> recipe_of;
   for (const Source& source : sources.states)
-    recipe_of.push_back(recipes.place(source.recipe(), [](const Recipe& a, const Recipe& b) { return a == b; }));
+    recipe_of.push_back(recipes.place(
+        source.recipe(), index, [](const Recipe& a, const Recipe& b) { return a == b; }, likeness_of));
   for (const int source : sources.state_of) recipes.state_of.push_back(recipe_of[static_cast<std::size_t>(source)]);
   return recipes;
 }

@@ -159,7 +159,7 @@ int Looks::opacity(int material, int of_shape) {
         const int state = of_shape < 0 ? 0 : numbers_[slot(of_shape)].recipes.at(f);
         return std::optional(opacity_recipe(use, own, own.recipes.at(f), of_shape, state));
       },
-      [](const Recipe& a, const Recipe& b) { return a == b; });
+      [](const Recipe& a, const Recipe& b) { return a == b; }, likeness_of);
   make_states(product, use);
   return known->second = static_cast<int>(numbers_.size()) - 1;
 }

@@ -11,6 +11,7 @@
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/world/likeness.h"
 #include "dspm/world/timeline.h"
 
 namespace dspm {
@@ -20,7 +21,8 @@ inline Timeline<ParamList> param_states(ParamList params, const FileFrames& fram
   if (params.is_keyed())
     return Timeline<ParamList>::of_moments(
         frames, present, [&](Moment moment) { return params.at(moment); },
-        [&](const ParamList& a, const ParamList& b) { return a.same_values(b); });
+        [](const ParamList& a, const ParamList& b) { return a.same_values(b); },
+        [](const ParamList& list) { return Likeness().add(list).number(); });
   Timeline<ParamList> line;
   for (const bool is_there : present) line.state_of.push_back(is_there ? 0 : -1);
   if (std::find(present.begin(), present.end(), true) != present.end()) line.states.push_back(std::move(params));

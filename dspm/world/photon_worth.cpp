@@ -16,8 +16,7 @@ std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphe
   for (const WorldShape& shape : geometry.shapes()) {
     Bounds3 of_shape;
     for (int i = 0; i < shape.placed.shape->primitive_count(); ++i) of_shape.add(shape.placed.bounds(i));
-    for (std::size_t f = 0; f < bounds.size(); ++f)
-      if (shape.present[f]) bounds[f].add(of_shape);
+    shape.present.for_each([&](FileFrame f) { bounds[f.slot()].add(of_shape); });
   }
   std::vector<BoundingSphere> all;
   for (const Bounds3& box : bounds) all.push_back(box.empty() ? of_file : sphere_around(box));

@@ -35,7 +35,7 @@ Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Fi
   for (const FileFrame f : frames) {
     std::vector<const WorldShape*> there;
     for (const WorldShape* shape : shapes)
-      if (shape->present[f.slot()]) there.push_back(shape);
+      if (shape->present.contains(f)) there.push_back(shape);
     s.frames_present += !there.empty();
     places.insert(there.begin(), there.end());
     states.insert(std::move(there));
@@ -81,7 +81,7 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
     (shape.dynamic_block < 0 ? still : moving[static_cast<std::size_t>(shape.dynamic_block)]).push_back(&shape);
   // Outside of blocks, textures of holes and displacement may differ.
   const auto first_changing = std::stable_partition(still.begin(), still.end(), [&](const WorldShape* shape) {
-    return std::all_of(frames.begin(), frames.end(), [&](FileFrame f) { return shape->present[f.slot()]; });
+    return shape->present.among(frames) == FrameSet::first(static_cast<int>(frames.size()));
   });
   const Summary changing = summary({first_changing, still.end()}, frames);
   still.erase(first_changing, still.end());

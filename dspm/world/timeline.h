@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -16,41 +18,51 @@ struct Timeline {
   std::vector<State> states;
   std::vector<int> state_of;  // by frame of the file; -1: absent
 
+  /// States by a number that those which are the same have in common (see likeness.h): few are compared.
+  using Index = std::unordered_map<std::uint64_t, std::vector<int>>;
+  static std::uint64_t unknown(const State&) { return 0; }  // compares all
+
   /// The states that `at(frame)` (an optional State) takes over `frames` frames, each once, in order of first use.
-  template <class At, class Same>
-  static Timeline of(int frames, At&& at, Same&& same) {
+  template <class At, class Same, class Likeness = decltype(unknown)>
+  static Timeline of(int frames, At&& at, Same&& same, Likeness&& likeness = unknown) {
     Timeline line;
+    Index index;
     line.state_of.assign(static_cast<std::size_t>(frames), -1);
     for (FileFrame f(0); f.index() < frames; ++f)
-      if (std::optional<State> state = at(f)) line.state_of[f.slot()] = line.place(std::move(*state), same);
+      if (std::optional<State> state = at(f))
+        line.state_of[f.slot()] = line.place(std::move(*state), index, same, likeness);
     return line;
   }
 
   /// Of a thing that is there in `present` (by frame of the file) and whose state, `at(moment)`, depends on the moment
   /// alone.
-  template <class At, class Same>
-  static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same) {
+  template <class At, class Same, class Likeness = decltype(unknown)>
+  static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same,
+                             Likeness&& likeness = unknown) {
     constexpr int kUnknown = -1;
     Timeline line;
+    Index index;
     line.state_of.assign(present.size(), -1);
     std::vector<int> of_moment(static_cast<std::size_t>(frames.moments()), kUnknown);
     for (FileFrame f(0); f.index() < frames.count(); ++f) {
       if (!present[f.slot()]) continue;
       int& state = of_moment[static_cast<std::size_t>(frames.moment_index(f))];
-      if (state == kUnknown) state = line.place(at(frames.moment(f)), same);
+      if (state == kUnknown) state = line.place(at(frames.moment(f)), index, same, likeness);
       line.state_of[f.slot()] = state;
     }
     return line;
   }
 
   /// The index of that state, which is added if it is new.
-  template <class Same>
-  int place(State state, Same&& same) {
+  template <class Same, class Likeness>
+  int place(State state, Index& index, Same&& same, Likeness&& likeness) {
+    std::vector<int>& alike = index[likeness(state)];
     // Newest first: a thing that changes from frame to frame seldom returns to an old state.
-    for (std::size_t i = states.size(); i-- > 0;)
-      if (same(states[i], state)) return static_cast<int>(i);
+    for (std::size_t i = alike.size(); i-- > 0;)
+      if (same(states[static_cast<std::size_t>(alike[i])], state)) return alike[i];
+    alike.push_back(static_cast<int>(states.size()));
     states.push_back(std::move(state));
-    return static_cast<int>(states.size()) - 1;
+    return alike.back();
   }
 
   /// How many states the first frames have: they come first.

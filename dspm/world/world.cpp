@@ -11,6 +11,7 @@
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
+#include "dspm/world/likeness.h"
 #include "dspm/world/sharing.h"
 #include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
@@ -51,7 +52,8 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
       [](const State& a, const State& b) {
         return a.camera_from_world == b.camera_from_world && a.use->type == b.use->type &&
                (a.use == b.use && !a.use->params.is_keyed() ? true : a.params.same_values(b.params));
-      });
+      },
+      [](const State& state) { return Likeness().add(state.camera_from_world).add(state.params).number(); });
   Timeline<std::shared_ptr<const Camera>> cameras;
   cameras.state_of = states.state_of;
   const int errors = diagnostics.error_count();
@@ -83,13 +85,6 @@ FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::ve
     if (const FrameSet set = frames_in_state(line, static_cast<int>(s), frames); !set.empty())
       result.states.push_back({set, line.states[s]});
   return result;
-}
-
-FrameSet present_in(const WorldShape& shape, const std::vector<FileFrame>& frames) {
-  FrameSet set;
-  for (std::size_t j = 0; j < frames.size(); ++j)
-    if (shape.present[frames[j].slot()]) set |= FrameSet::single(static_cast<Frame>(j));
-  return set;
 }
 
 }  // namespace
@@ -139,7 +134,7 @@ struct World::Impl {
     const auto directives = static_cast<int>(lights.size() - geometry.emitters().size());
     for (const WorldShape* shape : shapes_there(frames)) {
       PlacedShape& placed = shapes.emplace_back(shape->placed);
-      placed.frames = present_in(*shape, frames);
+      placed.frames = shape->present.among(frames);
       placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
     }
     return shapes;
@@ -147,7 +142,7 @@ struct World::Impl {
   std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames) const {
     std::vector<const WorldShape*> there;
     for (const WorldShape& shape : geometry.shapes())
-      if (!shape.nowhere && !present_in(shape, frames).empty()) there.push_back(&shape);
+      if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
     return there;
   }
   /// Gives the scene's shapes their holes.

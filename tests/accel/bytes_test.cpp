@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <stdexcept>
 
+#include "dspm/accel/tree_limits.h"
 #include "dspm/accel/two_level.h"
 #include "dspm/shapes/triangle_mesh.h"
 
@@ -52,6 +55,13 @@ TEST_P(Bytes, AreKnownBefore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Bytes, testing::Values(Extent{100, 8}, Extent{60, 60}, Extent{8, 100}));
+
+TEST(TreeLimits, RefuseWhatCannotBeNumbered) {
+  constexpr std::uint64_t kBillion = 1'000'000'000;
+  expect_numbered(kBillion, kBillion / 2);
+  EXPECT_THROW(expect_numbered(4 * kBillion, 0), std::length_error);
+  EXPECT_THROW(expect_numbered(kBillion, kBillion), std::length_error);
+}
 
 }  // namespace
 }  // namespace dspm

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <stdexcept>
 
 namespace dspm {
 namespace {
@@ -64,6 +65,22 @@ TEST(PointGrid, RebuildsAndEmpties) {
   int found = 0;
   grid.for_each_within({}, 100, [&](std::uint32_t, float) { ++found; });
   EXPECT_EQ(found, 10);
+}
+
+// Nothing is allocated: the points are not looked at.
+TEST(PointGrid, RefusesMorePointsThanItCanNumber) {
+  const Vec3 only{};
+  PointGrid grid;
+  EXPECT_THROW(grid.build(std::span(&only, PointGrid::kMostPoints + 1), 1), std::length_error);
+  EXPECT_GE(PointGrid::kMostPoints, 4'000'000'000u);
+}
+
+// 8 cells a point would be more than 2^32 from 537 million points on.
+TEST(PointGrid, CellsHaveNumbersOf32Bits) {
+  EXPECT_EQ(PointGrid::most_cells(1), 4096u);
+  EXPECT_EQ(PointGrid::most_cells(500'000'000), 4'000'000'000u);
+  for (const std::size_t points : {std::size_t{537'000'000}, std::size_t{4'000'000'000}})
+    EXPECT_EQ(PointGrid::most_cells(points), PointGrid::kMostPoints);
 }
 
 }  // namespace

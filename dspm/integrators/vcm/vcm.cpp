@@ -31,6 +31,7 @@
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/pilot_pixels.h"
+#include "dspm/integrators/pixel_count.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/vcm/camera_subpaths.h"
 #include "dspm/integrators/vcm/light_subpaths.h"
@@ -198,7 +199,7 @@ VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
   demand(s.alpha > 0 && s.alpha < 1, "alpha", "alpha must lie between 0 and 1");
   check_max_depth(params, s.max_depth, 0);
   params.finish();
-  if (s.photons == -1) s.photons = std::max(1, render.width * render.height);
+  if (s.photons == -1) s.photons = pixel_count(render);
   s.sight &= render.jitter;  // no light path arrives at the centres of pixels
   return s;
 }

@@ -1,0 +1,25 @@
+// How much a tree can number: its leaves hold 32 bits, of which some say what is in the leaf.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace dspm {
+
+// Bits of a leaf's number: it is a placed object; its triangles fill two packets.
+inline constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29;
+
+/// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and
+/// placed objects), or if their triangles fill more packets than it can number.
+inline void expect_numbered(std::uint64_t pieces, std::uint64_t packets) {
+  constexpr std::uint64_t kMostPieces = kPlaced;
+  if (pieces <= kMostPieces && packets <= kTwo) return;
+  throw std::length_error(
+      fmt::format("{} million triangles and objects are too many for one tree; ObjectBegin .. ObjectEnd and "
+                  "ObjectInstance store an object once, however often it is placed",
+                  pieces / 1'000'000));
+}
+
+}  // namespace dspm
