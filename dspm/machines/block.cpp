@@ -1,10 +1,7 @@
 #include "dspm/machines/block.h"
 
-#include <sstream>
 #include <stdexcept>
-#include <utility>
 
-#include "dspm/checkpoint/loading_stream.h"
 #include "dspm/system/state_in_memory.h"
 
 namespace dspm {
@@ -15,11 +12,9 @@ std::string rendered(const Block& block, Integrator& integrator, const Scene& sc
   return state_of(integrator);
 }
 
-void add(std::string state, Integrator& integrator) {
-  const std::size_t size = state.size();
-  std::istringstream file(std::move(state));
-  AddingStream adding(file, size);
-  if (!integrator.persist(adding) || adding.left() != 0)
+void add(const std::string& state, Integrator& integrator) {
+  AddedState added(state);
+  if (!integrator.persist(added) || !added.all_read())
     throw std::runtime_error("the state of another machine belongs to another integrator");
 }
 

@@ -24,7 +24,7 @@ struct Block {
 /// integrator's own state is then lost.
 std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero);
 /// Adds a state to the integrator's.
-void add(std::string state, Integrator& integrator);
+void add(const std::string& state, Integrator& integrator);
 void load(const std::string& state, Integrator& integrator);
 
 }  // namespace dspm

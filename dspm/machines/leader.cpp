@@ -29,7 +29,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
       if (std::optional<std::string> state = leader_.desk_.take(begin)) {
         leader_.fetch();
         lock.unlock();
-        add(std::move(*state), *inner_);
+        add(*state, *inner_);
         next_ = Block::from(begin, extent_.iterations, extent_.block).end;
         return;
       }

@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "dspm/system/parallel.h"
 #include "dspm/system/state_stream.h"
 
 namespace dspm {
@@ -33,7 +35,7 @@ class SavedState final : public StateStream {
 };
 
 /// Reads bytes that outlive it.
-class LoadedState final : public StateStream {
+class LoadedState : public StateStream {
  public:
   explicit LoadedState(std::string_view bytes) : left_(bytes) {}
   bool all_read() const { return left_.empty(); }
@@ -45,8 +47,27 @@ class LoadedState final : public StateStream {
     left_.remove_prefix(count);
   }
 
- private:
   std::string_view left_;
+};
+
+/// Adds what adds up, as a part that is merged is (see StateStream).
+class AddedState final : public LoadedState {
+ public:
+  using LoadedState::LoadedState;
+  bool merges() const override { return true; }
+
+ protected:
+  void combine(void* data, std::size_t count, std::size_t size, Combine* one) override {
+    constexpr std::int64_t kGrain = 1 << 14;  // values
+    if (count * size > left_.size()) throw std::runtime_error("it ends too early");
+    parallel_chunks(static_cast<std::int64_t>(count), kGrain, [&](std::int64_t begin, std::int64_t end) {
+      const std::size_t at = static_cast<std::size_t>(begin) * size,
+                        bytes = static_cast<std::size_t>(end - begin) * size;
+      const std::vector<char> aligned(left_.data() + at, left_.data() + at + bytes);  // as the bytes need not be
+      for (std::size_t i = 0; i < bytes; i += size) one(static_cast<char*>(data) + at + i, aligned.data() + i);
+    });
+    left_.remove_prefix(count * size);
+  }
 };
 
 /// The bytes of anything with persist().
