@@ -4,7 +4,7 @@
 
 namespace dspm {
 
-Work work_of(const Integrator& integrator) {
+StepWork work_of(const Integrator& integrator) {
   const Statistics s = integrator.statistics();
   const auto number = [](std::uint64_t count) { return static_cast<double>(count); };
   return {{{number(s.camera.segments.done)},
@@ -13,10 +13,10 @@ Work work_of(const Integrator& integrator) {
            {number(s.gathers.done), number(s.photon_tests), number(s.photons_found.done)}}};
 }
 
-Work mean_work(const Group& runs) {
-  Work mean = work_of(*runs.front().integrator);
+StepWork mean_work(const Group& runs) {
+  StepWork mean = work_of(*runs.front().integrator);
   for (std::size_t run = 1; run < runs.size(); ++run) {
-    const Work more = work_of(*runs[run].integrator);
+    const StepWork more = work_of(*runs[run].integrator);
     for (std::size_t s = 0; s < mean.size(); ++s)
       for (std::size_t kind = 0; kind < mean[s].size(); ++kind) mean[s][kind] += more[s][kind];
   }
@@ -25,7 +25,7 @@ Work mean_work(const Group& runs) {
   return mean;
 }
 
-StepSeconds sharing_factors(const Work& separate, double count, const Work& together) {
+StepSeconds sharing_factors(const StepWork& separate, double count, const StepWork& together) {
   StepSeconds factors{};
   for (std::size_t s = 0; s < separate.size(); ++s)
     for (std::size_t kind = 0; kind < separate[s].size(); ++kind)

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
-#include <utility>
 
 namespace dspm {
 
@@ -20,7 +18,8 @@ class WriteSchedule {
   /// starts anew.
   bool due(int iterations) {
     const std::chrono::duration<double> passed = Clock::now() - last_;
-    const int before = std::exchange(asked_, iterations).value_or(iterations - 1);
+    const int before = asked_ < 0 ? iterations - 1 : asked_;
+    asked_ = iterations;
     const bool yes = (every_.iterations > 0 && iterations / every_.iterations > before / every_.iterations) ||
                      (every_.seconds > 0 && passed.count() >= every_.seconds);
     if (yes) last_ = Clock::now();
@@ -31,7 +30,7 @@ class WriteSchedule {
   using Clock = std::chrono::steady_clock;
   Interval every_;
   Clock::time_point last_ = Clock::now();
-  std::optional<int> asked_;  // at the last call
+  int asked_ = -1;  // at the last call; below 0: none yet
 };
 
 }  // namespace dspm

@@ -25,7 +25,7 @@ TEST(SpreadFrames, LeavesSomeOutEvenly) {
 // Of three kinds of work a, b, c that take 1, 2 and 3 seconds a piece, 4 separate runs do 10, 20, 30 each and all
 // together 20, 40, 20: 4 (10 + 40 + 90) / (20 + 80 + 60) = 3.5, below 6, the factor of the third kind.
 TEST(SharingFactors, AreThoseOfTheKindThatIsSharedMost) {
-  const Work separate = {{{10}, {8}, {0}, {10, 20, 30}}}, together = {{{20}, {32}, {0}, {20, 40, 20}}};
+  const StepWork separate = {{{10}, {8}, {0}, {10, 20, 30}}}, together = {{{20}, {32}, {0}, {20, 40, 20}}};
   EXPECT_EQ(sharing_factors(separate, 4, together), (StepSeconds{2, 1, 0, 6, 0}));
 }
 
