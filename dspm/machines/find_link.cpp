@@ -12,11 +12,17 @@
 namespace dspm {
 namespace {
 
-/// By what Open MPI, and schedulers that start its programs themselves, leave in the environment.
+bool is_above_one(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr && std::atoi(value) > 1;
+}
+
+/// By what Open MPI, and schedulers that start its programs themselves, leave in the environment. Schedulers do so for
+/// single processes, too, which need no MPI.
 bool was_started_by_mpi() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr ||
+         (std::getenv("PMI_RANK") != nullptr && is_above_one("PMI_SIZE")) ||
+         (std::getenv("PMIX_RANK") != nullptr && is_above_one("SLURM_STEP_NUM_TASKS"));
 }
 
 /// Next to the library that this code is in.
@@ -35,13 +41,14 @@ std::unique_ptr<Link> find_link() {
   const std::filesystem::path file = module_file();
   // Open MPI loads modules of its own, which look for its library among those that everybody sees.
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (module == nullptr)
+  void* const make = module != nullptr ? dlsym(module, "dspm_link") : nullptr;
+  if (make == nullptr)
     throw UsageError(
         fmt::format("MPI has started this program, and its module for MPI cannot be loaded ({}); build dspm where "
                     "libopenmpi-dev is installed, or start it without mpirun",
                     dlerror()));
   using MakeLink = Link*();
-  return std::unique_ptr<Link>(reinterpret_cast<MakeLink*>(dlsym(module, "dspm_link"))());
+  return std::unique_ptr<Link>(reinterpret_cast<MakeLink*>(make)());
 }
 
 }  // namespace dspm

@@ -80,6 +80,15 @@ TEST_F(Mpirun, WhatIsWrongIsSaidOnce) {
   EXPECT_EQ(mpirun(3, "--list-variations tiny.dsc"), 0);
 }
 
+TEST_F(Mpirun, ASchedulersSingleProcessIsNoneOfMany) {
+  const std::string arguments = " tiny.dsc --part 1/2 --checkpoint part.ck > out.txt 2> err.txt";
+  EXPECT_EQ(std::system(("cd " + (directory / "").string() + " && PMIX_RANK=0 SLURM_STEP_NUM_TASKS=1 PMI_RANK=0 " +
+                         "PMI_SIZE=1 " DSPM_BINARY + arguments)
+                            .c_str()),
+            0)
+      << contents(directory / "err.txt");
+}
+
 TEST_F(Mpirun, ADeadHelperLeavesTheCheckpointWhole) {
   const std::string image = (directory / "a.exr").string();
   std::thread killer([&] {
