@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-/// The exit code. `others`: machines that help, or null. Throws SceneError if the scene cannot be rendered, UsageError if the options do not fit it, other
-/// exceptions of the standard library if files cannot be written.
+/// The exit code. `others`: machines that help, or null. Throws SceneError if the scene cannot be rendered, UsageError
+/// if the options do not fit it, other exceptions of the standard library if files cannot be written.
 int render_scene(const Options& options, Link* others = nullptr);
 /// Makes everything that a render needs, tries its files and its video, plans its memory, and says so. Returns and
 /// throws likewise.

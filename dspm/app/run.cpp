@@ -50,6 +50,7 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
 int Render::run() {
   const auto begin = std::chrono::steady_clock::now();
   const double seconds_before = checkpoints_.seconds();
+  if (leader_ != nullptr) leader_->expect(digest_of(loaded_.job));
   Session(loaded_, intervals_, memory_, session_settings(), messages_, *this).run();
   onlookers_.reset();
   progress_.reset();
@@ -68,16 +69,14 @@ int Render::run() {
   return InterruptRequests::exit_code(results_.finish(report_) ? 0 : 1);
 }
 
-SessionSettings Render::session_settings() {
+SessionSettings Render::session_settings() const {
   SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
   settings.part = options_.part;
   if (leader_ == nullptr) return settings;
-  leader_->expect(digest_of(loaded_.job));
-  const int block = options_.block.value_or(4);
-  settings.share_out = [this, block](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
+  settings.block = options_.block.value_or(4);
+  settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
     return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), {all, block});
   };
-  settings.at_a_time = [block](int done, int all) { return Block::from(done, all, block).end - done; };
   return settings;
 }
 

@@ -98,7 +98,7 @@ class Render final : public SessionObserver {
 
  private:
   bool is_part() const { return !options_.part.is_all(); }
-  SessionSettings session_settings();
+  SessionSettings session_settings() const;
   void say_end_of_part() const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.

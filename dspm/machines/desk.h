@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dspm/machines/block.h"
+#include "dspm/session/block.h"
 
 namespace dspm {
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dspm/machines/block_state.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/session.h"
 

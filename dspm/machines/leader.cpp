@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dspm/integrators/wrapping_integrator.h"
+#include "dspm/machines/block_state.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/cancellation.h"
 
@@ -67,10 +68,10 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     try {
       state = rendered(block, *inner_, scene, zero_);
     } catch (...) {
-      load(sum, *inner_);
+      load_state(sum, *inner_);
       throw;
     }
-    load(sum, *inner_);
+    load_state(sum, *inner_);
     const std::lock_guard lock(leader_.mutex_);
     leader_.desk_.arrived(block.begin, std::move(state));
     leader_.fetch();

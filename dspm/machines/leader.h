@@ -32,8 +32,9 @@ class Leader {
     int iterations, block;
   };
   /// What all machines together do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that
-  /// follow in its block. `memory`: bytes that each machine's integrator may hold; 0:
-  /// no bound. To be made with RenderSettings::learn_at_once, or each block would learn anew. Its iterate() throws std::runtime_error if another machine has failed. It must not outlive the leader.
+  /// follow in its block. Its iterate() throws std::runtime_error if another machine has failed. It must not outlive the
+  /// leader. `integrator`: made with RenderSettings::learn_at_once, or each block would learn anew. `memory`: bytes that
+  /// each machine's may hold; 0: no bound.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
                                         std::size_t memory, const Extent& extent);
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dspm/machines/block.h"
 #include "dspm/math/frames.h"
+#include "dspm/session/block.h"
 #include "dspm/system/state_in_memory.h"
 
 namespace dspm {
@@ -67,8 +67,7 @@ std::string written(T value) {
 template <class T>
 T read(const std::string& text) {
   T value;
-  LoadedState state(text);
-  value.persist(state);
+  load_state(text, value);
   return value;
 }
 

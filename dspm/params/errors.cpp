@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -157,6 +158,11 @@ void Diagnostics::note(const SourceLocation& where, std::string message, std::st
 void Diagnostics::unsupported(const SourceLocation& where, std::string message, std::string hint) {
   if (lenient_) return warning(where, std::move(message), std::move(hint));
   error(where, std::move(message), std::move(hint));
+}
+
+void Diagnostics::append(Diagnostics part) {
+  errors_ += part.errors_;
+  all_.insert(all_.end(), std::make_move_iterator(part.all_.begin()), std::make_move_iterator(part.all_.end()));
 }
 
 void Diagnostics::throw_if_errors() const {

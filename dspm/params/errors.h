@@ -64,6 +64,9 @@ class Diagnostics {
   /// Something valid that dspm does not support: an error, or a warning with --lenient.
   void unsupported(const SourceLocation& where, std::string message, std::string hint = {});
 
+  /// What was said of a part, after what was said before.
+  void append(Diagnostics part);
+
   int error_count() const { return errors_; }
   bool lenient() const { return lenient_; }
   const std::vector<Diagnostic>& all() const { return all_; }

@@ -29,8 +29,7 @@ void iterate_revertibly(Integrator& integrator, int iteration, const Scene& scen
     const Cancellable nothing_is_lost;
     integrator.iterate(iteration, scene);
   } catch (...) {
-    LoadedState state(*before);
-    integrator.persist(state);
+    load_state(*before, integrator);
     throw;
   }
 }

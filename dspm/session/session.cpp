@@ -6,6 +6,7 @@
 
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
+#include "dspm/session/block.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/cancellation.h"
@@ -115,7 +116,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   };
   while (goes_on() && iterate(progress, scene, integrator, expected())) {
     const int before = progress.iterations;
-    progress.iterations += settings_.at_a_time(before, iterations);
+    progress.iterations = Block::from(before, iterations, settings_.block).end;
     progress.seconds = seconds_before + seconds_since(time.begin);
     progress.error = worst_error(integrator);
     observer_.iteration_done(progress, integrator);

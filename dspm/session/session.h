@@ -26,10 +26,10 @@ struct SessionSettings {
   // state and are not cancelled.
   double long_iteration = 5;
   Part part = {};  // of all iterations
-  /// What iterates an interval: the integrator itself, or one that has other machines help it. The former does one
-  /// iteration at a time, the latter as many as at_a_time() says after so many, of `all`.
+  /// Makes of an interval's integrator one that other machines help: its iterate(i) does all iterations of a block of
+  /// that size. `all`: iterations of the interval; 0: until stopped. Empty: the integrator iterates alone.
   std::function<std::unique_ptr<Integrator>(std::size_t interval, std::unique_ptr<Integrator>, int all)> share_out = {};
-  std::function<int(int done, int all)> at_a_time = [](int, int) { return 1; };
+  int block = 1;
 };
 
 class Session {

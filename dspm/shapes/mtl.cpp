@@ -240,9 +240,8 @@ class Reader {
     const float gain = options.brightness == 0 ? options.contrast : 1;
     set("scale", options.bump_multiplier * gain, 1);
     leave_out_of(picture, "-mm", options.brightness != 0);
-    if (!is_spectrum && options.imfchan == 'r') say("channel", "red");
-    if (!is_spectrum && options.imfchan == 'g') say("channel", "green");
-    if (!is_spectrum && options.imfchan == 'b') say("channel", "blue");
+    for (const char* channel : {"red", "green", "blue"})
+      if (!is_spectrum && options.imfchan == *channel) say("channel", channel);
     leave_out_always(picture);
   }
 

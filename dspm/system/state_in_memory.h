@@ -81,4 +81,11 @@ std::string state_of(Persistent& object) {
   return std::move(state.all);
 }
 
+/// The way back. Throws std::runtime_error if the object cannot have that state.
+template <class Persistent>
+void load_state(std::string_view bytes, Persistent& object) {
+  LoadedState state(bytes);
+  object.persist(state);
+}
+
 }  // namespace dspm

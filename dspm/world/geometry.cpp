@@ -13,12 +13,9 @@
 #include "dspm/shapes/mesh_params.h"
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/placed_bounds.h"
-#include "dspm/shapes/shape_caustics.h"
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/param_states.h"
-#include "dspm/world/same_in_all_frames.h"
-#include "dspm/world/variations.h"
 
 namespace dspm {
 namespace {

@@ -22,14 +22,6 @@ bool are_alike(const ShapeUse& a, const ShapeUse& b) {
          a.params.find("alpha") == nullptr && b.params.find("alpha") == nullptr;
 }
 
-void say_again(const Diagnostics& part, Diagnostics& all) {
-  for (const Diagnostic& d : part.all()) {
-    if (d.severity == Severity::error) all.error(d.where, d.message, d.hint);
-    if (d.severity == Severity::warning) all.warning(d.where, d.message, d.hint);
-    if (d.severity == Severity::note) all.note(d.where, d.message, d.hint);
-  }
-}
-
 }  // namespace
 
 /// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
@@ -47,7 +39,7 @@ void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<
     });
     for (std::size_t i = 0; i < count; ++i) {
       const ShapeUse& use = uses[begin + i];
-      say_again(messages[i], diagnostics_);
+      diagnostics_.append(std::move(messages[i]));
       if (!sources[i] || (open && are_alike(*first, use) && open->absorb(*sources[i]))) continue;
       if (open) add_source(*first, instances, *open);
       first = &use, open = std::move(sources[i]);
@@ -68,15 +60,15 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   const std::vector<ParamList>& states = source.params.states;
   source.made.resize(states.size());
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
-  std::vector<char> caustics(states.size());
   parallel_for(static_cast<std::int64_t>(states.size()), 1, [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
     ParamReader reader(states[at], subject_of(use), use.where, messages[at], description_.main_directory());
-    caustics[at] = read_shape_caustics(reader);
+    const bool caustics = read_shape_caustics(reader);
+    if (at == 0) source.caustics = caustics;  // the same in all states
     source.made[at] = plugin->make(reader);
   });
   for (std::size_t at = 0; at < states.size() && diagnostics.error_count() == 0; ++at)
-    source.caustics = caustics[at] != 0, say_again(messages[at], diagnostics);
+    diagnostics.append(std::move(messages[at]));
   return source.made.empty() || diagnostics.error_count() > 0 ? std::nullopt : std::optional(std::move(source));
 }
 

@@ -69,6 +69,7 @@ inline std::uint64_t likeness_of(const Recipe& recipe) {
   Likeness all;
   all.add(recipe.placement).add(recipe.params);
   add_ingredients(all, recipe.numbers), add_ingredients(all, recipe.colours), add_ingredients(all, recipe.materials);
+  add_ingredients(all, recipe.opacities);
   return all.number();
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "dspm/machines/block_state.h"
 #include "dspm/machines/helper.h"
 #include "dspm/machines/leader.h"
 #include "dspm/scene/scene.h"
@@ -131,7 +132,7 @@ Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
   const auto integrator =
       leader.share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, {run.end, 4});
-  if (!run.before.empty()) load(run.before, *integrator);
+  if (!run.before.empty()) load_state(run.before, *integrator);
   for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) integrator->iterate(i, *scene);
   return sum_of(*integrator, static_cast<int>(frames.size()));
 }

@@ -1,7 +1,6 @@
 // pbrt-v3's shapes as pbrt-v4's.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -22,65 +21,69 @@ constexpr Rule kShapes[] = {
     {"curve", "", "P type N width width0 width1 degree basis splitdepth"},
 };
 
-/// What turns around the z axis, as a mesh with the normals that v3 gives it: cross(dp/du, dp/dv), u being the angle.
-class Turned {
- public:
-  using Profile = std::function<Vec3(float v)>;  // at the angle 0
-  Turned(Edit& edit, Profile profile)
-      : profile_(std::move(profile)), whole_(take_number(edit, "phimax", 360) * kPi / 180) {
-    constexpr int kSlices = 128, kRings = 16;
-    for (int y = 0; y <= kRings; ++y)
-      for (int x = 0; x <= kSlices; ++x) {
-        add(static_cast<float>(x) / kSlices, static_cast<float>(y) / kRings);
-        const int at = x + y * (kSlices + 1), above = at + kSlices + 1;
-        if (x < kSlices && y < kRings) indices_.insert(indices_.end(), {at, at + 1, above + 1, at, above + 1, above});
-      }
-    edit.set_type("trianglemesh");
-    edit.set(ParamType::integer, "indices", std::move(indices_));
-    edit.set(ParamType::point3, "P", std::move(points_));
-    edit.set(ParamType::normal, "N", std::move(normals_));
-    edit.set(ParamType::point2, "uv", std::move(uv_));
-  }
+/// A mesh of nu by nv points over the unit square, row by row, in place of the shape.
+struct Grid {
+  std::vector<float> points, normals;  // no normals, or one for each point
+};
+template <class Add>
+void become_grid(Edit& edit, int nu, int nv, Add&& add) {
+  Grid grid;
+  std::vector<float> uv;
+  std::vector<int> indices;
+  for (int y = 0; y < nv; ++y)
+    for (int x = 0; x < nu; ++x) {
+      const float u = static_cast<float>(x) / static_cast<float>(nu - 1),
+                  v = static_cast<float>(y) / static_cast<float>(nv - 1);
+      const int at = x + y * nu;
+      add(grid, u, v);
+      uv.insert(uv.end(), {u, v});
+      if (x + 1 < nu && y + 1 < nv) indices.insert(indices.end(), {at, at + 1, at + 1 + nu, at, at + 1 + nu, at + nu});
+    }
+  edit.set_type("trianglemesh");
+  edit.set(ParamType::integer, "indices", std::move(indices));
+  edit.set(ParamType::point3, "P", std::move(grid.points));
+  if (!grid.normals.empty()) edit.set(ParamType::normal, "N", std::move(grid.normals));
+  edit.set(ParamType::point2, "uv", std::move(uv));
+}
 
-  static float take_number(Edit& edit, std::string_view name, float fallback) {
-    const float value = edit.number(name).value_or(fallback);
-    edit.take(name);
-    return value;
-  }
+float take_number(Edit& edit, std::string_view name, float fallback) {
+  const float value = edit.number(name).value_or(fallback);
+  edit.take(name);
+  return value;
+}
 
- private:
-  void add(float u, float v) {
-    constexpr float kStep = 1e-3f;  // off the tips, where dp/du is zero
-    const float inside = std::clamp(v, kStep, 1 - kStep), phi = u * whole_;
+/// What turns around the z axis, with the normals that v3 gives it: cross(dp/du, dp/dv), u being the angle.
+/// profile(v): its points at the angle 0.
+template <class Profile>
+void turn(Edit& edit, Profile&& profile) {
+  constexpr int kSlices = 128, kRings = 16;
+  constexpr float kStep = 1e-3f;  // off the tips, where dp/du is zero
+  const float whole = take_number(edit, "phimax", 360) * kPi / 180;
+  become_grid(edit, kSlices + 1, kRings + 1, [&](Grid& grid, float u, float v) {
+    const float inside = std::clamp(v, kStep, 1 - kStep), phi = u * whole;
     const auto turned = [&](const Vec3& p) {
       return Vec3{p.x * std::cos(phi) - p.y * std::sin(phi), p.x * std::sin(phi) + p.y * std::cos(phi), p.z};
     };
-    const Vec3 p = profile_(inside), along = profile_(inside + kStep) - profile_(inside - kStep);
+    const Vec3 p = profile(inside), along = profile(inside + kStep) - profile(inside - kStep);
     Vec3 n = turned(cross(Vec3{-p.y, p.x, 0}, along));
     n = length(n) > 0 ? normalize(n) : Vec3{0, 0, 1};
-    const Vec3 at = turned(profile_(v));
-    points_.insert(points_.end(), {at.x, at.y, at.z});
-    normals_.insert(normals_.end(), {n.x, n.y, n.z});
-    uv_.insert(uv_.end(), {u, v});
-  }
-
-  Profile profile_;
-  float whole_;
-  std::vector<float> points_, normals_, uv_;
-  std::vector<int> indices_;
-};
+    const Vec3 at = turned(profile(v));
+    grid.points.insert(grid.points.end(), {at.x, at.y, at.z});
+    grid.normals.insert(grid.normals.end(), {n.x, n.y, n.z});
+  });
+}
 
 void cone(Edit& edit) {
-  const float radius = Turned::take_number(edit, "radius", 1), height = Turned::take_number(edit, "height", 1);
-  Turned(edit, [=](float v) { return Vec3{radius * (1 - v), 0, height * v}; });
+  const float radius = take_number(edit, "radius", 1), height = take_number(edit, "height", 1);
+  turn(edit, [=](float v) { return Vec3{radius * (1 - v), 0, height * v}; });
 }
 
 void paraboloid(Edit& edit) {
-  const float radius = Turned::take_number(edit, "radius", 1);
-  float low = Turned::take_number(edit, "zmin", 0), high = Turned::take_number(edit, "zmax", 1);
+  const float radius = take_number(edit, "radius", 1);
+  float low = take_number(edit, "zmin", 0), high = take_number(edit, "zmax", 1);
   if (low > high) std::swap(low, high);
   if (!(high > 0 && low >= 0)) throw SyntaxError(edit.where(), "a paraboloid needs 0 <= zmin <= zmax and zmax above 0");
-  Turned(edit, [=](float v) {
+  turn(edit, [=](float v) {
     const float z = std::lerp(low, high, v);
     return Vec3{radius * std::sqrt(z / high), 0, z};
   });
@@ -93,7 +96,7 @@ void hyperboloid(Edit& edit) {
     return p.size() == 3 ? Vec3{p[0], p[1], p[2]} : fallback;
   };
   const Vec3 a = end("p1", {0, 0, 0}), b = end("p2", {1, 1, 1});
-  Turned(edit, [=](float v) { return a + (b - a) * v; });
+  turn(edit, [=](float v) { return a + (b - a) * v; });
 }
 
 /// The number of an integer parameter; 0: none.
@@ -111,21 +114,10 @@ void heightfield(Edit& edit) {
   if (heights == nullptr || nu < 2 || nv < 2 || heights->size() % static_cast<std::size_t>(nu) != 0 ||
       heights->size() / static_cast<std::size_t>(nu) != static_cast<std::size_t>(nv))
     throw SyntaxError(edit.where(), "a heightfield needs nu * nv values \"Pz\", with nu and nv from 2 on");
-  std::vector<float> points, uv;
-  std::vector<int> indices;
-  for (int y = 0; y < nv; ++y)
-    for (int x = 0; x < nu; ++x) {
-      const float u = static_cast<float>(x) / static_cast<float>(nu - 1),
-                  v = static_cast<float>(y) / static_cast<float>(nv - 1);
-      const int at = x + y * nu;
-      points.insert(points.end(), {u, v, (*heights)[static_cast<std::size_t>(at)]});
-      uv.insert(uv.end(), {u, v});
-      if (x + 1 < nu && y + 1 < nv) indices.insert(indices.end(), {at, at + 1, at + 1 + nu, at, at + 1 + nu, at + nu});
-    }
-  edit.set_type("trianglemesh");
-  edit.set(ParamType::integer, "indices", std::move(indices));
-  edit.set(ParamType::point3, "P", std::move(points));
-  edit.set(ParamType::point2, "uv", std::move(uv));
+  auto height = heights->begin();
+  become_grid(edit, nu, nv, [&](Grid& grid, float u, float v) {
+    grid.points.insert(grid.points.end(), {u, v, *height++});
+  });
 }
 
 constexpr std::pair<std::string_view, void (*)(Edit&)> kMeshes[] = {

@@ -1,4 +1,4 @@
-#include "dspm/machines/block.h"
+#include "dspm/machines/block_state.h"
 
 #include <stdexcept>
 
@@ -7,7 +7,7 @@
 namespace dspm {
 
 std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero) {
-  load(zero, integrator);
+  load_state(zero, integrator);
   for (int i = block.begin; i < block.end; ++i) integrator.iterate(i, scene);
   return state_of(integrator);
 }
@@ -16,11 +16,6 @@ void add(const std::string& state, Integrator& integrator) {
   AddedState added(state);
   if (!integrator.persist(added) || !added.all_read())
     throw std::runtime_error("the state of another machine belongs to another integrator");
-}
-
-void load(const std::string& state, Integrator& integrator) {
-  LoadedState loaded(state);
-  integrator.persist(loaded);
 }
 
 }  // namespace dspm

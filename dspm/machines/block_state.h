@@ -1,0 +1,19 @@
+// What a machine makes of a block of iterations: one term of the sum over all of them. The terms are added in the order of
+// their numbers, so the bits do not depend on which machine did which, nor on how many there are.
+#pragma once
+
+#include <string>
+
+#include "dspm/integrators/integrator.h"
+#include "dspm/scene/scene.h"
+#include "dspm/session/block.h"
+
+namespace dspm {
+
+/// The state that the block's iterations make of `zero`, which is that before any. Throws what iterations throw; the
+/// integrator's own state is then lost.
+std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero);
+/// Adds a state to the integrator's.
+void add(const std::string& state, Integrator& integrator);
+
+}  // namespace dspm
