@@ -55,10 +55,10 @@ class CoarseView final : public SessionObserver {
 
 }  // namespace
 
-std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages) {
+std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages, KeptGeometry& kept) {
   Choices choices = options;
   choices.quick = true, choices.iterations = kIterations, choices.until_error = 0;
-  auto loaded = std::make_unique<LoadedScene>(options.scenes, choices, messages);
+  auto loaded = std::make_unique<LoadedScene>(options.scenes, choices, messages, std::nullopt, &kept);
   loaded->job.settings.file = nullptr;  // so that nothing is learned
   thin_photons(loaded->job);
   return loaded;

@@ -11,7 +11,8 @@
 namespace dspm {
 
 /// The scene in that size. Throws SceneError if it cannot be rendered.
-std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages);
+/// `kept`: see WorldOptions.
+std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages, KeptGeometry& kept);
 /// Ends early if `page` wants an end.
 void show_coarsely(const LoadedScene& loaded, LivePage& page);
 

@@ -64,6 +64,23 @@ Onlookers::Onlookers(const Job& job, const OnlookerSettings& settings, const Vie
 
 Onlookers::~Onlookers() = default;
 
+std::size_t Onlookers::bytes_at_most(const Job& job, const OnlookerSettings& settings) {
+  constexpr std::size_t kFloats = 3 * sizeof(float);
+  const auto pixels = static_cast<std::size_t>(job.settings.crop.count());
+  const std::size_t frames = std::min<std::size_t>(job.frames.size(), kMaxFrames);
+  std::size_t bytes = 0;
+  // What waits for the server is sent whole before there is more.
+  if (!settings.display_server.empty()) bytes += pixels * kFloats * (frames * (1 + job.outputs.size()) + 1);
+  if (settings.preview) {
+    const TerminalSize terminal = size_of_terminal(STDERR_FILENO);
+    const auto shown = static_cast<std::size_t>(terminal.columns * terminal.cell_width) *
+                       static_cast<std::size_t>(terminal.rows * terminal.cell_height);
+    constexpr std::size_t kSheetAndText = 3 * kFloats;
+    bytes += 2 * pixels * kFloats + shown * kSheetAndText;
+  }
+  return bytes;
+}
+
 bool Onlookers::can_be_afforded() const { return spent_ * kShare <= std::chrono::steady_clock::now() - begin_; }
 
 void Onlookers::look(const FrameList& interval, const Integrator& integrator, bool last) {

@@ -26,6 +26,9 @@ class Onlookers {
   Onlookers(const Onlookers&) = delete;
   Onlookers& operator=(const Onlookers&) = delete;
 
+  /// What they may hold at a time: images on their way to the server, and those of the preview.
+  static std::size_t bytes_at_most(const Job& job, const OnlookerSettings& settings);
+
   bool any() const { return server_ != nullptr || terminal_ != nullptr; }
   /// Shows the images of an interval, unless looking has taken more than its share of the time; the last ones always.
   void look(const FrameList& interval, const Integrator& integrator, bool last);

@@ -92,7 +92,7 @@ int load_and(const Options& options, const Surroundings& around, const std::func
              const std::function<int(Render&, const LoadedScene&)>& task) {
   std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
   if (!options.stats.empty()) count_work();
-  LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages);
+  LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages, std::nullopt, around.kept);
   prepare(options, resumed.get(), around.leader != nullptr, loaded.job);
   before();
   Render render(loaded, options, around, std::move(resumed));

@@ -9,6 +9,7 @@
 #include "dspm/system/files_read.h"
 #include "dspm/system/parallel.h"
 #include "dspm/system/standard_streams.h"
+#include "dspm/world/kept_geometry.h"
 
 namespace dspm {
 namespace {
@@ -26,7 +27,7 @@ int render_once(Options options, const Surroundings& around, Edits& edits) {
   forget_files_read();
   step_begins();
   std::unique_ptr<LoadedScene> coarse = edits.take();
-  if (coarse == nullptr) coarse = load_coarsely(options, around.messages);
+  if (coarse == nullptr) coarse = load_coarsely(options, around.messages, *around.kept);
   show_coarsely(*coarse, *around.live);
   coarse.reset();
   if (around.live->is_restarting()) return 0;
@@ -40,19 +41,21 @@ int render_once(Options options, const Surroundings& around, Edits& edits) {
 int render_live(Options options) {
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
-  LivePage live(*options.serve);
+  LivePage live(*options.serve, options.view);
   LiveMessages messages(options.quiet, live);
   messages.say("the page is at {}", live.url());
+  if (options.view.view.starts_with("ocio")) messages.say("the page knows no OpenColorIO: it shows agx");
   MemoryBound memory(0);
   Watch watch(options.patience);
   LastWords last_words;
   const InterruptRequests interrupts;
-  const Surroundings around{messages, memory, watch, last_words, &live};
+  KeptGeometry kept;
+  const Surroundings around{messages, memory, watch, last_words, &live, &kept};
   Edits edits(live, options.scenes, [&] {
     LiveMessages of_edit(options.quiet, live);
     Options edited = options;
     edited.look_at = live.camera();
-    return load_coarsely(edited, of_edit);
+    return load_coarsely(edited, of_edit, kept);
   });
   for (;;) try {
       const int code =

@@ -42,8 +42,9 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
       results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
                [this] { return end_wanted(); }),
       checkpoints_(loaded.job, options, std::move(resumed), messages_),
-      intervals_(around.memory.plan(loaded.job, *loaded.world, results_.bytes_while_writing(), checkpoints_.intervals(),
-                                    messages_, *this)) {
+      intervals_(around.memory.plan(loaded.job, *loaded.world,
+                                    results_.bytes_while_writing() + Onlookers::bytes_at_most(loaded.job, options),
+                                    checkpoints_.intervals(), messages_, *this)) {
   report_.threads = thread_count();
 }
 

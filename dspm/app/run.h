@@ -29,8 +29,9 @@ struct Surroundings {
   MemoryBound& memory;
   Watch& watch;
   LastWords& last_words;
-  LivePage* live = nullptr;  // if there is one
-  Leader* leader = nullptr;  // if other machines help
+  LivePage* live = nullptr;      // if there is one
+  Leader* leader = nullptr;      // if other machines help
+  KeptGeometry* kept = nullptr;  // see WorldOptions
 };
 
 /// That a run reads and writes besides its images.

@@ -3,6 +3,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
+#include "dspm/output/image_name.h"
 #include "dspm/output/json.h"
 
 namespace dspm {
@@ -79,9 +80,25 @@ void write_outputs(JsonWriter& json, std::span<const OutputInfo> outputs) {
   json.end_array();
 }
 
+void write_texts(JsonWriter& json, const char* name, std::span<const std::string> texts) {
+  json.key(name).begin_array();
+  for (const std::string& text : texts) json.value(text);
+  json.end_array();
+}
+
+std::vector<std::string> names_of_images(const Job& job) {
+  std::vector<std::string> names;
+  for (const FileFrame frame : job.frames)
+    names.push_back(image_name(job.film.filename, job.numbered ? std::optional(job.moment(frame)) : std::nullopt,
+                               job.variation(frame))
+                        .string());
+  return names;
+}
+
 }  // namespace
 
-std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs, int number) {
+std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs,
+                         const ViewSettings& view, int number) {
   JsonWriter json;
   json.begin_object();
   json.member("run", number);
@@ -96,6 +113,12 @@ std::string describe_run(const Job& job, const Scene& scene, std::span<const Out
   write_axes(json, *job.description);
   write_frames(json, job);
   write_outputs(json, outputs);
+  write_texts(json, "groups", scene.light_groups);
+  write_texts(json, "images", names_of_images(job));
+  json.key("view").begin_object();
+  json.member("name", view.view.empty() || view.view.starts_with("ocio") ? "agx" : view.view);
+  json.member("stops", view.stops);
+  json.end_object();
   json.end_object();
   return json.text();
 }

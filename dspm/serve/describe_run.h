@@ -5,13 +5,15 @@
 #include <string>
 
 #include "dspm/integrators/output_info.h"
+#include "dspm/output/view.h"
 #include "dspm/scene/scene.h"
 #include "dspm/world/job.h"
 
 namespace dspm {
 
-/// JSON: the frames of the job with their moments and choices, the axes, the size, frames per second, the outputs,
-/// and where the cameras and the scene are.
-std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs, int number);
+/// JSON: the frames of the job with their moments and choices, the axes, the size, frames per second, the outputs, the
+/// groups of lights, where the cameras and the scene are, the names of the images, and how PNGs show them.
+std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs,
+                         const ViewSettings& view, int number);
 
 }  // namespace dspm

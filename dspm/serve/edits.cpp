@@ -1,7 +1,5 @@
 #include "dspm/serve/edits.h"
 
-#include <sys/stat.h>
-
 #include <utility>
 
 #include "dspm/system/cancellation.h"
@@ -10,13 +8,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks(100), kQuiet(40);
-
-FileStamp stamp_of(const std::filesystem::path& file) {
-  struct stat status = {};
-  if (stat(file.c_str(), &status) != 0) return {};
-  return {status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
-}
+constexpr std::chrono::milliseconds kBetweenLooks(40), kQuiet(30);
 
 FileStamps stamps_of(const std::vector<std::string>& files) {
   FileStamps stamps;

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstdint>
-#include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,16 +11,9 @@
 
 #include "dspm/serve/live_page.h"
 #include "dspm/session/load.h"
+#include "dspm/system/file_stamp.h"
 
 namespace dspm {
-
-/// What changes when a file is saved.
-struct FileStamp {
-  std::uint64_t number = 0;  // of the file
-  std::int64_t size = 0, seconds = 0, nanoseconds = 0;
-  friend bool operator==(const FileStamp&, const FileStamp&) = default;
-};
-using FileStamps = std::map<std::filesystem::path, FileStamp>;
 
 class Edits {
  public:

@@ -1,5 +1,7 @@
 #include "dspm/serve/live_page.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -17,6 +19,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick(30);
 constexpr int kKeptWidth = 256;  // of the pictures that stay of earlier intervals
+
+double processor_seconds() {
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 int slot_of(const Job& job, FileFrame frame) {
   return static_cast<int>(std::lower_bound(job.frames.begin(), job.frames.end(), frame) - job.frames.begin());
@@ -53,7 +61,7 @@ void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& i
       outputs_.push_back(output);
   pictures_.reset();
   gallery_.begin_run(static_cast<int>(job.frames.size()));
-  board_.set_run(describe_run(job, scene, outputs_, ++run_));
+  board_.set_run(describe_run(job, scene, outputs_, view_, ++run_));
   show_state("rendering");
 }
 
@@ -74,7 +82,9 @@ void LivePage::show_pictures(const Exhibit& exhibit, int iterations) {
   const std::vector<Wish> wishes = gallery_.wanted(iterations);
   if (wishes.empty()) return;
   const Ration::Clock::time_point begin = Ration::Clock::now();
+  const double spent = processor_seconds();
   take(exhibit, wishes);
+  looking_ += processor_seconds() - spent;
   pictures_.took(begin);
 }
 
@@ -157,6 +167,7 @@ void LivePage::show_state(const char* phase) {
   json.member("iterations", progress_.iterations);
   json.member("of", iterations_);
   json.member("seconds", outlook_.seconds);
+  json.member("looking", looking_);
   json.member("share", outlook_.share);
   if (outlook_.seconds_left) json.member("left", *outlook_.seconds_left);
   if (progress_.error) json.member("error", *progress_.error);

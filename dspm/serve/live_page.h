@@ -10,6 +10,7 @@
 #include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/math/frames.h"
+#include "dspm/output/view.h"
 #include "dspm/scene/scene.h"
 #include "dspm/serve/board.h"
 #include "dspm/serve/gallery.h"
@@ -40,7 +41,8 @@ struct Exhibit {
 class LivePage {
  public:
   /// Throws std::runtime_error if it cannot listen there.
-  explicit LivePage(const ServeAddress& address) : server_(address, gallery_, board_, orders_) {}
+  LivePage(const ServeAddress& address, const ViewSettings& view)
+      : view_(view), server_(address, gallery_, board_, orders_) {}
 
   std::string url() const { return server_.url(); }
 
@@ -91,6 +93,7 @@ class LivePage {
   std::optional<Taken> take_one(const Exhibit& exhibit, const Wish& wish) const;
   void show_state(const char* phase);
 
+  const ViewSettings view_;
   Gallery gallery_;
   Board board_;
   Orders orders_;
@@ -102,7 +105,8 @@ class LivePage {
   Outlook outlook_;
   std::string step_;
   Ration pictures_{0.012};
-  Server server_;  // last: its threads use the others
+  double looking_ = 0;  // processor time that pictures took
+  Server server_;       // last: its threads use the others
 };
 
 /// Messages that appear on the page, too.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -93,7 +94,10 @@ struct Server::Impl {
     http.Get(path("events"), [this](const auto& request, auto& response) { send_events(request, response); });
     http.Post(path("pictures"), [this](const auto& request, auto& response) { send_pictures(request, response); });
     take_orders();
-    listener = std::thread([this] { http.listen_after_bind(), ended = true; });
+    listener = std::thread([this] {
+      pthread_setname_np(pthread_self(), "dspm page");  // and so are the threads that it starts
+      http.listen_after_bind(), ended = true;
+    });
   }
   ~Impl() {
     board.close(), gallery.close();

@@ -12,6 +12,7 @@
 #include "dspm/system/read_file.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
+#include "dspm/world/kept_geometry.h"
 
 namespace dspm {
 
@@ -58,7 +59,7 @@ void place_camera(CameraUse& camera, const std::array<double, 9>& v) {
 }  // namespace
 
 LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
-                         std::optional<FileFrame> only) {
+                         std::optional<FileFrame> only, KeptGeometry* kept) {
   Diagnostics diagnostics(choices.lenient);
   std::optional<StepTimer> reading(steps[0]);
   SceneDescription read = parse_files(files, parse_options_of(choices), diagnostics);
@@ -66,9 +67,10 @@ LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& c
   if (only) read.frames = read.frames.only(*only);
   if (choices.look_at && read.camera) place_camera(*read.camera, *choices.look_at);
   description = std::make_unique<SceneDescription>(std::move(read));
-  make(choices, diagnostics);
+  make(choices, diagnostics, kept);
   messages.show(diagnostics);
   diagnostics.throw_if_errors();
+  if (kept != nullptr) kept->scene_is_loaded();
 }
 
 LoadedScene::LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics)
@@ -78,11 +80,11 @@ LoadedScene::LoadedScene(const std::string& name, std::string text, const Choice
   diagnostics.throw_if_errors();
 }
 
-void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics) {
+void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeometry* kept) {
   const StepTimer timer(steps[1]);
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
-  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal};
+  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept};
   world = std::make_unique<World>(*description, world_options, diagnostics);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });

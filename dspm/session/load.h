@@ -15,9 +15,9 @@ namespace dspm {
 
 /// Throws SceneError with all errors of the scene; warnings and notes have been shown by then.
 struct LoadedScene {
-  /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone.
+  /// `files`: one scene; "-": standard input. `only`: as if the file held that frame alone. `kept`: see WorldOptions.
   LoadedScene(const std::vector<std::string>& files, const Choices& choices, Messages& messages,
-              std::optional<FileFrame> only = std::nullopt);
+              std::optional<FileFrame> only = std::nullopt, KeptGeometry* kept = nullptr);
   /// Likewise, without Choices::look_at, from a text in memory; files that it names are looked for next to `name`.
   LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics);
 
@@ -27,7 +27,7 @@ struct LoadedScene {
   std::vector<StepTime> steps = {{"reading the scene"}, {"making objects"}};
 
  private:
-  void make(const Choices& choices, Diagnostics& diagnostics);
+  void make(const Choices& choices, Diagnostics& diagnostics, KeptGeometry* kept = nullptr);
 };
 
 /// How glTF files are to be read.

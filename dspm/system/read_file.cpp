@@ -98,7 +98,7 @@ std::string read_stream(std::istream& stream, std::size_t expected) {
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path) {
-  if (is_inner_file(path)) return read_other_bytes(path);  // the file around it has been noted
+  if (is_inner_file(path)) return note_inner_file_read(), read_other_bytes(path);  // the one around it has been noted
   std::string bytes = read_other_bytes(path);
   note_file_read(path, bytes);
   return bytes;

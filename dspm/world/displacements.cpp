@@ -22,7 +22,7 @@ class Displacer {
         to_world_(use.world_from_object.at(description.frames.moment(FileFrame(0)))) {}
 
   /// Its number among those of Looks; -1: not displaced.
-  int number_of(const MadeShape& made) {
+  int number_of(const SourceShape& made) {
     if (!made.displacement) return -1;
     const ValueOrTexture<float>& distance = made.displacement->distance;
     if (distance.texture.empty() && distance.value == 0) return -1;
@@ -70,7 +70,7 @@ GeometryStates displaced(const ShapeUse& use, const std::vector<int>& state_of_p
     numbers.push_back(shapes.empty() ? -1 : displacer.number_of(shapes.front()));
     wanted.push_back(shapes.empty() ? std::nullopt : shapes.front().displacement);
     Shapes& kept = still.emplace_back();
-    for (MadeShape& each : shapes) kept.emplace_back(std::move(each.shape));
+    for (SourceShape& each : shapes) kept.emplace_back(std::move(each.shape));
   }
   GeometryStates result;
   const auto slot = [](int i) { return static_cast<std::size_t>(i); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,14 @@
 
 namespace dspm {
 
-/// What a Shape directive made, by index.
-using MadeShapes = std::vector<MadeShape>;
+/// What a Shape directive made, by index. Shapes may be shared with other scenes that have them; those are not changed.
+struct SourceShape {
+  std::shared_ptr<Shape> shape;
+  std::optional<FileMaterial> material;
+  bool repair = false;
+  std::optional<Displacement> displacement;
+};
+using MadeShapes = std::vector<SourceShape>;
 using Shapes = std::vector<std::shared_ptr<const Shape>>;
 
 /// The geometry of a Shape directive over the frames of the file.

@@ -16,6 +16,7 @@
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/param_states.h"
+#include "dspm/world/shape_maker.h"
 
 namespace dspm {
 namespace {
@@ -28,11 +29,13 @@ bool is_open(const ParamList& params) {
 
 }  // namespace
 
-Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics)
+Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
+                   Diagnostics& diagnostics)
     : description_(description),
       looks_(looks),
       alphas_(description, looks, diagnostics),
       diagnostics_(diagnostics),
+      kept_(kept),
       check_meshes_(check_meshes) {
   add_sources(description.shapes, {});
   std::map<std::string, std::vector<const ObjectUse*>> uses;
@@ -67,12 +70,27 @@ void Geometry::refuse_unknown_objects() {
                          did_you_mean(use.name, names));
 }
 
+/// What has no file and may absorb others is made again; if it is what it was, the scene gets the shape from before.
+void Geometry::share_kept(Source& source) const {
+  if (kept_ == nullptr) return;
+  for (std::size_t s = 0; s < source.keys.size(); ++s) {
+    if (are_meshes(source.made[s])) continue;
+    ContentKey settled = source.keys[s];
+    settled.add("settled");
+    if (auto known = kept_->find(settled))
+      source.made[s] = *std::move(known);
+    else
+      kept_->keep(settled, source.made[s], {}, KeptGeometry::Clock::now());
+  }
+}
+
 void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source) {
   const int errors = diagnostics_.error_count();
   for (MadeShapes& made : source.made)
-    for (MadeShape& each : made) each.shape->settle();
+    for (SourceShape& each : made) each.shape->settle();
+  share_kept(source);
   const int alpha = alphas_.of(use);
-  for (const MadeShape& shape : source.made.front()) {
+  for (const SourceShape& shape : source.made.front()) {
     source.materials.push_back(shape.material ? looks_.add(*shape.material, use.where) : looks_.find(use.material));
     const int material = source.materials.back();
     source.lights.push_back(emission(use, *shape.shape, material));
@@ -115,24 +133,28 @@ void Geometry::warn_of_relief(const ShapeUse& use, const Source& source) {
 /// its frames alike if the scene asks for it.
 void Geometry::check(const ShapeUse& use, Source& source) {
   for (std::size_t p = 0; p < source.materials.size(); ++p) {
-    MadeShape& first = source.made.front()[p];
+    SourceShape& first = source.made.front()[p];
     const TriangleMesh* mesh = first.shape->triangles();
     const int material = source.materials[p];
     if (!mesh || material < 0) continue;
     const bool body = looks_.bounds_a_body(material);
     if (first.repair) {
-      const RepairPlan plan = plan_repair(*mesh);
-      const auto faces = mesh->faces();
-      for (MadeShapes& made : source.made) {
-        const TriangleMesh* other = made[p].shape->triangles();
-        if (!other) continue;
-        const bool same_topology = other->faces() == faces;
-        made[p].shape = std::make_unique<TriangleMesh>(apply(same_topology ? plan : plan_repair(*other), *other));
-      }
+      const std::shared_ptr<const Shape> model = first.shape;
+      std::optional<RepairPlan> plan;
+      const auto repaired = [&](const TriangleMesh& other) {
+        if (other.faces() != model->triangles()->faces()) return apply(plan_repair(other), other);
+        if (!plan) plan = plan_repair(*model->triangles());
+        return apply(*plan, other);
+      };
+      for (MadeShapes& made : source.made)
+        if (const TriangleMesh* other = made[p].shape->triangles())
+          made[p].shape = derived<TriangleMesh>(kept_, {made[p].shape, model}, ContentKey("repaired"),
+                                                [&] { return repaired(*other); });
       mesh = source.made.front()[p].shape->triangles();
     }
     if (!body || !check_meshes_) continue;
-    MeshReport report = check_mesh(*mesh);
+    MeshReport report =
+        *derived<MeshReport>(kept_, {first.shape}, ContentKey("report"), [&] { return check_mesh(*mesh); });
     if (is_open(source.params.states.front())) report.open_edges = {};
     for (const std::string& fault : describe(report))
       diagnostics_.warning(

@@ -16,13 +16,15 @@
 #include "dspm/world/alphas.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/frame_ranges.h"
+#include "dspm/world/kept_geometry.h"
 #include "dspm/world/looks.h"
 
 namespace dspm {
 
 /// A shape at one place, and the frames in which it is there.
 struct WorldShape {
-  PlacedShape placed;      // `frames` and `light` are set when a scene is cut
+  PlacedShape placed;  // `frames` and `light` are set when a scene is cut
+  std::shared_ptr<const Shape> shape;
   FrameRanges present;     // in the file
   int emitter = -1;        // which of Geometry::emitters it belongs to
   int dynamic_block = -1;  // of the description; -1: static
@@ -49,7 +51,9 @@ inline bool is_there(const WorldShape& shape, int frames) { return shape.present
 
 class Geometry {
  public:
-  Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, Diagnostics& diagnostics);
+  /// `kept`: of scenes before; null if nothing is kept.
+  Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
+           Diagnostics& diagnostics);
 
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
@@ -65,6 +69,7 @@ class Geometry {
   void find_bounds();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
   std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics) const;
+  void share_kept(Source& source) const;
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
                             std::size_t made) const;
@@ -83,9 +88,9 @@ class Geometry {
   Looks& looks_;
   Alphas alphas_;
   Diagnostics& diagnostics_;
+  KeptGeometry* kept_;
   bool check_meshes_;
   std::deque<WorldShape> shapes_;
-  std::vector<std::shared_ptr<const Shape>> owned_;
   std::vector<Emitter> emitters_;
   std::deque<AreaLightUse> lights_of_materials_;  // addresses are stable
   Bounds3 bounds_;

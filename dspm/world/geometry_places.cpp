@@ -35,6 +35,13 @@ std::string name_in_file(const ShapeUse& use) {
   return std::filesystem::path(texts->front()).stem().string();
 }
 
+std::shared_ptr<const Shape> moved_to(const Transform& to_world, const std::shared_ptr<const Shape>& mesh,
+                                      KeptGeometry* kept) {
+  ContentKey what("moved");
+  what.add_bytes_of(to_world);
+  return derived<TriangleMesh>(kept, {mesh}, what, [&] { return mesh->triangles()->transformed(to_world); });
+}
+
 }  // namespace
 
 /// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
@@ -149,14 +156,13 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       if (alone && made.only[state] == place.matrix && shape->triangles()) {
         std::shared_ptr<const Shape>& moved = in_world[place.geometry];
         if (!moved && to_world.is_identity()) moved = shape;
-        if (!moved) moved = std::make_shared<TriangleMesh>(shape->triangles()->transformed(to_world));
+        if (!moved) moved = moved_to(to_world, shape, kept_);
         shape = moved, to_world = Transform();
       }
       WorldShape& world = shapes_.emplace_back();
-      owned_.push_back(shape);
       world.use = &use;
       world.present = made.seen[p];
-      world.placed.shape = shape.get();
+      world.shape = shape, world.placed.shape = shape.get();
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();
       world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);

@@ -8,6 +8,7 @@
 #include "dspm/lang/description.h"
 #include "dspm/params/params.h"
 #include "dspm/shapes/shape.h"
+#include "dspm/world/content_key.h"
 #include "dspm/world/displacements.h"
 #include "dspm/world/geometry.h"
 
@@ -24,12 +25,17 @@ struct Geometry::Source {
   GeometryStates geometry;
   // By the instances' dynamic block: objects that do not move differ in nothing but their matrix.
   std::map<int, std::shared_ptr<const Placement>> unmoved;
+  std::vector<ContentKey> keys;  // of `made`; empty: it is not kept
 
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
   bool absorb(Source& next) {
     const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
-    return is_one(*this) && is_one(next) && caustics == next.caustics &&
-           made.front().front().shape->absorb(*next.made.front().front().shape);
+    if (!is_one(*this) || !is_one(next) || caustics != next.caustics ||
+        !made.front().front().shape->absorb(*next.made.front().front().shape))
+      return false;
+    if (next.keys.empty()) keys.clear();
+    if (!keys.empty()) keys.front().add_bytes_of(next.keys.front());
+    return true;
   }
 };
 

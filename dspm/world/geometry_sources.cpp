@@ -9,6 +9,7 @@
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/param_states.h"
 #include "dspm/world/same_in_all_frames.h"
+#include "dspm/world/shape_maker.h"
 #include "dspm/world/variations.h"
 
 namespace dspm {
@@ -58,17 +59,22 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
       param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics);
   const std::vector<ParamList>& states = source.params.states;
-  source.made.resize(states.size());
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
+  std::vector<MadeOfParams> made(states.size());
+  const ShapeMaker maker(*plugin, use, description_.main_directory(), kept_);
   parallel_for(static_cast<std::int64_t>(states.size()), 1, [&](std::int64_t i) {
     const auto at = static_cast<std::size_t>(i);
-    ParamReader reader(states[at], subject_of(use), use.where, messages[at], description_.main_directory());
-    const bool caustics = read_shape_caustics(reader);
-    if (at == 0) source.caustics = caustics;  // the same in all states
-    source.made[at] = plugin->make(reader);
+    made[at] = maker.make(states[at], messages[at]);
   });
-  for (std::size_t at = 0; at < states.size() && diagnostics.error_count() == 0; ++at)
+  source.caustics = !made.empty() && made.front().caustics;  // the same in all states
+  bool is_kept = kept_ != nullptr;
+  for (std::size_t at = 0; at < states.size() && diagnostics.error_count() == 0; ++at) {
     diagnostics.append(std::move(messages[at]));
+    source.made.push_back(std::move(made[at].shapes));
+    is_kept = is_kept && made[at].key;
+    if (made[at].key) source.keys.push_back(*made[at].key);
+  }
+  if (!is_kept) source.keys.clear();
   return source.made.empty() || diagnostics.error_count() > 0 ? std::nullopt : std::optional(std::move(source));
 }
 

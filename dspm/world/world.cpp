@@ -12,6 +12,7 @@
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/likeness.h"
+#include "dspm/world/param_key.h"
 #include "dspm/world/sharing.h"
 #include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
@@ -91,7 +92,10 @@ FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::ve
 
 struct World::Impl {
   Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
-      : description(text), looks(text, diagnostics), geometry(text, options.check_meshes, looks, diagnostics) {
+      : description(text),
+        looks(text, diagnostics),
+        geometry(text, options.check_meshes, looks, options.kept, diagnostics),
+        kept(options.kept) {
     refuse_media(text, diagnostics);
     looks.refuse_unknown_replacements();
     const bool whole = diagnostics.error_count() == 0;
@@ -158,9 +162,24 @@ struct World::Impl {
     }
   }
 
+  std::unique_ptr<Accel> make_accel(const Scene& scene) const {
+    const auto make = [&](std::span<const PlacedShape> shapes) {
+      Diagnostics ignored;
+      ParamReader reader = accel_reader(ignored);
+      return accel->make(reader, shapes, scene.frames());
+    };
+    if (kept == nullptr || !scene.cutouts.empty()) return make(scene.shapes);
+    ContentKey which(accel->name);
+    add(which, accel_params);
+    std::vector<std::shared_ptr<const Shape>> owners;
+    for (const WorldShape* shape : shapes_there(scene.file_frames)) owners.push_back(shape->shape);
+    return kept->tree(which, scene.shapes, std::move(owners), scene.frames(), make);
+  }
+
   const SceneDescription& description;
   Looks looks;
   Geometry geometry;
+  KeptGeometry* kept;
   BoundingSphere sphere;
   std::vector<WorldLight> lights;
   LightChoices light_choices;
@@ -199,9 +218,7 @@ std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
   scene->light_groups = impl_->light_groups;
   scene->camera = cut(impl_->camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
-  Diagnostics ignored;
-  ParamReader reader = impl_->accel_reader(ignored);
-  scene->accel = impl_->accel->make(reader, scene->shapes, scene->frames());
+  scene->accel = impl_->make_accel(*scene);
   return scene;
 }
 

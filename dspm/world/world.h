@@ -15,11 +15,14 @@
 
 namespace dspm {
 
+class KeptGeometry;
+
 struct WorldOptions {
   int width = 1, height = 1;  // of the full image, for the camera
   std::string accel;          // a plugin's name; empty: what the scene says, else two-level
   bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
   float film_diagonal = CameraContext().film_diagonal;
+  KeptGeometry* kept = nullptr;  // of scenes before, and for those to come; outlives the world
 };
 
 /// Where the camera of a frame stands, and what it does to points.

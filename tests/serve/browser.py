@@ -38,6 +38,11 @@ WorldBegin
   DynamicEnd
 """
 
+LIT = SCENE.replace('"diffuse" "rgb L"', '"diffuse" "string group" "key" "rgb L"').replace('  Material "diffuse"', """
+  LightSource "point" "string group" "fill" "point3 from" [-2 1 -3] "rgb I" [1 2 4]
+  Material "diffuse\"""")
+
+
 class Page:
     """One tab."""
 
@@ -174,10 +179,10 @@ def shows_scrubs_and_exposes(page):
     until(lambda: "frame 2" in page.js("document.getElementById('moment').textContent"), "the next frame")
     before = page.pixel("#large", .8, .3)
     page.key("E", shift=True)
-    until(lambda: max(page.pixel("#large", .8, .3)) < max(before) - 20, "less exposure is darker")
+    until(lambda: max(page.pixel("#large", .8, .3)) < max(before) - 8, "less exposure is darker")
     page.key("e")
     until(lambda: page.pixel("#large", .8, .3) == before, "and back")
-    for tone in (1, 2, 3):
+    for tone in (1, 2, 3, 4, 5):
         page.key("t")
         expect(page.js("document.getElementById('tone').value") == str(tone), "tone mapping by key")
     until(lambda: page.pixel("#large", .8, .3) != before, "false colour differs")
@@ -277,6 +282,66 @@ def edits(page, folder):
     state(page, "done")
 
 
+def set_value(page, selector, value, event="input"):
+    page.js(f"(e => {{ e.value = {str(value)!r}, e.dispatchEvent(new Event({event!r}, {{bubbles: true}})) }})"
+            f"(document.querySelector({selector!r}))")
+
+
+def place_of(page, x, y):
+    """Where the pixel is in the large picture, which is 96 x 64, as shares of its element."""
+    width, height = page.js("(b => [b.width, b.height])(document.getElementById('large').getBoundingClientRect())")
+    zoom = min(width / 96, height / 64)
+    return (.5 + (x + .5 - 48) * zoom / width, .5 + (y + .5 - 32) * zoom / height)
+
+
+def png_pixels(page, file, places):
+    data = base64.b64encode(file.read_bytes()).decode()
+    return page.js(f"""(async () => {{ const i = new Image(); i.src = 'data:image/png;base64,{data}'; await i.decode();
+        const c = document.createElement('canvas').getContext('2d'); c.drawImage(i, 0, 0);
+        return {json.dumps(places)}.map(([x, y]) => [...c.getImageData(x, y, 1, 1).data].slice(0, 3)); }})()""")
+
+
+def shows_what_pngs_show(page, folder):
+    """The page starts with --view and --exposure, and its curves are those of the PNGs."""
+    places = [(x, y) for x in (12, 47, 80) for y in (6, 30, 58)]
+    names = page.js("[...document.getElementById('tone').options].slice(0, 4).map(o => o.text.split(',')[0])")
+    chosen = page.js("[document.getElementById('tone').value, document.getElementById('exposure').value]")
+    expect(chosen == [str(names.index("filmic")), "1"], f"it starts with the run's view: {names}, {chosen}")
+    page.js("document.querySelector('#cells button').click()")
+    lit(page, "#large", .5, .85)
+    for number, name in enumerate(names[:3]):  # viewers take the linear PNGs of "raw" for what they are
+        subprocess.run([dspm, "lit.dsc", "--quiet", "--frames", "1", "--png", "--view", name, "--exposure", "1",
+                        "-o", f"{name}.####.exr"], cwd=folder, check=True)
+        wanted = png_pixels(page, pathlib.Path(folder) / f"{name}.0001.png", places)
+        set_value(page, "#tone", number, "change")
+        near = lambda: all(abs(a - b) <= 3 for (x, y), rgb in zip(places, wanted)
+                           for a, b in zip(page.pixel("#large", *place_of(page, x, y)), rgb))
+        until(near, f"{name} shows what the PNG does: {wanted}")
+    page.key("Escape")
+
+
+def relights(page, served, folder):
+    page.js("document.querySelector('#cells button').click()")
+    expect(page.js("[...document.querySelectorAll('.light label')].map(l => l.firstChild.textContent.trim())") ==
+           ["other", "fill", "key"], "a slider for each group")
+    before = lit(page, "#large", *place_of(page, 47, 58))
+    slider = "#sliders .light:nth-child(3) input[type=range]"
+    set_value(page, slider, -8)
+    until(lambda: max(page.pixel("#large", *place_of(page, 47, 58))) < max(before) - 20, "it is darker without the key")
+    fill = page.pixel("#large", *place_of(page, 47, 58))
+    expect(fill[2] > fill[0], f"what is left is the blue fill: {fill}")
+    set_value(page, "#sliders .light:nth-child(2) input[type=color]", "#ff8000")
+    until(lambda: page.pixel("#large", *place_of(page, 47, 58))[2] < 20, "the fill is orange now")
+    page.shot("relit")
+    text = page.js("document.getElementById('relit').textContent")
+    expect(text.startswith("dspm --relight lit.000*.exr 'fill [1 0.216 0]' 'key 0' -o"), text)
+    subprocess.run(text.replace("dspm", f"{dspm} --quiet", 1), shell=True, cwd=folder, check=True)
+    expect((pathlib.Path(folder) / "relit.0003.exr").exists(), "the command that it shows mixes the files")
+    page.js("document.getElementById('unlit').click()")
+    until(lambda: page.pixel("#large", *place_of(page, 47, 58)) == before, "as in the scene")
+    page.key("Escape")
+
+
 def nothing_moves(page):
     shift = page.js("""new Promise(done => { let sum = 0; new PerformanceObserver(list => list.getEntries().forEach(
         e => { if (!e.hadRecentInput) sum += e.value; })).observe({type: 'layout-shift', buffered: true});
@@ -287,6 +352,7 @@ def nothing_moves(page):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "tiny.dsc").write_text(SCENE)
+        (pathlib.Path(folder) / "lit.dsc").write_text(LIT.replace("tiny.exr", "lit.exr"))
         served = Dspm(folder)
         page = None
         try:
@@ -304,6 +370,14 @@ def main():
             page.js("document.getElementById('stop').click()")
             until(lambda: served.process.poll() is not None, "it stops")
             expect(served.process.returncode == 0, served.log.read_text())
+            served = Dspm(folder, "--aov", "lights", "--view", "filmic", "--exposure", "1", scene="lit.dsc")
+            page.go(served.url)
+            until(lambda: page.js("document.title").startswith("lit.dsc"), "the page of the other run", 60)
+            page.problems = []  # the one that has ended does not answer
+            state(page, "done")
+            shows_what_pngs_show(page, folder)
+            relights(page, served, folder)
+            expect(not page.problems, page.problems)
         except AssertionError:
             if page:
                 page.shot("failed")

@@ -1,13 +1,25 @@
 #!/usr/bin/env python3
-"""What a viewer costs a render: processor time of runs that someone looks at, and of runs with a page that nobody opens,
-alternately; and when the first pictures of all frames come.
-usage: cost.py dspm scene [iterations [pairs]]"""
-import json, re, resource, statistics, subprocess, sys, tempfile, threading, time, urllib.request
+"""What viewers cost a render: the processor time of taking pictures and of the threads that serve them, as a share of the
+run's, and when the first pictures of all frames come. Time on the processor is counted, so a busy machine does not matter.
+usage: cost.py dspm scene [iterations [runs [viewers]]]"""
+import json, os, pathlib, re, statistics, subprocess, sys, tempfile, threading, time, urllib.request
 
 
-def run(looks):
+def processor_seconds(process, named=None):
+    """Of all threads, or of those of that name."""
+    ticks, root = 0, pathlib.Path(f"/proc/{process}")
+    for task in (root / "task").iterdir() if named else [root]:
+        try:
+            name, values = re.match(r"\d+ \((.*)\) (.*)", (task / "stat").read_text()).groups()
+        except (OSError, AttributeError):
+            continue  # it has ended
+        if named in (None, name):
+            ticks += sum(int(v) for v in values.split()[11:13])
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def run():
     with tempfile.TemporaryDirectory() as folder:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         begin = time.monotonic()
         process = subprocess.Popen([dspm, scene, "--serve", "0", "--iterations", str(iterations), "-o", f"{folder}/a.####.exr"],
                                    stderr=subprocess.PIPE, text=True)
@@ -17,10 +29,11 @@ def run(looks):
 
         def watch():
             for line in urllib.request.urlopen(url + "events"):
-                if line.startswith(b"data: {") and json.loads(line[6:]).get("phase") == "done":
+                if line.startswith(b"data: {") and (state := json.loads(line[6:])).get("phase") == "done":
+                    figures["looking"] = state["looking"]
                     return done.set()
 
-        def look():
+        def look(viewer):
             seen, frames = {}, None
             while not done.is_set():
                 frames = frames or len(json.load(urllib.request.urlopen(url + "run")).get("frames", [])) or time.sleep(.02)
@@ -28,7 +41,7 @@ def run(looks):
                     continue
                 wishes = "".join(f"{f} radiance {halvings} {seen.get((f, halvings), 0)} {seen.get((f, halvings), 0)}\n"
                                  for f in range(frames))
-                body = urllib.request.urlopen(url + "pictures", f"1\n{wishes}".encode()).read()
+                body = urllib.request.urlopen(url + "pictures", f"{viewer}\n{wishes}".encode()).read()
                 figures["bytes"] += len(body)
                 while body:
                     line, body = body.split(b"\n", 1)
@@ -39,27 +52,24 @@ def run(looks):
                 if "first" not in figures and len({f for f, _ in seen}) == frames:
                     figures["first"] = time.monotonic() - begin
         threading.Thread(target=watch, daemon=True).start()
-        if looks:
-            threading.Thread(target=look, daemon=True).start()
+        for viewer in range(viewers):
+            threading.Thread(target=look, args=(viewer + 1,), daemon=True).start()
         done.wait()
         figures["seconds"] = time.monotonic() - begin
+        figures["serving"], figures["all"] = processor_seconds(process.pid, "dspm page"), processor_seconds(process.pid)
         urllib.request.urlopen(url + "stop", b"")
         process.wait()
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, figures
+        return figures
 
 
 dspm, scene = sys.argv[1:3]
-iterations, pairs = (int(v) for v in (sys.argv[3:5] + ["32", "5"][len(sys.argv) - 3:]))
+iterations, runs, viewers = (int(v) for v in (sys.argv[3:6] + ["32", "3", "1"][len(sys.argv) - 3:]))
 halvings = 0
-looked, alone = [], []
-for i in range(pairs):
-    for looks in (True, False) if i % 2 == 0 else (False, True):
-        seconds, figures = run(looks)
-        (looked if looks else alone).append(seconds)
-        if looks:
-            print(f"{figures['pictures']} pictures, {figures['bytes'] / 1e6:.1f} MB in {figures['seconds']:.1f} s, "
-                  f"first of all frames after {figures.get('first', float('nan')):.2f} s")
-a, b = statistics.median(looked), statistics.median(alone)
-print(f"processor time: {a:.2f} s with a viewer, {b:.2f} s without: {100 * (a / b - 1):+.1f}%; "
-      f"pairs: {' '.join(f'{100 * (x / y - 1):+.1f}%' for x, y in zip(looked, alone))}")
+shares = []
+for _ in range(runs):
+    f = run()
+    shares.append((f["looking"] + f["serving"]) / f["all"])
+    print(f"{f['pictures']} pictures, {f['bytes'] / 1e6:.1f} MB in {f['seconds']:.1f} s, first of all frames after "
+          f"{f.get('first', float('nan')):.2f} s; processor time {f['all']:.2f} s: taking pictures {f['looking']:.2f} s, "
+          f"serving {f['serving']:.2f} s, {100 * shares[-1]:.2f}%", flush=True)
+print(f"median {100 * statistics.median(shares):.2f}%")

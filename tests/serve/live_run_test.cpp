@@ -1,6 +1,9 @@
 // dspm --serve, as a viewer sees it who speaks HTTP.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "dspm/image/exr.h"
 #include "tests/serve/http_client.h"
 #include "tests/support/process.h"
@@ -108,6 +111,57 @@ TEST_F(LiveRun, AnEditedSceneIsRenderedAnew) {
   const Outcome outcome = end();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(read_exr_header(directory / "tiny.0001.exr").integers.at("iterations"), 4);
+}
+
+// Each edit is told by another number of iterations, so that its end is known.
+TEST_F(LiveRun, AfterAnyEditTheImagesAreThoseOfAFreshRun) {
+  const auto mesh = [](const std::string& height) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 " +
+           height + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  };
+  std::filesystem::create_directory(directory / "meshes");
+  put_file(directory / "a.ply", mesh("-1"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(2100));  // files that were just saved are not kept
+  const std::string part = "Material \"dielectric\" Shape \"plymesh\" \"string filename\" \"a.ply\" ";
+  int iterations = 2;
+  const auto scene = [&](const std::string& more, const std::string& from = "", const std::string& to = "") {
+    std::string text = tiny_scene("\"integer iterations\" 2", fmt::format("\"integer iterations\" {}", iterations));
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    return text + more;
+  };
+  put_file(directory / "tiny.dsc", scene(part));
+  start();
+  const auto expect_fresh = [&](const char* what) {
+    ASSERT_TRUE(comes_true([&] {
+      const std::string events = events_until("\"phase\"");
+      return events.find("\"phase\": \"done\"") != std::string::npos &&
+             events.find(fmt::format("\"of\": {},", iterations)) != std::string::npos;
+    })) << what;
+    const TinyDirectory other;
+    std::filesystem::copy(directory / "a.ply", other / "a.ply");
+    std::filesystem::copy(directory / "tiny.dsc", other / "tiny.dsc",
+                          std::filesystem::copy_options::overwrite_existing);
+    ASSERT_EQ(run(other, {"tiny.dsc"}).code, 0);
+    for (const char* image : kTinyImages)
+      EXPECT_EQ(read_image(directory / image), read_image(other / image)) << what << ": " << image;
+  };
+  const auto edit = [&](const char* what, const std::string& more, const std::string& from = "",
+                        const std::string& to = "") {
+    ++iterations;
+    put_file(directory / "tiny.dsc", scene(more, from, to));
+    expect_fresh(what);
+  };
+  expect_fresh("as it is");
+  edit("a material", "Material \"diffuse\" Shape \"plymesh\" \"string filename\" \"a.ply\" ");
+  edit("a key", part, "Translate 1 0 0", "Translate 1 .5 0");
+  edit("a place", "Translate 0 .3 0 " + part);
+  edit("another shape before", part, "  Material \"diffuse\"",
+       "Shape \"sphere\" \"float radius\" .1 Material \"diffuse\"");
+  put_file(directory / "a.ply", mesh("-2"));
+  edit("a mesh file", part);
+  edit("a light", part, "[5 5 5]", "[5 9 5]");
+  EXPECT_EQ(end().code, 0);
 }
 
 TEST_F(LiveRun, AnEditInTheMiddleOfALongIterationEndsIt) {

@@ -9,7 +9,9 @@ import {Overview} from './overview.js';
 import {PlainPainter} from './painter_2d.js';
 import {GlPainter} from './painter_gl.js';
 import {Pictures, range} from './pictures.js';
-import {highest_stop, kind_of, kinds, lowest_stop, ramp, tones} from './tone.js';
+import {Relight} from './relight.js';
+import {false_colour, highest_stop, kind_of, kinds, lowest_stop, ramp} from './tone.js';
+import {curves} from './curves.js';
 import {Timeline} from './timeline.js';
 import {values_in_words} from './values.js';
 
@@ -30,8 +32,10 @@ const pictures = new Pictures(fresh => { fresh.forEach(p => errors.add(p)), redr
 const source = name => name === 'error' ? 'radiance' : name;
 function picture_of(index, name, halvings) {
   const picture = pictures.best(index, source(name), halvings);
+  if (name === 'radiance') return relight.mix(picture, light => pictures.best(index, light, picture.halvings));
   return name === 'error' ? errors.of(picture) : picture;
 }
+const relight = new Relight(redraw);
 const camera = new Camera();
 const large = new Large($('large'), camera, redraw);
 const overview = new Overview($('cells'), open);
@@ -77,6 +81,9 @@ const view_of = picture => {
 };
 const halvings_for = pixels => Math.max(0, Math.floor(Math.log2(run.width / Math.max(pixels, 1)) + .01));
 
+// What is looked at, and of what it is made.
+const sources = () => [source(output().name), ...output().name === 'radiance' ? relight.outputs() : []];
+
 // The other side of the wipe: a picture, or null.
 function other(halvings) {
   const [kind, index] = compared.split(' ');
@@ -101,7 +108,7 @@ function draw_cells(drawn, wishes, box, ratio) {
   for (const {frame: index, rect} of overview.visible(box)) {
     const scaled = {x: rect.x * ratio, y: rect.y * ratio, width: rect.width * ratio, height: rect.height * ratio};
     const halvings = halvings_for(scaled.width);
-    wishes.push({frame: index, output: source(output().name), halvings});
+    for (const name of sources()) wishes.push({frame: index, output: name, halvings});
     const picture = picture_of(index, output().name, halvings);
     if (!picture) continue;
     drawn.add(picture), painter.draw(picture, scaled, scaled, view_of(picture));
@@ -111,13 +118,14 @@ function draw_cells(drawn, wishes, box, ratio) {
 
 function draw_large(drawn, wishes, size) {
   const rect = large.rect(run, size), halvings = halvings_for(rect.width);
-  const wish = (index, name) => wishes.push({frame: index, output: source(name), halvings});
-  wish(frame, output().name);
+  const wish = (index, name) => wishes.push({frame: index, output: name, halvings});
+  const wish_all = index => sources().forEach(name => wish(index, name));
+  wish_all(frame);
   for (const name of ['radiance', 'radius', 'photons'])
-    if (name !== source(output().name) && run.outputs.some(o => o.name === name)) wish(frame, name);
-  if (compared.startsWith('frame ')) wish(Number(compared.slice(6)), output().name);
+    if (!sources().includes(name) && run.outputs.some(o => o.name === name)) wish(frame, name);
+  if (compared.startsWith('frame ')) wish_all(Number(compared.slice(6)));
   if (timeline.is_playing())
-    run.frames.forEach((f, i) => { if (f.variation === run.frames[frame].variation && i !== frame) wish(i, output().name); });
+    run.frames.forEach((f, i) => { if (f.variation === run.frames[frame].variation && i !== frame) wish_all(i); });
   const picture = picture_of(frame, output().name, halvings), second = other(halvings);
   const split = second ? size.width * $('split').value / 100 : size.width;
   const left = {x: 0, y: 0, width: split, height: size.height};
@@ -136,7 +144,7 @@ function clip(a, b) {
 
 let legend_name = '';
 function legend(picture) {
-  const view = view_of(picture), is_false = view.kind === kinds.radiance && view.tone === tones.false_colour;
+  const view = view_of(picture), is_false = view.kind === kinds.radiance && view.tone === false_colour;
   const is_ranged = view.kind === kinds.ranged && picture.channels === 1;
   const [low, high] = is_ranged ? view.range : [lowest_stop, highest_stop];
   const name = is_false || is_ranged ? `${low} ${high}` : '';
@@ -183,6 +191,16 @@ export function keep_snapshot() {
   list_compared();
 }
 
+// The first time, the page starts with the view of the PNGs.
+let has_view = false;
+function take_view(view) {
+  if (has_view || !view) return;
+  has_view = true;
+  $('tone').value = Math.max(curves.findIndex(c => c.name === view.name), 0);
+  for (const option of $('tone').options) if (option.value === $('tone').value) option.text += ', as in the PNGs';
+  $('exposure').value = view.stops, $('stops').textContent = exposure().toFixed(2);
+}
+
 async function load_run() {
   const response = await fetch('run');
   run = new Run(await response.json());
@@ -190,6 +208,7 @@ async function load_run() {
   pictures.forget(run.frames.length);
   document.title = `${run.scene} - dspm`, $('scene').textContent = run.scene, $('scene').title = run.scene;
   options($('output'), run.outputs.map(o => [o.name, o.name]));
+  relight.show(run), take_view(run.view);
   list_compared();
   go_to(Math.min(frame, run.frames.length - 1));
 }

@@ -16,7 +16,7 @@ export class PlainPainter {
     const {context} = this;
     context.save();
     context.beginPath(), context.rect(clip.x, clip.y, clip.width, clip.height), context.clip();
-    context.imageSmoothingEnabled = picture.bytes === 2 && rect.width < 2 * picture.width;
+    context.imageSmoothingEnabled = (picture.bytes === 2 || picture.is_smooth) && rect.width < 2 * picture.width;
     context.drawImage(this.#bitmap(picture, view), rect.x, rect.y, rect.width, rect.height);
     context.restore();
   }

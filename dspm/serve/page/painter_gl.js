@@ -56,7 +56,7 @@ export class GlPainter {
     if (clip.width < 1 || clip.height < 1) return;
     gl.scissor(Math.round(clip.x), Math.round(H - clip.y - clip.height), Math.round(clip.width), Math.round(clip.height));
     gl.bindTexture(gl.TEXTURE_2D, this.#texture(picture));
-    const filter = picture.bytes === 4 || rect.width >= 2 * picture.width ? gl.NEAREST : gl.LINEAR;
+    const filter = picture.bytes === 4 && !picture.is_smooth || rect.width >= 2 * picture.width ? gl.NEAREST : gl.LINEAR;
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
     gl.uniform4f(this.#at.rect, rect.x / W * 2 - 1, 1 - rect.y / H * 2, rect.width / W * 2, rect.height / H * 2);

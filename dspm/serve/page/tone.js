@@ -1,6 +1,7 @@
 // From values to what the screen shows: for the 2D canvas here, for WebGL as GLSL of the same functions.
+import {curves, curves_glsl, srgb} from './curves.js';
 
-export const tones = {png: 0, linear: 1, film: 2, false_colour: 3};
+export const false_colour = curves.length;  // among the numbers of curves
 export const kinds = {radiance: 0, direction: 1, ranged: 2, id: 3, plain: 4};
 
 export function kind_of(output) {
@@ -19,20 +20,7 @@ export function ramp(t) {
 }
 
 const clamped = v => Math.min(Math.max(v, 0), 1);
-const srgb = v => v <= .0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - .055;
 const luminance = ([r, g, b]) => .2126 * r + .7152 * g + .0722 * b;
-
-// A shoulder that keeps hues, for looking only; PNGs go through --view. Above 0.8, the largest component bends towards 1,
-// and the others keep their ratio to it.
-function shoulder(rgb) {
-  const largest = Math.max(...rgb), knee = .8;
-  if (!(largest > knee)) return rgb;
-  const bent = 1 - (1 - knee) * Math.exp((knee - largest) / (1 - knee));
-  return rgb.map(v => v / largest * bent);
-}
-
-// Fit of the ACES output transform. [Narkowicz, "ACES filmic tone mapping curve", 2016]
-const film = v => v * (2.51 * v + .03) / (v * (2.43 * v + .59) + .14);
 
 const hash_colour = id => {
   const bits = new Uint32Array(new Float32Array([id]).buffer)[0];
@@ -50,19 +38,17 @@ export function shown(values, view) {
     return values.length === 1 ? ramp(scaled[0]) : scaled;
   }
   const exposed = rgb.map(v => v > 0 ? v * 2 ** view.exposure : 0);
-  if (view.tone === tones.false_colour)
+  if (view.tone === false_colour)
     return ramp((Math.log2(luminance(exposed) / .18) - lowest_stop) / (highest_stop - lowest_stop));
-  const toned = view.tone === tones.png ? shoulder(exposed) : view.tone === tones.film ? exposed.map(film) : exposed;
-  return toned.map(v => srgb(clamped(v)));
+  return curves[view.tone].shows(exposed);
 }
 
-export const glsl = `
+export const glsl = `${curves_glsl}
 vec3 ramp(float t) {
   const vec3 stops[7] = vec3[7](${stops.map(s => `vec3(${s.map(v => v.toFixed(2)).join(',')})`).join(',')});
   float at = clamp(t, 0., 1.) * 6.; int i = min(int(at), 5);
   return mix(stops[i], stops[i + 1], at - float(i));
 }
-vec3 srgb(vec3 v) { return mix(1.055 * pow(v, vec3(1. / 2.4)) - .055, 12.92 * v, vec3(lessThanEqual(v, vec3(.0031308)))); }
 vec3 hash_colour(float id) {
   uint bits = floatBitsToUint(id);
   return bits == 0u ? vec3(0) : .15 + .85 * vec3(bits & 255u, bits >> 8 & 255u, bits >> 16 & 255u) / 255.;
@@ -77,9 +63,6 @@ vec3 shown(vec3 v, int kind, int tone, int channels, float exposure, vec2 range)
     return channels == 1 ? ramp(v.r) : v;
   }
   v = vec3(v.r > 0. ? v.r : 0., v.g > 0. ? v.g : 0., v.b > 0. ? v.b : 0.) * exp2(exposure);
-  if (tone == 3) return ramp((log2(max(dot(v, vec3(.2126, .7152, .0722)), 1e-30) / .18) - (${lowest_stop}.)) / ${highest_stop - lowest_stop}.);
-  float largest = max(v.r, max(v.g, v.b));
-  if (tone == 0 && largest > .8) v = v / largest * (1. - .2 * exp((.8 - largest) / .2));
-  if (tone == 2) v = v * (2.51 * v + .03) / (v * (2.43 * v + .59) + .14);
-  return srgb(clamp(v, 0., 1.));
+  if (tone == ${false_colour}) return ramp((log2(max(dot(v, vec3(.2126, .7152, .0722)), 1e-30) / .18) - (${lowest_stop}.)) / ${highest_stop - lowest_stop}.);
+  return curved(v, tone);
 }`;

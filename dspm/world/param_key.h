@@ -1,0 +1,12 @@
+// What a list of parameters says, as a key.
+#pragma once
+
+#include "dspm/params/params.h"
+#include "dspm/world/content_key.h"
+
+namespace dspm {
+
+/// Lists of the same values have the same key, unless a name among them now means another file.
+void add(ContentKey& key, const ParamList& params);
+
+}  // namespace dspm

@@ -1,0 +1,47 @@
+// What a Shape directive makes of its parameters, or what it made of them before.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "dspm/lang/description.h"
+#include "dspm/params/errors.h"
+#include "dspm/params/params.h"
+#include "dspm/shapes/shape.h"
+#include "dspm/world/content_key.h"
+#include "dspm/world/displacements.h"
+#include "dspm/world/kept_geometry.h"
+
+namespace dspm {
+
+struct MadeOfParams {
+  MadeShapes shapes;
+  bool caustics = true;           // see PlacedShape
+  std::optional<ContentKey> key;  // nothing: it cannot be kept
+};
+
+class ShapeMaker {
+ public:
+  /// `kept`: null if nothing is kept.
+  ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, std::filesystem::path main_directory,
+             KeptGeometry* kept)
+      : plugin_(plugin), use_(use), main_directory_(std::move(main_directory)), kept_(kept) {}
+
+  /// By any thread. What is known has no message; what has one is made again, and says it again.
+  MadeOfParams make(const ParamList& params, Diagnostics& diagnostics) const;
+
+ private:
+  MadeOfParams make_anew(const ParamList& params, Diagnostics& diagnostics) const;
+  ContentKey key_of(const ParamList& params) const;
+
+  const Plugin<MakeShape>& plugin_;
+  const ShapeUse& use_;
+  const std::filesystem::path main_directory_;
+  KeptGeometry* const kept_;
+};
+
+/// Those absorb no others.
+bool are_meshes(const MadeShapes& made);
+
+}  // namespace dspm
