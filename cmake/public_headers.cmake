@@ -9,8 +9,8 @@ set(public_headers
   image/image.h
   integrators/counters.h integrators/dimension.h integrators/emission_report.h integrators/integrator.h
   integrators/light_groups.h integrators/output_info.h
-  integrators/rejections.h integrators/seen_light.h integrators/statistics.h integrators/summed_iterations.h
-  integrators/summing_integrator.h
+  integrators/caught_light.h integrators/rejections.h integrators/seen_light.h integrators/statistics.h
+  integrators/summed_iterations.h integrators/summing_integrator.h
   integrators/tiles.h
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h

@@ -79,12 +79,29 @@ Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   return sized_image(width, height, file_bytes);
 }
 
-/// R, G and B, or Y alone if they are incomplete.
+/// The one layer with R, G and B, as "ViewLayer.Combined."; empty if there is none, or a choice.
+std::string only_colour_layer(const Imf::ChannelList& channels) {
+  std::string only;
+  for (auto c = channels.begin(); c != channels.end(); ++c) {
+    const std::string name = c.name();
+    if (!name.ends_with(".R")) continue;
+    const std::string layer = name.substr(0, name.size() - 1);
+    if (channels.findChannel(layer + "G") == nullptr || channels.findChannel(layer + "B") == nullptr) continue;
+    if (!only.empty()) return "";
+    only = layer;
+  }
+  return only;
+}
+
+/// R, G and B, or Y alone if they are incomplete; without either, those of the only layer that has R, G and B, as in
+/// Blender's files.
 std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
   std::vector<std::string> names = {"R", "G", "B"};
   const auto missing = [&](const std::string& name) { return channels.findChannel(name) == nullptr; };
   if (std::any_of(names.begin(), names.end(), missing)) names = {"Y"};
   if (missing(names.front())) {
+    if (const std::string layer = only_colour_layer(channels); !layer.empty())
+      return {layer + "R", layer + "G", layer + "B"};
     std::string there;
     for (auto c = channels.begin(); c != channels.end(); ++c) there += std::string(" ") + c.name();
     throw std::runtime_error("it has neither the channels R, G, B nor Y, only:" + there);
@@ -111,10 +128,13 @@ Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std
   Imf::FrameBuffer buffer;
   float* first = &image.pixels.front().r;
   for (const std::string& name : channels) buffer.insert(name, slice(file.header(), name, first++, sizeof(Rgb)));
-  const bool has_alpha = file.header().channels().findChannel("A") != nullptr && channels.front() != "A";
+  const std::string& colour = channels.front();
+  const auto has = [&](const std::string& name) { return file.header().channels().findChannel(name) != nullptr; };
+  const std::string alpha = has("A") ? "A" : colour.substr(0, colour.rfind('.') + 1) + "A";  // of the same layer
+  const bool has_alpha = has(alpha) && colour != alpha;
   if (has_alpha) {
     image.alpha.resize(image.pixels.size());
-    buffer.insert("A", slice(file.header(), "A", image.alpha.data(), sizeof(float)));
+    buffer.insert(alpha, slice(file.header(), alpha, image.alpha.data(), sizeof(float)));
   }
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);

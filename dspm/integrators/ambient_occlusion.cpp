@@ -64,7 +64,7 @@ class PixelTracer {
     const FrameSet open = vertex.frames - scene_.accel->occluded(ray, vertex.frames);
     counts_.segments.add(vertex.frames.count());
     // cos / (pi pdf), so that the whole hemisphere gives 1.
-    if (!open.empty()) out_.add({path.pixel, open, Rgb(hemisphere_.by_cosine ? 1 : 2 * local.z)});
+    if (!open.empty()) out_.add({open, Rgb(hemisphere_.by_cosine ? 1 : 2 * local.z), path.pixel});
   }
 
   const Scene& scene_;

@@ -24,7 +24,12 @@ struct CameraPath : PathState {
   Vec3 from_ng = {};      // the normal there, if it has left a hit point
   bool indirect = false;  // it has left a hit point: lights that it meets count only while it looks for them
   bool looks = false;     // along its next segment
+  bool caught = false;    // its first surface is a shadow catcher
 
+  /// To be called at each vertex.
+  void arrive(const Scene& scene, const Vertex& vertex) {
+    if (bounces == 0) caught = scene.is_catcher(vertex.hit.shape);
+  }
   float diameter(float segment) const { return width * camera->pixel_spacing(length + segment); }
 };
 

@@ -34,9 +34,9 @@ class FileSample {
   /// `frames`: a few, spread over the file; `make` returns their scene.
   FileSample(std::vector<FileFrame> frames, MakeScene make) : frames_(std::move(frames)), make_(std::move(make)) {}
 
-  /// Of these frames: `given`, if it is one. Made once for all who hold it at the same time.
+  /// Of these frames, whole: `given`, if it is that. Made once for all who hold it at the same time.
   std::shared_ptr<const Scene> scene(const Scene& given) const {
-    if (given.file_frames == frames_) return {std::shared_ptr<const Scene>(), &given};
+    if (given.file_frames == frames_ && !given.is_without_objects) return {std::shared_ptr<const Scene>(), &given};
     std::shared_ptr<const Scene> scene = made_.lock();
     if (scene == nullptr) made_ = scene = make_();
     return scene;

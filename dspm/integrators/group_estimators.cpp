@@ -16,7 +16,7 @@ void GroupEstimators::see(const std::vector<HitPointTile>& tiles) {
   if (estimators_.empty()) return;
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
     for (const SeenLight& light : tiles[static_cast<std::size_t>(t)].seen)
-      if (const int group = groups_.of_light(light.light); group != LightGroups::kNone)
+      if (const int group = groups_.of_light(light.light); group != LightGroups::kNone && !light.caught)
         estimators_[static_cast<std::size_t>(group)]->see(light);
   });
 }
@@ -31,12 +31,15 @@ void GroupEstimators::gather(const std::vector<HitPointTile>& tiles, const std::
     parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
       const HitPointTile& tile = tiles[static_cast<std::size_t>(t)];
       GatherCounts not_counted;
-      for (const HitPoint& hit : tile.glossy)
+      for (const HitPoint& hit : tile.glossy) {
+        if (hit.caught) continue;
         gather_hidden(hit, tile, hidden_map_, hidden.squared(hit), not_counted,
                       [&](FrameSet frames, const Rgb& radiance) {
-                        estimator.see({hit.pixel, frames, radiance / static_cast<float>(photons_)});
+                        estimator.see({frames, radiance / static_cast<float>(photons_), hit.pixel});
                       });
-      for (const HitPoint& hit : tile.hit_points) estimator.gather_at(hit, tile, map_, not_counted);
+      }
+      for (const HitPoint& hit : tile.hit_points)
+        if (!hit.caught) estimator.gather_at(hit, tile, map_, not_counted);
     });
   }
 }

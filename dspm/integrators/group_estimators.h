@@ -1,7 +1,7 @@
 // What each group of lights brings to the pixels of a progressive integrator: estimators of the same kind as the whole
 // image's, each fed with its group's light alone. The search radius must be the same for all, as kz11's is, or parts
 // would not add up to the whole. The image's own sums stay what they are without groups, to the bit, so its photons are
-// gathered twice: once all together, once group by group.
+// gathered twice: once all together, once group by group. What shadow catchers catch is in none.
 #pragma once
 
 #include <memory>

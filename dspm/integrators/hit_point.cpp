@@ -96,9 +96,10 @@ class HitPointTracer {
   void lost(const CameraPath& path, FrameSet frames, const SceneElement& giver) { out_.reject(path, frames, giver); }
 
   void arrived(const CameraPath& path, const Vertex& vertex) {
-    if (!path.indirect || path.looks) see_emission(path, vertex);
-    if ((path.indirect && !settings_.go_on) || path.bounces >= settings_.max_depth) return;
     CameraPath arriving = path;
+    arriving.arrive(scene_, vertex);
+    if (!path.indirect || path.looks) see_emission(arriving, vertex);
+    if ((path.indirect && !settings_.go_on) || path.bounces >= settings_.max_depth) return;
     arriving.length += vertex.hit.t, arriving.frames = vertex.frames, arriving.looks = false;
     if (vertex.differs()) return scatter_together(arriving, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {

@@ -23,6 +23,7 @@ struct HitPoint {
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row
   bool indirect = false;   // the path has left another hit point before
+  bool caught = false;     // its first surface is a shadow catcher
   int scattering = -1;     // index in the tile; negative if f is constant
   StrandList strands = 0;  // in the tile's table: factors to the throughput by frame, if they differ
 };

@@ -29,7 +29,7 @@ class HitPointWriter {
     for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
       const Rgb seen = path.throughput * weight * radiance;
       if (!is_finite(seen)) return reject(path, alike, giver());
-      tile_.seen.push_back({path.pixel, alike, seen, light_of(giver())});
+      tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught});
     });
   }
 
@@ -67,7 +67,7 @@ class HitPointWriter {
     hit.p = point.p;
     hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = ended.throughput, hit.strands = ended.strands;
-    hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect;
+    hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
     hit.radius = radius(path);
     if (&hit_points == &tile_.hit_points)
       tile_.radii_in_pixels += static_cast<double>(hit.radius / path.camera->pixel_spacing(path.length));

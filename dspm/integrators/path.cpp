@@ -15,6 +15,7 @@
 #include "dspm/integrators/balance.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/direct_light.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/max_depth.h"
@@ -56,7 +57,9 @@ class PixelTracer {
 
   bool postpones(const CameraPath&, const HitPartition&) { return false; }
 
-  void arrived(const CameraPath& path, const Vertex& vertex) {
+  void arrived(const CameraPath& arriving, const Vertex& vertex) {
+    CameraPath path = arriving;
+    path.arrive(scene_, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       add_emission(path, vertex, frames);
       if (path.bounces >= limits_.max_depth || path.indirect) return;
@@ -115,7 +118,7 @@ class PixelTracer {
   /// `giver`: its source, the light if it is finite; else the one to blame.
   template <class WhoGave>
   void add(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    if (is_finite(radiance)) return out_.add({path.pixel, frames, radiance, light_of(giver())});
+    if (is_finite(radiance)) return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught});
     reject(path, frames, giver());
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {
@@ -187,7 +190,8 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();
   const int groups = LightGroups(scene, render.outputs).count();
-  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), groups)});
+  expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), groups,
+                                                                  has_catchers(scene))});
   return std::make_unique<Path>(iterations, Limits{max_depth, indirect}, scene, render);
 }
 

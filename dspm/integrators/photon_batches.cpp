@@ -1,5 +1,6 @@
 #include "dspm/integrators/photon_batches.h"
 
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/group_estimators.h"
 #include "dspm/integrators/memory_needs.h"
@@ -13,9 +14,11 @@ constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
 /// With several batches, iterations are long: the plan includes a copy of the state (session/revertible.h).
 std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render,
-                        const LightGroups& groups) {
+                        const LightGroups& groups, std::size_t estimators) {
   const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
-  const auto held = [&] { return estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) + found; };
+  const auto held = [&] {
+    return estimators * estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) + found;
+  };
   const std::size_t working = held();
   if (!of.batched) return working;
   of.batched = false;
@@ -35,6 +38,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
   if (render.memory == 0) return {settings.photons, settings.photons};
   const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
   const LightGroups groups(scene, render.outputs);
+  const std::size_t estimators = has_catchers(scene) ? 2 : 1;
   const double maps = groups.count() > 0 ? 2 : 1;  // groups have a map of their own, one after the other
   const double a_path = maps * bytes_a_photon_path(scene, settings.photon);
   MemoryNeeds needs, least;
@@ -45,7 +49,8 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
     if (count > 1 && batches.size < kLeastPaths) break;
     needs.photons = static_cast<std::size_t>(a_path * static_cast<double>(batches.size));
     needs.pixels =
-        pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render, groups) + guides;
+        pixel_bytes(estimator_settings(settings, scene, render, batches), estimator, render, groups, estimators) +
+        guides;
     if (needs.total() <= render.memory) return batches;
     if (count == 1 || needs.total() < least.total()) least = needs;
   }

@@ -104,7 +104,7 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
   const double photons = bytes_a_photon_path(scene, global.settings) * s.photons +
                          bytes_a_photon_path(scene, caustic.settings) * s.caustic_photons;
   MemoryNeeds needs;
-  needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count());
+  needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), 0, has_catchers(scene));
   needs.hit_points = hit_point_bytes(scene, render, hit_point_settings(s));
   needs.photons = static_cast<std::size_t>(photons) + global.learned->guides.bytes() + caustic.learned->guides.bytes();
   return needs;
@@ -113,7 +113,7 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
 class PhotonMapper final : public SummingIntegrator {
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
-      : SummingIntegrator(scene.frame_count(), render, statistics_at_start(settings, scene, render)),
+      : SummingIntegrator(scene, render, statistics_at_start(settings, scene, render), false),
         settings_(settings),
         render_(render) {
     global_how_ = {settings.nearest, global_radius(settings, scene), settings.photons};
@@ -179,7 +179,7 @@ class PhotonMapper final : public SummingIntegrator {
   void gather_tile(const Scene& scene, const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums,
                    TileCounts& counts) const {
     const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance) {
-      sums.add({hit.pixel, frames, radiance});
+      sums.add({frames, radiance, hit.pixel, -1, hit.caught});
     };
     const auto estimate = [&](const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how) {
       estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,

@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/found_photons.h"
 #include "dspm/integrators/group_estimators.h"
 #include "dspm/integrators/hidden_light.h"
@@ -40,9 +41,10 @@ class Progressive final : public Integrator {
                                      learned_ != nullptr ? learned_->bytes_while_learning : 0);
     const EstimatorSettings of = estimator_settings(settings, scene, render, batches_);
     estimator_ = estimator.make(of);
+    if (has_catchers(scene)) caught_ = estimator.make(of);
     const LightGroups groups(scene, render.outputs);
     groups_.emplace(groups, estimator, of);
-    pixel_bytes_ = estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) +
+    pixel_bytes_ = estimator.bytes(of) * (caught_ != nullptr ? 2 : 1) + GroupEstimators::bytes(groups, estimator, of) +
                    FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = batches_.count();
@@ -65,7 +67,7 @@ class Progressive final : public Integrator {
   std::vector<OutputInfo> outputs() const override {
     std::vector<OutputInfo> all = {radiance_output(), kRadiusOutput, kPhotonsOutput};
     all.insert(all.end(), group_outputs_.begin(), group_outputs_.end());
-    return all;
+    return with_caught_light(std::move(all), caught_ != nullptr);
   }
 
   Image estimate(Frame frame, const std::string& output) const override {
@@ -73,7 +75,8 @@ class Progressive final : public Integrator {
     if (output == kPhotonsOutput.name) return image_of([&](int pixel) { return Rgb(found_.photons(pixel, frame)); });
     if (const int group = groups_->groups().of_output(output); group != LightGroups::kNone)
       return image_of([&](int pixel) { return groups_->radiance(group, pixel, frame); });
-    return image_of([&](int pixel) { return estimator_->radiance(pixel, frame); });
+    const PixelEstimator& estimator = estimator_of(output == kCaughtLight);
+    return image_of([&](int pixel) { return estimator.radiance(pixel, frame); });
   }
 
   Statistics statistics() const override { return statistics_; }
@@ -86,8 +89,8 @@ class Progressive final : public Integrator {
 
   bool persist(StateStream& state) override {
     statistics_.persist(state);
-    estimator_->forget_iteration(), groups_->forget_iteration();
-    estimator_->persist(state), groups_->persist(state);
+    for_each_estimator([&](PixelEstimator& estimator) { estimator.forget_iteration(), estimator.persist(state); });
+    groups_->forget_iteration(), groups_->persist(state);
     shrinkage_.go_to(statistics_.iterations, settings_.alpha);
     found_.persist(state);
     found_by_tile_.persist(state);
@@ -96,12 +99,20 @@ class Progressive final : public Integrator {
   }
 
  private:
+  PixelEstimator& estimator_of(bool caught) const { return caught ? *caught_ : *estimator_; }
+  template <class Fn>
+  void for_each_estimator(Fn&& fn) {
+    fn(*estimator_);
+    if (caught_ != nullptr) fn(*caught_);
+  }
+
   // [WG12 figure 3]
   void iterate_once(int number, const Scene& scene) {
     const auto iteration = static_cast<std::uint64_t>(number);
     if (learned_ == nullptr) learn(scene);
     shrinkage_.go_to(number, settings_.alpha);
-    estimator_->begin_iteration(number), groups_->begin_iteration(number);
+    for_each_estimator([&](PixelEstimator& estimator) { estimator.begin_iteration(number); });
+    groups_->begin_iteration(number);
     balance_direct_light(scene);
     trace_camera_paths(scene, iteration);
     const float cell_size = mean_search_radius(scene);
@@ -113,7 +124,8 @@ class Progressive final : public Integrator {
       gather_photons();
       part_by_groups(scene, cell_size, first == 0);
     }
-    estimator_->end_iteration(), groups_->end_iteration();
+    for_each_estimator([](PixelEstimator& estimator) { estimator.end_iteration(); });
+    groups_->end_iteration();
     statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
     if (settings_.hit_point.go_on) statistics_.typical.photons = 0;  // few may be all that there are
     ++statistics_.iterations;
@@ -169,7 +181,7 @@ class Progressive final : public Integrator {
   void see_lights() {
     const StepTimer timer(statistics_.steps[kStatistics]);
     for_each_tile([this](const HitPointTile& tile, std::size_t) {
-      for (const SeenLight& light : tile.seen) estimator_->see(light);
+      for (const SeenLight& light : tile.seen) estimator_of(light.caught).see(light);
     });
   }
 
@@ -189,7 +201,7 @@ class Progressive final : public Integrator {
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       double initial = 0;
       for (const HitPoint& hit : tile.hit_points) {
-        sums[t] += std::sqrt(static_cast<double>(estimator_->search_radius2(hit)));
+        sums[t] += std::sqrt(static_cast<double>(estimator_of(hit.caught).search_radius2(hit)));
         initial += static_cast<double>(hit.radius);
       }
       if (initial > 0) shrunk_[t] = sums[t] / initial;
@@ -213,10 +225,10 @@ class Progressive final : public Integrator {
     std::vector<GatherCounts> counts(tiles_.size());
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       for (const HitPoint& hit : tile.glossy)
-        gather_hidden(hit, tile, hidden_map_, shrinkage_.squared(hit), counts[t],
-                      [&](FrameSet frames, const Rgb& radiance) {
-                        estimator_->see({hit.pixel, frames, radiance / static_cast<float>(settings_.photons)});
-                      });
+        gather_hidden(
+            hit, tile, hidden_map_, shrinkage_.squared(hit), counts[t], [&](FrameSet frames, const Rgb& radiance) {
+              estimator_of(hit.caught).see({frames, radiance / static_cast<float>(settings_.photons), hit.pixel});
+            });
     });
     account(counts, statistics_);
   }
@@ -228,7 +240,7 @@ class Progressive final : public Integrator {
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       for (const HitPoint& hit : tile.hit_points) {
         if (found_.are_wanted() && !hit.indirect) find_photons(hit, tile);
-        estimator_->gather_at(hit, tile, map_, counts[t]);
+        estimator_of(hit.caught).gather_at(hit, tile, map_, counts[t]);
       }
     });
     account(counts, statistics_);
@@ -254,16 +266,18 @@ class Progressive final : public Integrator {
   }
 
   void find_photons(const HitPoint& hit, const HitPointTile& tile) {
-    const float widest2 = estimator_->search_radius2(hit);
+    const PixelEstimator& estimator = estimator_of(hit.caught);
+    const float widest2 = estimator.search_radius2(hit);
     found_.gather_at(hit, tile, map_, widest2, [&](Frame frame) {
-      const std::optional<PixelStatistics> own = estimator_->statistics(hit.pixel, frame);
+      const std::optional<PixelStatistics> own = estimator.statistics(hit.pixel, frame);
       return !own ? widest2 : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
     });
   }
 
   /// For the next iteration.
   float radius(int pixel, Frame frame) const {
-    const std::optional<PixelStatistics> own = estimator_->statistics(pixel, frame);
+    std::optional<PixelStatistics> own = estimator_->statistics(pixel, frame);
+    if (own && own->R2 == 0 && caught_ != nullptr) own = caught_->statistics(pixel, frame);
     return own ? std::sqrt(own->R2) : shrinkage_.of(found_.initial_radius(pixel, frame));
   }
 
@@ -290,7 +304,8 @@ class Progressive final : public Integrator {
   std::vector<double> shrunk_;  // by tile: radius over initial radius
   std::vector<OutputInfo> group_outputs_;
   std::unique_ptr<PixelEstimator> estimator_;
-  std::optional<GroupEstimators> groups_;  // of lights; made together with the estimator
+  std::unique_ptr<PixelEstimator> caught_;  // of the light on shadow catchers; null: the scene has none
+  std::optional<GroupEstimators> groups_;   // of lights; made together with the estimator
   std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;

@@ -13,17 +13,19 @@ namespace dspm {
 
 /// Light that a camera path saw without photons: emission or sampled direct light, as radiance times throughput.
 struct SeenLight {
-  int pixel;
   FrameSet frames;
   Rgb radiance;
-  int light = -1;  // where it comes from, into the scene's; -1: not known
+  int pixel;
+  int light = -1;       // where it comes from, into the scene's; -1: not known
+  bool caught = false;  // on a shadow catcher: see caught_light.h
 };
 
 class SeenLightSums {
  public:
-  SeenLightSums(int pixels, int frames, LightGroups groups = {})
+  SeenLightSums(int pixels, int frames, LightGroups groups = {}, bool has_catchers = false)
       : frames_(frames),
         sums_(bytes(pixels, frames) / sizeof(Rgb)),
+        caught_(has_catchers ? sums_.size() : 0),
         groups_(std::move(groups)),
         parts_(static_cast<std::size_t>(groups_.count()) * sums_.size()) {}
   /// `groups`: how many.
@@ -33,8 +35,9 @@ class SeenLightSums {
   }
 
   void add(const SeenLight& light) {
-    light.frames.for_each([&](Frame f) { sums_[index(light.pixel, f)] += light.radiance; });
-    if (has_parts()) add_to_part(light);
+    std::vector<Rgb>& sums = light.caught ? caught_ : sums_;
+    light.frames.for_each([&](Frame f) { sums[index(light.pixel, f)] += light.radiance; });
+    if (has_parts() && !light.caught) add_to_part(light);
   }
   bool has_parts() const { return !parts_.empty(); }
   /// Only to the light's group.
@@ -52,12 +55,16 @@ class SeenLightSums {
         group == LightGroups::kNone ? sums_[at] : parts_[static_cast<std::size_t>(group) * sums_.size() + at];
     return sum / static_cast<float>(iterations);
   }
+  Rgb mean_caught(int pixel, Frame frame, int iterations) const {
+    return iterations == 0 ? Rgb() : caught_[index(pixel, frame)] / static_cast<float>(iterations);
+  }
   const LightGroups& groups() const { return groups_; }
   void persist(StateStream& state) {
     state.sum(sums_);
+    if (!caught_.empty()) state.sum(caught_);
     if (has_parts()) state.sum(parts_);
   }
-  std::size_t bytes() const { return (sums_.capacity() + parts_.capacity()) * sizeof(Rgb); }
+  std::size_t bytes() const { return (sums_.capacity() + caught_.capacity() + parts_.capacity()) * sizeof(Rgb); }
 
  private:
   std::size_t index(int pixel, Frame frame) const {
@@ -66,6 +73,7 @@ class SeenLightSums {
 
   int frames_;
   std::vector<Rgb> sums_;
+  std::vector<Rgb> caught_;  // by pixel and frame; empty: the scene has no catchers
   LightGroups groups_;
   std::vector<Rgb> parts_;  // by group, pixel and frame
 };

@@ -6,6 +6,7 @@
 
 #include "dspm/film/pixel_rect.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/output_info.h"
 #include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/statistics.h"
@@ -16,12 +17,15 @@ namespace dspm {
 class SummedIterations {
  public:
   /// `begin`: the statistics before the first iteration, except bytes.
-  SummedIterations(const PixelRect& crop, int frames, Statistics begin, LightGroups groups = {})
-      : crop_(crop), done_{SeenLightSums(crop.count(), frames, std::move(groups)), std::move(begin)}, next_(done_) {
+  SummedIterations(const PixelRect& crop, int frames, Statistics begin, LightGroups groups = {},
+                   bool has_catchers = false)
+      : crop_(crop),
+        done_{SeenLightSums(crop.count(), frames, std::move(groups), has_catchers), std::move(begin)},
+        next_(done_) {
     done_.statistics.bytes = bytes();
   }
-  static std::size_t bytes(int pixels, int frames, int groups = 0) {
-    return 2 * SeenLightSums::bytes(pixels, frames, groups);
+  static std::size_t bytes(int pixels, int frames, int groups = 0, bool has_catchers = false) {
+    return 2 * SeenLightSums::bytes(pixels, frames, groups + (has_catchers ? 1 : 0));
   }
   std::size_t bytes() const { return done_.sums.bytes() + next_.sums.bytes(); }
 
@@ -35,12 +39,14 @@ class SummedIterations {
   }
 
   const Statistics& statistics() const { return done_.statistics; }
-  /// Radiance, or the output of a group of lights.
+  /// Radiance, the output of a group of lights, or caught light.
   Image mean(Frame frame, const std::string& output = kRadiance) const {
     const int group = done_.sums.groups().of_output(output);
     Image image(crop_.width(), crop_.height());
     for (int pixel = 0; pixel < crop_.count(); ++pixel)
-      image.pixels[static_cast<std::size_t>(pixel)] = done_.sums.mean(pixel, frame, done_.statistics.iterations, group);
+      image.pixels[static_cast<std::size_t>(pixel)] =
+          output == kCaughtLight ? done_.sums.mean_caught(pixel, frame, done_.statistics.iterations)
+                                 : done_.sums.mean(pixel, frame, done_.statistics.iterations, group);
     return image;
   }
   void persist(StateStream& state) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dspm/image/image.h"
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/summed_iterations.h"
@@ -17,7 +18,7 @@ namespace dspm {
 
 class SummingIntegrator : public Integrator {
  public:
-  std::vector<OutputInfo> outputs() const override { return with_radiance(groups_); }
+  std::vector<OutputInfo> outputs() const override { return with_caught_light(with_radiance(groups_), has_catchers_); }
   Image estimate(Frame frame, const std::string& output) const override { return done_.mean(frame, output); }
   Statistics statistics() const override { return done_.statistics(); }
   bool persist(StateStream& state) override {
@@ -30,13 +31,16 @@ class SummingIntegrator : public Integrator {
   /// `begin`: the statistics before the first iteration, except bytes.
   SummingIntegrator(int frames, const RenderSettings& render, Statistics begin)
       : done_(render.crop, frames, std::move(begin)) {}
-  /// With the light of each group as an output.
-  SummingIntegrator(const Scene& scene, const RenderSettings& render, Statistics begin)
-      : groups_(light_group_outputs(scene)),
-        done_(render.crop, scene.frame_count(), std::move(begin), LightGroups(scene, render.outputs)) {}
+  /// With caught light, and with the light of each group as an output if it `has_groups`.
+  SummingIntegrator(const Scene& scene, const RenderSettings& render, Statistics begin, bool has_groups = true)
+      : groups_(has_groups ? light_group_outputs(scene) : std::vector<OutputInfo>()),
+        has_catchers_(has_catchers(scene)),
+        done_(render.crop, scene.frame_count(), std::move(begin),
+              has_groups ? LightGroups(scene, render.outputs) : LightGroups(), has_catchers_) {}
 
  private:
   std::vector<OutputInfo> groups_;
+  bool has_catchers_ = false;
 
  protected:
   SummedIterations done_;

@@ -41,6 +41,8 @@ Table make_table() {
       {"material", {"material.X"}, "the id of the material that most of the pixel shows", true, true}};
   at(SurfaceKind::alpha) = {{kAlphaOutput, {"A"}, "the share of the pixel's camera paths that meet a surface"}};
   at(SurfaceKind::crypto_object) = cryptomatte("cryptoobject", "CryptoObject", "objects");
+  at(SurfaceKind::catcher) = {
+      {kCatcherOutput, {"catcher.X"}, "the share of the pixel's camera paths that meet a shadow catcher first"}};
   at(SurfaceKind::crypto_material) = cryptomatte("cryptomaterial", "CryptoMaterial", "materials");
   return table;
 }

@@ -20,14 +20,16 @@ enum class SurfaceKind {
   alpha,
   crypto_object,
   crypto_material,
+  catcher,
 };
-inline constexpr int kSurfaceKinds = 10;
+inline constexpr int kSurfaceKinds = 11;
 inline bool is_id(SurfaceKind kind) { return kind == SurfaceKind::object || kind == SurfaceKind::material; }
 inline bool is_crypto(SurfaceKind kind) {
   return kind == SurfaceKind::crypto_object || kind == SurfaceKind::crypto_material;
 }
 
 inline constexpr const char* kAlphaOutput = "alpha";
+inline constexpr const char* kCatcherOutput = "catcher";
 
 /// Those of ids without names.
 const std::vector<OutputInfo>& outputs_of(SurfaceKind kind);

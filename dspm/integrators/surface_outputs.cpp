@@ -181,6 +181,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
         case Kind::normal: sum(vertex.frames, normal(scene, vertex)); break;
         case Kind::position: sum(vertex.frames, position(scene, vertex)); break;
         case Kind::depth: sum(vertex.frames, Rgb(depth(scene, vertex))); break;
+        case Kind::catcher: sum(vertex.frames, Rgb(scene.is_catcher(vertex.hit.shape) ? 1.f : 0.f)); break;
         case Kind::uv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
         case Kind::albedo:
           for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) { sum(frames, albedo(bsdf, vertex, path)); });
@@ -231,6 +232,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
   /// Of an output of the layer.
   Rgb value(const Layer& layer, std::size_t number, std::size_t at) const {
     if (layer.kind == Kind::alpha) return Rgb(share(met_[at]));
+    if (layer.kind == Kind::catcher) return layer.sums[at] / static_cast<float>(iterations_);
     if (is_crypto(layer.kind)) {
       const CoverageRanks::Share of = layer.ranks[at].sorted()[number];
       return of.paths == 0 ? Rgb() : Rgb(layer.ids[static_cast<std::size_t>(of.thing)], share(of.paths), 0);

@@ -61,6 +61,7 @@ bool can_replace(DirectiveKind kind) {
     case camera:
     case integrator:
     case light_source:
+    case area_light_source:
     case dynamic_begin:
     case translate:
     case rotate:
@@ -96,7 +97,7 @@ bool SceneBuilder::apply_variation(Directive& directive) {
   }
   if (is_out_of_place(directive)) return true;
   Variation* const variation = variation_in_force();
-  return variation != nullptr && replace_job(directive, *variation);
+  return variation != nullptr && (replace_lights(directive, *variation) || replace_job(directive, *variation));
 }
 
 bool SceneBuilder::is_out_of_place(const Directive& directive) {
@@ -109,8 +110,8 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
       fmt::format("{} is not allowed in {} ({})", directive.info->name, begin_of(blocks_.innermost()),
                   place_of(blocks_.innermost().where, directive.where)),
       in_axis ? "an axis contains only VariationBegin .. VariationEnd"
-              : "a variation contains MakeNamedMaterial, Texture, Light, LightSource, Show, Hide, Dynamic blocks, "
-                "Camera and Integrator");
+              : "a variation contains MakeNamedMaterial, Texture, Light, LightSource, AreaLightSource, Show, Hide, "
+                "Dynamic blocks, Camera and Integrator");
   return true;
 }
 
@@ -208,15 +209,29 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
   if (diagnostics_.error_count() == errors) variation.lights.push_back({name.text, directive.params, name.where});
 }
 
-void SceneBuilder::replace_light(Variation& variation, LightUse light) {
-  if (light.name.empty())
-    return diagnostics_.error(light.where, "a LightSource in a variation replaces one of the same name",
-                              "\"string name\" \"key\" replaces the light of that name");
-  const auto [first, is_new] = replaced_.light_sources.emplace(light.name, light.where);
+/// Its LightSource or AreaLightSource.
+bool SceneBuilder::replace_lights(Directive& directive, Variation& variation) {
+  const bool has_area = directive.info->kind == DirectiveKind::area_light_source;
+  if (!has_area && directive.info->kind != DirectiveKind::light_source) return false;
+  PluginUse use = plugin_use(directive, AttributeTarget::light);
+  std::string name = take_name(use.params);
+  if (name.empty()) {
+    diagnostics_.error(use.where,
+                       fmt::format("{} in a variation replaces one of the same name",
+                                   has_area ? "an AreaLightSource" : "a LightSource"),
+                       "\"string name\" \"key\" replaces the light of that name");
+    return true;
+  }
+  Places& replaced = has_area ? replaced_.area_lights : replaced_.light_sources;
+  const auto [first, is_new] = replaced.emplace(name, use.where);
   if (!is_new)
-    diagnostics_.error(light.where, fmt::format("LightSource \"{}\" appears twice", light.name),
-                       fmt::format("the first is on {}", place_of(first->second, light.where)));
-  variation.light_sources.push_back(std::move(light));
+    diagnostics_.error(use.where, fmt::format("{} \"{}\" appears twice", directive.info->name, name),
+                       fmt::format("the first is on {}", place_of(first->second, use.where)));
+  if (has_area)
+    variation.area_lights.push_back({std::move(use), std::move(name)});
+  else
+    variation.light_sources.push_back({std::move(use), std::move(name), state_.ctm, state_.dynamic_block});
+  return true;
 }
 
 /// The directives up to DynamicEnd stand in the place of those in the scene's block.
@@ -257,9 +272,10 @@ void SceneBuilder::check_replacements() {
                               numbers = names_of_places(float_textures_);
   std::set<std::string> lights, blocks;
   for (const LightUse& use : scene_.lights) lights.insert(use.name);
-  std::set<std::string> sources = lights;
-  sources.erase("");
-  for (const AreaLightUse& use : scene_.area_lights) lights.insert(use.name);
+  std::set<std::string> sources = lights, areas;
+  for (const AreaLightUse& use : scene_.area_lights) areas.insert(use.name);
+  lights.insert(areas.begin(), areas.end());
+  sources.erase(""), areas.erase("");
   const auto add_glowing = [&](const std::vector<MaterialUse>& uses) {
     for (const MaterialUse& use : uses)
       if (use.params.find("emission") != nullptr) lights.insert(use.name);
@@ -278,6 +294,14 @@ void SceneBuilder::check_replacements() {
                           const SourceLocation& where, const std::string& if_none) {
     if (diagnostics_.error_count() < kErrorsShown) expect_name(name, thing, names, where, if_none, diagnostics_);
   };
+  const auto expect_light = [&](const char* thing, const std::string& name, const std::set<std::string>& names,
+                                const char* other, const std::set<std::string>& others, const SourceLocation& where) {
+    if (names.count(name) == 0 && others.count(name) > 0)
+      diagnostics_.error(where, fmt::format("the scene's light \"{}\" is of the directive {}", name, other),
+                         fmt::format("{} \"{}\" replaces it", other, name));
+    else
+      expect(thing, name, names, where, fmt::format("name one with the parameter \"string name\" \"{}\"", name));
+  };
   for (const VariationAxis& axis : scene_.axes)
     for (const Variation& variation : axis.variations) {
       for (const MaterialUse& use : variation.materials)
@@ -290,8 +314,9 @@ void SceneBuilder::check_replacements() {
           expect("light", scale.light, lights, scale.where,
                  fmt::format("name a light with the parameter \"string name\" \"{}\"", scale.light));
       for (const LightUse& use : variation.light_sources)
-        expect("LightSource", use.name, sources, use.where,
-               fmt::format("name one with the parameter \"string name\" \"{}\"", use.name));
+        expect_light("LightSource", use.name, sources, "AreaLightSource", areas, use.where);
+      for (const AreaLightUse& use : variation.area_lights)
+        expect_light("AreaLightSource", use.name, areas, "LightSource", sources, use.where);
       for (const BlockSwitch& each : variation.switches)
         expect("Dynamic block", each.block, blocks, each.where,
                fmt::format("define it with DynamicBegin \"{}\" .. DynamicEnd", each.block));

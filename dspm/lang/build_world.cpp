@@ -190,13 +190,9 @@ void SceneBuilder::area_light_source(Directive& directive) {
 }
 
 void SceneBuilder::light_source(Directive& directive) {
-  Variation* const variation = variation_in_force();
   LightUse light{plugin_use(directive, AttributeTarget::light), {}, state_.ctm, state_.dynamic_block};
   light.name = take_name(light.params);
-  if (variation != nullptr)
-    replace_light(*variation, std::move(light));
-  else
-    scene_.lights.push_back(std::move(light));
+  scene_.lights.push_back(std::move(light));
 }
 
 void SceneBuilder::shape(Directive& directive) {

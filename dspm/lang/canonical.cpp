@@ -176,6 +176,8 @@ class Digests {
     for (const LightUse& use : variation.light_sources)
       add(named("light", use.name) + " of " + name, use.where,
           Canonical().use(use).text(use.name).motion(use.world_from_light, part_.moments));
+    for (const AreaLightUse& use : variation.area_lights)
+      add(named("area light", use.name) + " of " + name, use.where, Canonical().use(use).text(use.name));
     for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
     for (const MaterialUse& use : variation.materials) add_material(use, " of " + name);
     for (std::size_t i = first; i < digests_.size(); ++i) {

@@ -135,6 +135,7 @@ struct Variation {
   std::vector<LightScale> lights;
   std::vector<BlockSwitch> switches;
   std::vector<LightUse> light_sources;       // placed in the space of the light that they replace
+  std::vector<AreaLightUse> area_lights;     // on the shapes of the one that they replace
   std::vector<std::string> replaced_blocks;  // by a Dynamic block of its own
   std::optional<CameraUse> camera;
   std::optional<PluginUse> integrator;
@@ -224,9 +225,18 @@ struct SceneDescription {
   }
   /// What stands in the frame in place of that light.
   const LightUse& light_of(const LightUse& light, FileFrame frame) const {
+    return in_place_of(light, &Variation::light_sources, frame);
+  }
+  const AreaLightUse& light_of(const AreaLightUse& light, FileFrame frame) const {
+    return in_place_of(light, &Variation::area_lights, frame);
+  }
+
+ private:
+  template <class Use>
+  const Use& in_place_of(const Use& light, std::vector<Use> Variation::*kind, FileFrame frame) const {
     if (light.name.empty()) return light;
-    const LightUse* own = replacement(axes, choices(frame), [&](const Variation& v) -> const LightUse* {
-      for (const LightUse& each : v.light_sources)
+    const Use* own = replacement(axes, choices(frame), [&](const Variation& v) -> const Use* {
+      for (const Use& each : v.*kind)
         if (each.name == light.name) return &each;
       return nullptr;
     });

@@ -89,7 +89,7 @@ class SceneBuilder {
   void check_rules();
   bool find_axis(CombinationRule::Pattern& pattern);
   void check_pattern(const CombinationRule::Pattern& pattern);
-  void replace_light(Variation& variation, LightUse light);
+  bool replace_lights(Directive& directive, Variation& variation);
   void replace_block(const Directive& directive);
   bool replace_job(Directive& directive, Variation& variation);
   void scale_light(const Directive& directive, Variation& variation);
@@ -135,7 +135,7 @@ class SceneBuilder {
   std::vector<std::map<std::string, Motion>> outer_coordinate_systems_;  // of files being imported
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
-    Places float_textures, spectrum_textures, materials, lights, switches, light_sources, blocks;
+    Places float_textures, spectrum_textures, materials, lights, switches, light_sources, area_lights, blocks;
   } replaced_;                                          // by the current variation
   std::vector<Places> variations_;                      // by axis
   std::map<std::string, DynamicPlace> dynamic_states_;  // by name, the first of each

@@ -1,19 +1,23 @@
 // How far an image is from a reference, in numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "dspm/image/image.h"
 
 namespace dspm {
 
-/// Over all components of all pixels, of the linear values.
+/// Over all components of the linear values of all pixels that are finite in both images.
 struct ErrorFigures {
-  double rmse = 0;           // root of the mean squared error
-  double relative_rmse = 0;  // errors over the reference's values, which count as a hundredth of their mean at least
-  double bias = 0;           // the mean error over the mean
-  double largest = 0;        // absolute error
-  int x = 0, y = 0;          // where that is
+  double rmse = 0;  // root of the mean squared error
+  // Errors over the reference's values, which count as a hundredth of their mean at least. Of a black reference: none.
+  std::optional<double> relative_rmse;
+  std::optional<double> bias;        // the mean error over the mean, likewise
+  double largest = 0;                // absolute error
+  int x = 0, y = 0;                  // where that is
+  std::optional<double> alpha_rmse;  // if one of the images has an alpha
+  std::size_t left_out = 0;          // pixels that are not finite
 };
 
 /// Throws std::runtime_error if the sizes differ.

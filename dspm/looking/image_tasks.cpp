@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <stdexcept>
 
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
@@ -15,10 +16,12 @@
 #include "dspm/looking/shown_file.h"
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
+#include "dspm/system/readable.h"
 
 namespace dspm {
 namespace {
 
+constexpr const char* kBlackReference = "none, the mean of the reference is 0";
 constexpr float kMostFlicker = 0.1f;  // of a screen's scale, as the brightest false colour
 
 std::string written_by(const ImageTask& task, const std::string& usual, const std::vector<std::string>& read) {
@@ -48,21 +51,28 @@ std::string compare_images(const ImageTask& task) {
   const double mean = std::accumulate(errors.begin(), errors.end(), 0.) / static_cast<double>(errors.size());
   write_png(written, false_colours(errors, reference.width));
   return fmt::format(
-      "{} against {}\nRMSE           {:.6g}\nrelative RMSE  {:.6g}\nbias           {:+.4g}\nlargest error  {:.6g} at "
-      "pixel {}, {}\n"
+      "{} against {}\nRMSE           {:.6g}\nrelative RMSE  {}\nbias           {}\nlargest error  {:.6g} at "
+      "pixel {}, {}\n{}{}"
       "FLIP           {:.6g}, in false colours: {}\n",
-      second, first, figures.rmse, figures.relative_rmse, figures.bias, figures.largest, figures.x, figures.y, mean,
-      written);
+      second, first, figures.rmse,
+      figures.relative_rmse ? fmt::format("{:.6g}", *figures.relative_rmse) : kBlackReference,
+      figures.bias ? fmt::format("{:+.4g}", *figures.bias) : kBlackReference, figures.largest, figures.x, figures.y,
+      figures.alpha_rmse ? fmt::format("RMSE of alpha  {:.6g}\n", *figures.alpha_rmse) : "",
+      figures.left_out > 0 ? fmt::format("left out       {} not finite\n", counted(figures.left_out, "pixel")) : "",
+      mean, written);
 }
 
 std::string measure_flicker(const ImageTask& task) {
   const std::string written = written_by(task, "flicker.png", task.files);
   const View view(task.view);
   FlickerMeter meter;
-  int width = 1;
+  int width = 0, height = 0;
   for (const std::string& file : task.files) {
     const Image shown = shown_file(file, view);
-    width = shown.width;
+    if (width > 0 && (shown.width != width || shown.height != height))
+      throw std::runtime_error(fmt::format("{} has {} x {} pixels, and {} has {} x {}", file, shown.width, shown.height,
+                                           task.files.front(), width, height));
+    width = shown.width, height = shown.height;
     meter.add(shown);
   }
   const Flicker flicker = meter.result();

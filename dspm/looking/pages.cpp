@@ -18,6 +18,7 @@
 #include "dspm/output/video.h"
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
+#include "dspm/system/readable.h"
 
 namespace dspm {
 namespace {
@@ -113,7 +114,7 @@ std::string make_pages(const ImageTask& task, const PageFiles& pages) {
   }
   if (sheets) sheets->write(view.png(), rate);
   if (video) video->finish();
-  return fmt::format("{} images: {}{}{}\n", task.files.size(), pages.sheet,
+  return fmt::format("{}: {}{}{}\n", counted(task.files.size(), "image"), pages.sheet,
                      pages.sheet.empty() || pages.video.empty() ? "" : ", ", pages.video);
 }
 

@@ -19,6 +19,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/cutout.h"
+#include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/textures/plugins.h"
@@ -82,6 +83,7 @@ std::vector<CatalogueEntry> all_plugins() {
   add_common(entries, shape_plugins().kind(), [](ParamReader& params) {
     read_alpha(params);
     read_shape_caustics(params);
+    read_shadow_catcher(params);
   });
   add_common(
       entries, material_plugins().kind(), [](ParamReader& params) { read_relief(params, texture); }, has_relief);

@@ -116,8 +116,13 @@ class Scene {
   std::vector<Transform> camera_to_world;              // by frame
   std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
+  std::vector<bool> catchers;  // by shape: whether it only shows how others change its light; empty: none in the file
+  /// If the file has catchers: the same frames with nothing but these and what emits light.
+  std::unique_ptr<const Scene> without_objects;
+  bool is_without_objects = false;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
+  bool is_catcher(int shape) const { return !catchers.empty() && catchers[static_cast<std::size_t>(shape)]; }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
   /// Where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {

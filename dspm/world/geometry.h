@@ -25,9 +25,10 @@ namespace dspm {
 struct WorldShape {
   PlacedShape placed;  // `frames` and `light` are set when a scene is cut
   std::shared_ptr<const Shape> shape;
-  FrameRanges present;     // in the file
-  int emitter = -1;        // which of Geometry::emitters it belongs to
-  int dynamic_block = -1;  // of the description; -1: static
+  FrameRanges present;      // in the file
+  int emitter = -1;         // which of Geometry::emitters it belongs to
+  int dynamic_block = -1;   // of the description; -1: static
+  bool is_catcher = false;  // of shadows
   const ShapeUse* use = nullptr;
   int alpha = -1, alpha_state = 0;       // of Looks::number; -1: no holes
   bool nowhere = false;                  // a hole everywhere: no ray can meet it

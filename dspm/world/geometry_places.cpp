@@ -166,7 +166,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
       world.placed.to_world = to_world;
       world.placed.to_world_is_identity = to_world.is_identity();
       world.placed.flip_normals = use.reverse_orientation != (instance && instance->reverse_orientation);
-      world.placed.caustics = source.caustics;
+      world.placed.caustics = source.caustics, world.is_catcher = source.is_catcher;
       world.placed.material = source.materials[i];
       world.placed.object = object;
       world.placed.cutout_key = placed_;

@@ -22,6 +22,7 @@ struct Geometry::Source {
   std::vector<EmissionUse> lights;  // likewise
   std::vector<int> alphas;          // likewise, see WorldShape
   bool caustics = true;             // see PlacedShape
+  bool is_catcher = false;          // of shadows
   GeometryStates geometry;
   // By the instances' dynamic block: objects that do not move differ in nothing but their matrix.
   std::map<int, std::shared_ptr<const Placement>> unmoved;
@@ -30,7 +31,7 @@ struct Geometry::Source {
   /// Takes over the shape of the next directive, which is alike, if both are one shape in one state and it allows that.
   bool absorb(Source& next) {
     const auto is_one = [](const Source& s) { return s.made.size() == 1 && s.made.front().size() == 1; };
-    if (!is_one(*this) || !is_one(next) || caustics != next.caustics ||
+    if (!is_one(*this) || !is_one(next) || caustics != next.caustics || is_catcher != next.is_catcher ||
         !made.front().front().shape->absorb(*next.made.front().front().shape))
       return false;
     if (next.keys.empty()) keys.clear();

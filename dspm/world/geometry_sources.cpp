@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "dspm/params/params.h"
+#include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/system/parallel.h"
 #include "dspm/world/geometry.h"
@@ -58,6 +59,7 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
   source.params =
       param_states(without_alpha(use.params), description_.frames, presence(description_, use.dynamic_block));
   expect_same_in_all_frames(use, kShapeCausticsParam, diagnostics);
+  expect_same_in_all_frames(use, kShadowCatcherParam, diagnostics);
   const std::vector<ParamList>& states = source.params.states;
   std::vector<Diagnostics> messages(states.size(), Diagnostics(diagnostics.lenient()));
   std::vector<MadeOfParams> made(states.size());
@@ -66,7 +68,9 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
     const auto at = static_cast<std::size_t>(i);
     made[at] = maker.make(states[at], messages[at]);
   });
-  source.caustics = !made.empty() && made.front().caustics;  // the same in all states
+  // The same in all states:
+  source.caustics = !made.empty() && made.front().caustics;
+  source.is_catcher = !made.empty() && made.front().is_catcher;
   bool is_kept = kept_ != nullptr;
   for (std::size_t at = 0; at < states.size() && diagnostics.error_count() == 0; ++at) {
     diagnostics.append(std::move(messages[at]));

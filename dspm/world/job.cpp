@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <set>
 
+#include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/error_estimate.h"
-#include "dspm/integrators/surface_outputs.h"
+#include "dspm/integrators/shadow_catcher.h"
 #include "dspm/integrators/variance_output.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
+#include "dspm/shapes/shadow_catcher.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/integrator_choice.h"
@@ -19,6 +21,23 @@
 
 namespace dspm {
 namespace {
+
+bool gives(const Integrator& integrator, const char* name) {
+  const std::vector<OutputInfo> outputs = integrator.outputs();
+  return std::any_of(outputs.begin(), outputs.end(), [&](const OutputInfo& output) { return output.name == name; });
+}
+
+bool asks_for_shadow_catchers(const SceneDescription& description) {
+  const auto asks = [](const ShapeUse& use) {
+    const Param* const param = use.params.find(kShadowCatcherParam);
+    const auto* values = param != nullptr ? std::get_if<std::vector<bool>>(&param->values) : nullptr;
+    return values != nullptr && values->size() == 1 && values->front();
+  };
+  return std::any_of(description.shapes.begin(), description.shapes.end(), asks) ||
+         std::any_of(description.objects.begin(), description.objects.end(), [&](const ObjectDefinition& object) {
+           return std::any_of(object.shapes.begin(), object.shapes.end(), asks);
+         });
+}
 
 /// pbrt's paths per pixel where the scene names none, for scenes that were written for it.
 int usual_samples(const SceneDescription& description) {
@@ -188,15 +207,17 @@ int Job::iterations(const Integrator& made) const {
 
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory) const {
-  const auto make = [&](std::size_t bytes) {
-    RenderSettings bounded = settings;
+  const auto make = [&](const Scene& of, const RenderSettings& bounded) {
     const OwnIntegrator* const own = own_integrator(*this, scene);
     ParamReader reader(own != nullptr ? own->params : params, fmt::format("integrator \"{}\"", plugin->name),
                        own != nullptr ? own->use->where : where, diagnostics);
-    bounded.memory = bytes;
-    return plugin->make(reader, scene, bounded);
+    std::unique_ptr<Integrator> bare = plugin->make(reader, of, bounded);
+    if (bare == nullptr || !has_catchers(of) || gives(*bare, kCaughtLight)) return bare;
+    diagnostics.error(where, fmt::format("integrator \"{}\" knows no shadow catchers", plugin->name),
+                      "dsppm, sppm, vcm, path and photonmap do");
+    return std::unique_ptr<Integrator>();
   };
-  const auto make_with_outputs = [&](std::size_t bytes) { return with_surface_outputs(make, scene, settings, bytes); };
+  const auto make_with_outputs = [&](std::size_t bytes) { return with_shadow_catchers(make, scene, settings, bytes); };
   const auto make_with_variance = [&](std::size_t bytes) {
     return with_variance_output(make_with_outputs, scene, settings, bytes);
   };
@@ -216,6 +237,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.numbered = description.frames_where.file != nullptr;
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, choices, diagnostics);
+  job.film.transparent |= asks_for_shadow_catchers(description);
   job.exposure = imaging_ratio(job.film, shutter_seconds(description));
 
   IntegratorChoice choice = choose_integrator(description, choices, diagnostics);

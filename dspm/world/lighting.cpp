@@ -73,8 +73,7 @@ class LightMaker {
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
       const int shape = shape_of[f.slot()];
       if (shape < 0) return std::nullopt;
-      if (emitter.of_material >= 0) return of_material(emitter, shape, f);
-      return LightState{light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden};
+      return emitter.of_material < 0 ? of_directive(emitter, shape, f) : of_material(emitter, shape, f);
     });
     auto light = finish(use, fmt::format("area light \"{}\"", use.type), *plugin, states);
     if (light) light->is_delta = emitter.is_hidden;
@@ -83,6 +82,14 @@ class LightMaker {
   }
 
  private:
+  LightState of_directive(const Emitter& emitter, int shape, FileFrame f) const {
+    const AreaLightUse& use = description_.light_of(*emitter.use, f);
+    if (use.type != emitter.use->type)
+      diagnostics_.error(use.type_where,
+                         fmt::format("area light \"{}\" of type \"{}\" cannot be replaced by one of type \"{}\"",
+                                     use.name, emitter.use->type, use.type));
+    return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, nullptr, &use};
+  }
   /// Where the surface has no holes only: a hole has no material.
   std::optional<LightState> of_material(const Emitter& emitter, int shape, FileFrame f) const {
     const MaterialLight& light = looks_.light(emitter.of_material, f);

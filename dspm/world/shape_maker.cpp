@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape_caustics.h"
 #include "dspm/world/param_key.h"
 #include "dspm/world/param_states.h"
@@ -37,7 +38,7 @@ MadeOfParams ShapeMaker::make(const ParamList& params, Diagnostics& diagnostics)
     ParamReader reader(params, subject_of(use_), use_.where, diagnostics, main_directory_);
     const Param* const file = params.find("filename");
     move_to(file != nullptr ? file->where : use_.where, *known);
-    return {*std::move(known), read_shape_caustics(reader), key};
+    return {*std::move(known), read_shape_caustics(reader), read_shadow_catcher(reader), key};
   }
   const auto begin = KeptGeometry::Clock::now();
   const FilesReadHere files;
@@ -54,6 +55,7 @@ MadeOfParams ShapeMaker::make_anew(const ParamList& params, Diagnostics& diagnos
   ParamReader reader(params, subject_of(use_), use_.where, diagnostics, main_directory_);
   MadeOfParams result;
   result.caustics = read_shape_caustics(reader);
+  result.is_catcher = read_shadow_catcher(reader);
   for (MadeShape& made : plugin_.make(reader))
     result.shapes.push_back(
         {std::move(made.shape), std::move(made.material), made.repair, std::move(made.displacement)});

@@ -18,6 +18,7 @@ namespace dspm {
 struct MadeOfParams {
   MadeShapes shapes;
   bool caustics = true;           // see PlacedShape
+  bool is_catcher = false;        // of shadows
   std::optional<ContentKey> key;  // nothing: it cannot be kept
 };
 

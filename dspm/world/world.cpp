@@ -133,25 +133,40 @@ struct World::Impl {
     return static_cast<int>(group - light_groups.begin());
   }
 
-  std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames) const {
+  enum class Contents { all, without_objects };
+
+  std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames, Contents contents = Contents::all) const {
     std::vector<PlacedShape> shapes;
     const auto directives = static_cast<int>(lights.size() - geometry.emitters().size());
-    for (const WorldShape* shape : shapes_there(frames)) {
+    for (const WorldShape* shape : shapes_there(frames, contents)) {
       PlacedShape& placed = shapes.emplace_back(shape->placed);
       placed.frames = shape->present.among(frames);
       placed.light = shape->emitter < 0 ? -1 : directives + shape->emitter;
     }
     return shapes;
   }
-  std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames) const {
+  std::vector<const WorldShape*> shapes_there(const std::vector<FileFrame>& frames,
+                                              Contents contents = Contents::all) const {
     std::vector<const WorldShape*> there;
-    for (const WorldShape& shape : geometry.shapes())
+    for (const WorldShape& shape : geometry.shapes()) {
+      if (contents == Contents::without_objects && !shape.is_catcher && shape.emitter < 0) continue;
       if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
+    }
     return there;
   }
+  bool has_catchers() const {
+    const auto& shapes = geometry.shapes();
+    return std::any_of(shapes.begin(), shapes.end(), [](const WorldShape& shape) { return shape.is_catcher; });
+  }
+  void add_shapes(Scene& scene, Contents contents) const {
+    scene.shapes = shapes_in(scene.file_frames, contents);
+    const std::vector<const WorldShape*> there = shapes_there(scene.file_frames, contents);
+    cut_out(scene, there);
+    if (has_catchers())
+      for (const WorldShape* shape : there) scene.catchers.push_back(shape->is_catcher);
+  }
   /// Gives the scene's shapes their holes.
-  void cut_out(Scene& scene) const {
-    const std::vector<const WorldShape*> there = shapes_there(scene.file_frames);
+  void cut_out(Scene& scene, const std::vector<const WorldShape*>& there) const {
     for (std::size_t i = 0; i < there.size(); ++i) {
       const WorldShape& shape = *there[i];
       if (shape.alpha < 0) continue;
@@ -162,7 +177,9 @@ struct World::Impl {
     }
   }
 
-  std::unique_ptr<Accel> make_accel(const Scene& scene) const {
+  std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents) const;
+
+  std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents) const {
     const auto make = [&](std::span<const PlacedShape> shapes) {
       Diagnostics ignored;
       ParamReader reader = accel_reader(ignored);
@@ -172,7 +189,7 @@ struct World::Impl {
     ContentKey which(accel->name);
     add(which, accel_params);
     std::vector<std::shared_ptr<const Shape>> owners;
-    for (const WorldShape* shape : shapes_there(scene.file_frames)) owners.push_back(shape->shape);
+    for (const WorldShape* shape : shapes_there(scene.file_frames, contents)) owners.push_back(shape->shape);
     return kept->tree(which, scene.shapes, std::move(owners), scene.frames(), make);
   }
 
@@ -197,28 +214,34 @@ World::~World() = default;
 int World::frame_count() const { return impl_->description.frames.count(); }
 
 std::unique_ptr<Scene> World::scene(std::span<const FileFrame> frames) const {
+  std::unique_ptr<Scene> scene = impl_->scene(frames, Impl::Contents::all);
+  if (impl_->has_catchers()) scene->without_objects = impl_->scene(frames, Impl::Contents::without_objects);
+  return scene;
+}
+
+std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Contents contents) const {
   auto scene = std::make_unique<Scene>();
+  scene->is_without_objects = contents == Contents::without_objects;
   scene->file_frames.assign(frames.begin(), frames.end());
-  scene->center = impl_->sphere.center, scene->radius = impl_->sphere.radius;
-  scene->shapes = impl_->shapes_in(scene->file_frames);
-  impl_->cut_out(*scene);
-  scene->object_names = impl_->geometry.object_names();
-  scene->materials = impl_->looks.materials_in(scene->file_frames);
-  scene->material_names = impl_->looks.material_names();
+  scene->center = sphere.center, scene->radius = sphere.radius;
+  add_shapes(*scene, contents);
+  scene->object_names = geometry.object_names();
+  scene->materials = looks.materials_in(scene->file_frames);
+  scene->material_names = looks.material_names();
   for (const FrameStates<Material>& material : scene->materials)
     for (const auto& state : material.states) scene->absorbs |= !is_black(state.object->absorption());
-  for (const WorldLight& light : impl_->lights) {
+  for (const WorldLight& light : lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
                              alike_in(light, scene->file_frames), light.is_delta, light.controls.photons,
-                             light.controls.caustics, impl_->light_choices.shares(light), impl_->group_of(light)});
+                             light.controls.caustics, light_choices.shares(light), group_of(light)});
   }
-  scene->light_choices = impl_->light_choices.in(scene->file_frames);
-  scene->light_names = impl_->light_names.all();
-  scene->light_groups = impl_->light_groups;
-  scene->camera = cut(impl_->camera, scene->file_frames);
-  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(impl_->description, frame));
-  scene->accel = impl_->make_accel(*scene);
+  scene->light_choices = light_choices.in(scene->file_frames);
+  scene->light_names = light_names.all();
+  scene->light_groups = light_groups;
+  scene->camera = cut(camera, scene->file_frames);
+  for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(description, frame));
+  scene->accel = make_accel(*scene, contents);
   return scene;
 }
 
@@ -246,8 +269,11 @@ CameraMatrices World::camera_matrices(FileFrame frame) const {
 int World::pictures_held() const { return impl_->looks.pictures_held(); }
 
 std::size_t World::tree_bytes_at_most(std::span<const FileFrame> frames) const {
-  return impl_->accel->bytes_at_most(impl_->shapes_in({frames.begin(), frames.end()}),
-                                     FrameSet::first(static_cast<int>(frames.size())));
+  const auto bytes = [&](Impl::Contents contents) {
+    return impl_->accel->bytes_at_most(impl_->shapes_in({frames.begin(), frames.end()}, contents),
+                                       FrameSet::first(static_cast<int>(frames.size())));
+  };
+  return bytes(Impl::Contents::all) + (impl_->has_catchers() ? bytes(Impl::Contents::without_objects) : 0);
 }
 
 std::vector<std::string> World::explain(std::span<const FileFrame> frames) const {

@@ -72,7 +72,7 @@ class PhotonTracer {
                            (cosine * sight->pixels_per_area);
       if (is_black(radiance) || !is_finite(radiance)) return;
       const FrameSet open = seeing - scene_.accel->occluded(point.spawn(sight->w, sight->distance), seeing);
-      if (!open.empty()) splats_.push_back({pixel_in_crop(render_.crop, x, y), open, radiance});
+      if (!open.empty()) splats_.push_back({open, radiance, pixel_in_crop(render_.crop, x, y)});
     });
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "dspm/image/encoding.h"
@@ -33,8 +34,8 @@ TEST(ErrorFigures, AreThoseOfTheDefinition) {
   test.at(3, 1) = Rgb(2, 5, 2);
   const ErrorFigures figures = error_figures(reference, test);
   EXPECT_NEAR(figures.rmse, std::sqrt(9. / 24), 1e-12);
-  EXPECT_NEAR(figures.relative_rmse, std::sqrt(2.25 / 24), 1e-12);
-  EXPECT_NEAR(figures.bias, 3. / 24 / 2, 1e-12);
+  EXPECT_NEAR(figures.relative_rmse.value(), std::sqrt(2.25 / 24), 1e-12);
+  EXPECT_NEAR(figures.bias.value(), 3. / 24 / 2, 1e-12);
   EXPECT_EQ(figures.largest, 3);
   EXPECT_EQ(figures.x, 3);
   EXPECT_EQ(figures.y, 1);
@@ -45,7 +46,30 @@ TEST(ErrorFigures, BlackReferencesCountAsAHundredthOfTheMean) {
   Image reference = flat(2, 1, Rgb(0)), test = reference;
   reference.at(0, 0) = test.at(0, 0) = Rgb(2);
   test.at(1, 0) = Rgb(0.01f);
-  EXPECT_NEAR(error_figures(reference, test).relative_rmse, std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(error_figures(reference, test).relative_rmse.value(), std::sqrt(0.5), 1e-6);
+}
+
+TEST(ErrorFigures, LeaveOutPixelsThatAreNotFinite) {
+  Image reference = flat(4, 1, Rgb(2)), test = flat(4, 1, Rgb(3));
+  reference.at(0, 0).g = std::numeric_limits<float>::quiet_NaN(), test.at(1, 0).b = INFINITY;
+  const ErrorFigures figures = error_figures(reference, test);
+  EXPECT_EQ(figures.left_out, 2);
+  EXPECT_EQ(figures.rmse, 1);
+  EXPECT_EQ(figures.bias.value(), 0.5);
+  EXPECT_EQ(figures.largest, 1);
+}
+
+TEST(ErrorFigures, AreNotRelativeToABlackReference) {
+  const ErrorFigures figures = error_figures(flat(2, 2, Rgb(0)), flat(2, 2, Rgb(3)));
+  EXPECT_EQ(figures.rmse, 3);
+  EXPECT_FALSE(figures.relative_rmse || figures.bias);
+}
+
+TEST(ErrorFigures, AnImageWithoutAlphaIsOpaque) {
+  Image half = flat(2, 1, Rgb(1));
+  half.alpha = {1, 0.5f};
+  EXPECT_NEAR(error_figures(flat(2, 1, Rgb(1)), half).alpha_rmse.value(), 0.5 / std::sqrt(2.), 1e-7);
+  EXPECT_FALSE(error_figures(flat(2, 1, Rgb(1)), flat(2, 1, Rgb(1))).alpha_rmse);
 }
 
 /// Noise that is independent from frame to frame, of a known deviation on a screen's scale.

@@ -41,13 +41,13 @@ Translate 5 5 5
   }
 };
 
-void expect_variation(const std::string& variation, const Plain& plain) {
-  Plain product;
+void expect_variation(const std::string& variation, const Plain& plain, const Plain& own = {}) {
+  Plain product = own;
   product.variations = fmt::format(
       "AxisBegin \"a\" VariationBegin \"as it is\" VariationEnd VariationBegin \"other\" {} "
       "VariationEnd AxisEnd",
       variation);
-  TestScene together(product.text()), before(Plain().text()), after(plain.text());
+  TestScene together(product.text()), before(own.text()), after(plain.text());
   ASSERT_EQ(together.frame_count(), 6);
   const std::vector<Image> images = together.render_all(2);
   for (int moment = 0; moment < 3; ++moment) {
@@ -74,6 +74,16 @@ TEST(Replacements, OfALightStandWhereItStood) {
   Plain plain;
   plain.light = R"(Translate -1 0 0 LightSource "point" "rgb I" [2 9 2] "float scale@3" 2 "string name" "key")";
   expect_variation(plain.light, plain);
+}
+
+TEST(Replacements, OfAnAreaLightStayOnItsShapes) {
+  const auto light = [](const std::string& directive) {
+    Plain plain;
+    plain.light = directive + R"( Shape "sphere" "float radius" .2 Translate 1 0 0 Shape "sphere" "float radius" .2)";
+    return plain;
+  };
+  const std::string warm = R"(AreaLightSource "diffuse" "rgb L" [20 9 4] "float scale@3" 2 "string name" "lamp")";
+  expect_variation(warm, light(warm), light(R"(AreaLightSource "diffuse" "rgb L" [9 9 9] "string name" "lamp")"));
 }
 
 /// Of all pixels.
@@ -139,6 +149,9 @@ TEST(Replacements, ThatAreWrong) {
   };
   expect(R"(LightSource "point")", "a LightSource in a variation replaces one of the same name");
   expect(R"(LightSource "point" "string name" "kye")", "the scene has no LightSource named \"kye\"");
+  expect(R"(AreaLightSource "diffuse")", "an AreaLightSource in a variation replaces one of the same name");
+  expect(R"(AreaLightSource "diffuse" "string name" "key")",
+         "the scene's light \"key\" is of the directive LightSource");
   expect(R"(LightSource "point" "string name" "key" LightSource "point" "string name" "key")", "appears twice");
   expect(R"(LightSource "point" "string name" "key" "float photons" 2)", "must be those of the light that it replaces");
   expect(R"(DynamicBegin "prat" DynamicEnd)", "there is no Dynamic block \"prat\" before this variation");

@@ -84,6 +84,7 @@ class CameraSubpathTracer {
     if (!(cosine > 0)) return;
     CameraSubpath here = path;
     here.frames = vertex.frames, here.length += vertex.hit.t;
+    here.arrive(scene_, vertex);
     here.weights = vertex.point.turns ? SubpathWeights{}
                    : path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
                                       : weights_at_first_vertex(path, vertex, cosine);
@@ -221,7 +222,7 @@ class CameraSubpathTracer {
       for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
         const Rgb seen = path.throughput * own * brought.radiance * weight;
         if (!is_finite(seen)) return reject(path, frames, giver());
-        sums_.add({path.pixel, frames, seen, brought.light});
+        sums_.add({frames, seen, path.pixel, brought.light, path.caught});
       });
     });
   }
@@ -229,7 +230,7 @@ class CameraSubpathTracer {
   void add_to_part(const CameraSubpath& path, const Brought& brought) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
       const Rgb seen = path.throughput * own * brought.radiance;
-      if (is_finite(seen)) sums_.add_to_part({path.pixel, alike, seen, brought.light});
+      if (is_finite(seen) && !path.caught) sums_.add_to_part({alike, seen, path.pixel, brought.light});
     });
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -173,15 +173,16 @@ class LightPathTracer {
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(
-        scene_, vertex.point.spawn(sight.w, sight.distance), body, sent, [&](FrameSet open, const Rgb& transmittance) {
-          for (const FrameFactor& part : parts)
-            for_each_strand(
-                out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
-                  if (!frames.empty())
-                    out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance, light_index_});
-                });
-        });
+    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), body, sent,
+                  [&](FrameSet open, const Rgb& transmittance) {
+                    for (const FrameFactor& part : parts)
+                      for_each_strand(
+                          out_.strands.of(light.strands), part.frames & open, [&](FrameSet frames, const Rgb& weight) {
+                            if (!frames.empty())
+                              out_.splats.push_back({sight.film, frames, part.factor * weight * transmittance,
+                                                     light_index_, scene_.is_catcher(vertex.hit.shape)});
+                          });
+                  });
   }
 
   const VcmPass& pass_;

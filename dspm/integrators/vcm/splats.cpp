@@ -35,7 +35,7 @@ void add(const Splat& splat, const RenderSettings& render, int y0, int y1, SeenL
       const Vec2 centre{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
       const float density = filter.density(splat.film - centre);
       if (density > 0)
-        sums.add({pixel_in_crop(render.crop, x, y), splat.frames, splat.radiance * density, splat.light});
+        sums.add({splat.frames, splat.radiance * density, pixel_in_crop(render.crop, x, y), splat.light, splat.caught});
     }
 }
 

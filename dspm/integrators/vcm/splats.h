@@ -17,6 +17,7 @@ struct Splat {
   FrameSet frames;
   Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
   int light;     // that it comes from: into the scene's
+  bool caught;   // the place is on a shadow catcher
 };
 
 /// Whether a pixel of the crop sees the place.

@@ -214,9 +214,10 @@ std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, co
     settings.radius = usual_radius(sample != nullptr ? *sample : scene, render, settings.max_depth);
   }
   if (render.memory > 0)
-    expect_enough(render.memory, {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(),
-                                                                    LightGroups(scene, render.outputs).count()),
-                                  .photons = light_path_bytes(settings, scene, render)});
+    expect_enough(render.memory,
+                  {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(),
+                                                     LightGroups(scene, render.outputs).count(), has_catchers(scene)),
+                   .photons = light_path_bytes(settings, scene, render)});
   return std::make_unique<Vcm>(settings, scene, render, std::move(sample));
 }
 

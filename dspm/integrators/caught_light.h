@@ -1,0 +1,23 @@
+// The light of camera paths whose first surface is a shadow catcher: no part of the image, but what shadow_catcher.h makes
+// its alpha of.
+#pragma once
+
+#include <vector>
+
+#include "dspm/integrators/output_info.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// Of integrators that know catchers.
+inline constexpr const char* kCaughtLight = "caught";
+
+inline bool has_catchers(const Scene& scene) { return scene.without_objects != nullptr || scene.is_without_objects; }
+
+/// `outputs`, and that of caught light if the scene has catchers.
+inline std::vector<OutputInfo> with_caught_light(std::vector<OutputInfo> outputs, bool has_catchers) {
+  if (has_catchers) outputs.push_back({kCaughtLight, {"caught.R", "caught.G", "caught.B"}, "light on shadow catchers"});
+  return outputs;
+}
+
+}  // namespace dspm
