@@ -34,6 +34,16 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Develop
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
+# The Blender add-on as the zip that Blender installs.
+set(addon_folder ${CMAKE_SOURCE_DIR}/tools/blender)
+set(addon ${CMAKE_BINARY_DIR}/dspm_blender.zip)
+file(GLOB addon_files CONFIGURE_DEPENDS RELATIVE ${addon_folder} ${addon_folder}/dspm_blender/*.py)
+list(TRANSFORM addon_files PREPEND ${addon_folder}/ OUTPUT_VARIABLE addon_sources)
+add_custom_command(OUTPUT ${addon} DEPENDS ${addon_sources} WORKING_DIRECTORY ${addon_folder}
+  COMMAND ${CMAKE_COMMAND} -E tar cf ${addon} --format=zip -- ${addon_files})
+add_custom_target(blender_addon ALL DEPENDS ${addon})
+install(FILES ${addon} DESTINATION ${CMAKE_INSTALL_DATADIR}/dspm)
+
 # cpack makes a .deb that brings its dependencies, as the linked libraries' packages name them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME dspm)

@@ -1,11 +1,17 @@
 #include "dspm/gltf/material_uses.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dspm::gltf {
 namespace {
 
 constexpr const char* kVariants = "KHR_materials_variants";
+
+bool emits(const Value& material) {
+  constexpr std::array<double, 3> kDark{};
+  return material["emissiveFactor"].numbers(kDark) != kDark;
+}
 
 }  // namespace
 
@@ -44,17 +50,22 @@ std::string MaterialUses::name_of(const Value& primitive) {
 std::string MaterialUses::define(std::optional<std::size_t> material, const MeshLook& look) {
   std::string& known = defined_[{material, look}];
   if (!known.empty()) return known;
-  const std::string pointer = fmt::format("/materials/{}/", material.value_or(0));
+  const std::string place = fmt::format("materials/{}", material.value_or(0)), pointer = "/" + place + "/";
   const bool changes = material && std::any_of(animation_.channels.begin(), animation_.channels.end(),
                                                [&](const Channel& c) { return c.target().starts_with(pointer); });
   const std::string name =
       prefix_ + texture_names_.add(material_of(material, document_.json())["name"].text(""), "material");
-  std::vector<MaterialStatements> moments;
+  std::vector<Json> frames;
+  MaterialForm form{changes};
   Json json = changes ? document_.json() : Json();
-  for (int frame = 0; frame < (changes ? frames_ : 1); ++frame) {
-    if (changes) set_moment(json, animation_, frame / fps_);
-    moments.push_back(materials_.translate(material_of(material, changes ? json : document_.json()), name, look));
+  for (int frame = 0; frame < (changes ? frames_ : 0); ++frame) {
+    set_moment(json, animation_, frame / fps_);
+    frames.push_back(material_of(material, json).json());
+    form.emits = form.emits || emits(Value(&frames.back(), place));
   }
+  std::vector<MaterialStatements> moments;
+  for (const Json& moment : frames) moments.push_back(materials_.translate(Value(&moment, place), name, look, form));
+  if (!changes) moments.push_back(materials_.translate(material_of(material, document_.json()), name, look));
   for (std::size_t i = 0; i < moments.front().textures.size(); ++i) {
     std::vector<Statement> texture;
     for (const MaterialStatements& moment : moments)

@@ -14,8 +14,9 @@ using Triple = std::array<double, 3>;
 
 class MaterialTranslator {
  public:
-  MaterialTranslator(Materials& all, const Value& material, const std::string& name, const MeshLook& look)
-      : all_(all), material_(material), name_(name), look_(look) {}
+  MaterialTranslator(Materials& all, const Value& material, const std::string& name, const MeshLook& look,
+                     const MaterialForm& form)
+      : all_(all), material_(material), name_(name), look_(look), form_(form) {}
 
   MaterialStatements translate() {
     if (material_.extension("KHR_materials_unlit").exists()) {
@@ -116,7 +117,7 @@ class MaterialTranslator {
     std::string map = picture(info, parameter, "", "sRGB");
     if (of_vertices && look_.has_colours) note("colours of vertices are left out");
     if (map.empty()) return material().rgb(parameter, factor);
-    if (factor != Triple{1, 1, 1})
+    if (factor != Triple{1, 1, 1} || form_.is_keyed)
       map = add(fmt::format("{} tinted", parameter), "spectrum", "product",
                 {Parameter{"texture", "tex1", in_quotes(map)},
                  Parameter{"rgb", "tex2", fmt::format("[{}]", listed(factor))}});
@@ -127,12 +128,28 @@ class MaterialTranslator {
     return material_["pbrMetallicRoughness"]["baseColorFactor"].numbers(std::array<double, 4>{1, 1, 1, 1});
   }
 
+  struct Facets {
+    double roughness, anisotropy;
+  };
+  /// glTF stretches alpha along the tangent to alpha + (1 - alpha) s^2 with the strength s. principled keeps the product
+  /// of both alphas, and their ratio is 1 - 0.9 anisotropy. Where pictures change them, s stands for the anisotropy.
+  Facets facets() const {
+    const Value pbr = material_["pbrMetallicRoughness"], stretched = material_.extension("KHR_materials_anisotropy");
+    const double roughness = std::clamp(pbr["roughnessFactor"].number(1), 0.0, 1.0);
+    const double s = std::clamp(stretched["anisotropyStrength"].number(0), 0.0, 1.0);
+    if (s == 0 || stretched["anisotropyTexture"].exists() || pbr["metallicRoughnessTexture"].exists())
+      return {roughness, s};
+    const double alpha = roughness * roughness, along = alpha + (1 - alpha) * s * s;
+    const double ratio = std::max(alpha / along, 0.1);
+    return {std::pow(along * along * ratio, 0.25), (1 - ratio) / 0.9};
+  }
+
   void base() {
     const Value pbr = material_["pbrMetallicRoughness"], rough = pbr["metallicRoughnessTexture"];
     const auto factor = base_factor();
     colour("basecolor", {factor[0], factor[1], factor[2]}, pbr["baseColorTexture"], true);
     number("metallic", pbr["metallicFactor"].number(1), rough, "blue");
-    number("roughness", pbr["roughnessFactor"].number(1), rough, "green");
+    number("roughness", facets().roughness, rough, "green");
     if (const std::string map = picture(material_["normalTexture"], "normals", "", "linear"); !map.empty()) {
       material().texture("normaltexture", map);
       material().number("normalscale", material_["normalTexture"]["scale"].number(1), 1);
@@ -184,10 +201,17 @@ class MaterialTranslator {
     }
     const Value stretched = material_.extension("KHR_materials_anisotropy");
     if (stretched.exists()) {
-      number("anisotropy", stretched["anisotropyStrength"].number(0), stretched["anisotropyTexture"], "blue");
-      material().number("anisotropyrotation",
-                        stretched["anisotropyRotation"].number(0) * 180 / static_cast<double>(kPi), 0);
-      if (stretched["anisotropyTexture"].exists()) note("directions of KHR_materials_anisotropy are left out");
+      number("anisotropy", facets().anisotropy, stretched["anisotropyTexture"], "blue");
+      const double degrees = stretched["anisotropyRotation"].number(0) * 180 / static_cast<double>(kPi);
+      const std::string directions = picture(stretched["anisotropyTexture"], "directions", "", "linear");
+      if (directions.empty()) {
+        material().number("anisotropyrotation", degrees, 0);
+      } else {
+        Statement angle;
+        angle.texture("tex", directions), angle.number("rotation", degrees, 0);
+        material().texture("anisotropyrotation",
+                           add("anisotropyrotation", "float", "angle", std::move(angle.parameters)));
+      }
     }
     if (material_.extension("KHR_materials_iridescence").exists()) note("KHR_materials_iridescence is left out");
   }
@@ -195,7 +219,7 @@ class MaterialTranslator {
   void emission() {
     const auto factor = material_["emissiveFactor"].numbers(Triple{0, 0, 0});
     const double strength = material_.extension("KHR_materials_emissive_strength")["emissiveStrength"].number(1);
-    if (factor == Triple{0, 0, 0}) return;
+    if (factor == Triple{0, 0, 0} && !form_.emits) return;
     colour("emission", factor, material_["emissiveTexture"]);
     material().number("emissionstrength", strength, 1);
   }
@@ -226,11 +250,13 @@ class MaterialTranslator {
   const Value& material_;
   const std::string& name_;
   const MeshLook& look_;
+  const MaterialForm& form_;
   MaterialStatements result_;
 };
 
-MaterialStatements Materials::translate(const Value& material, const std::string& name, const MeshLook& look) {
-  MaterialStatements statements = MaterialTranslator(*this, material, name, look).translate();
+MaterialStatements Materials::translate(const Value& material, const std::string& name, const MeshLook& look,
+                                        const MaterialForm& form) {
+  MaterialStatements statements = MaterialTranslator(*this, material, name, look, form).translate();
   statements.material.head = "\"principled\"";
   return statements;
 }

@@ -19,6 +19,11 @@ struct MeshLook {
   friend auto operator<=>(const MeshLook&, const MeshLook&) = default;
 };
 
+/// What an animated material's statements have in every frame, so that they can be keyed.
+struct MaterialForm {
+  bool is_keyed = false, emits = false;
+};
+
 /// Statements that make one material: textures first, the material last. Names of textures begin with `name`.
 struct MaterialStatements {
   std::vector<Statement> textures;
@@ -32,7 +37,8 @@ class Materials {
       : document_(document), picture_name_(std::move(picture_name)) {}
 
   /// `material`: of the document, or of it at some moment; one that does not exist is glTF's default.
-  MaterialStatements translate(const Value& material, const std::string& name, const MeshLook& look);
+  MaterialStatements translate(const Value& material, const std::string& name, const MeshLook& look,
+                               const MaterialForm& form = {});
 
   /// What dspm does not have, each once.
   const std::set<std::string>& notes() const { return notes_; }

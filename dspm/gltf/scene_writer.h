@@ -48,7 +48,8 @@ class SceneWriter {
   void write_mesh(std::size_t node, int depth);
   void write_skinned(std::size_t node, int depth);
   void write_instances(std::size_t node, int depth);
-  void write_shapes(std::size_t node, bool changes, int depth);
+  bool is_still(std::size_t node) const;
+  void write_shapes(std::size_t node, bool changes, int depth, const std::string& name);
   void write_light(std::size_t node, int depth);
   void line(int depth, const std::string& text) {
     world_ += std::string(2 * static_cast<std::size_t>(depth), ' ') + text + "\n";

@@ -15,7 +15,8 @@ std::string in_quotes(const std::string& text) {
 
 std::string text_of(const Statement& statement) {
   std::string text = statement.head;
-  for (const Parameter& p : statement.parameters) text += fmt::format(" \"{} {}\" {}", p.type, p.name, p.value);
+  for (const Parameter& p : statement.parameters)
+    if (!p.is_usual) text += fmt::format(" \"{} {}\" {}", p.type, p.name, p.value);
   return text;
 }
 

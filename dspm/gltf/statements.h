@@ -20,6 +20,7 @@ std::string listed(const Numbers& numbers) {
 
 struct Parameter {
   std::string type, name, value;
+  bool is_usual = false;  // what is not said has this value; needed if other frames have another
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
@@ -32,7 +33,8 @@ struct Statement {
     parameters.push_back({std::move(type), std::move(name), std::move(value)});
   }
   void number(const char* name, double value, double usual) {
-    if (value != usual) set("float", name, fmt::format("{}", static_cast<float>(value)));
+    set("float", name, fmt::format("{}", static_cast<float>(value)));
+    parameters.back().is_usual = value == usual;
   }
   template <class Colour>
   void rgb(const char* name, const Colour& value) {

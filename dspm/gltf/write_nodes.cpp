@@ -102,7 +102,8 @@ void SceneWriter::write_mesh(std::size_t node, int depth) {
   if (mesh_uses_[mesh] > 1 && !changes && first["targets"].size() == 0)
     return line(depth, fmt::format("ObjectInstance {}", in_quotes(object_of(mesh, node))));
   if (changes) line(depth, fmt::format("DynamicBegin {}", in_quotes(name_of(node, "mesh") + " in motion")));
-  write_shapes(node, changes, depth + (changes ? 1 : 0));
+  write_shapes(node, changes, depth + (changes ? 1 : 0),
+               is_still(node) ? (*document_)["nodes"][node]["name"].text("") : "");
   if (changes) line(depth, "DynamicEnd");
 }
 
@@ -112,7 +113,7 @@ void SceneWriter::write_skinned(std::size_t node, int depth) {
   const std::string name = in_quotes(name_of(node, "skin") + " in motion");
   line(depth, changes ? fmt::format("DynamicBegin {}", name) : "AttributeBegin");
   line(depth + 1, "CoordSysTransform " + in_quotes(world_name()));
-  write_shapes(node, changes, depth + 1);
+  write_shapes(node, changes, depth + 1, is_still(node) ? (*document_)["nodes"][node]["name"].text("") : "");
   line(depth, changes ? "DynamicEnd" : "AttributeEnd");
 }
 
@@ -159,20 +160,31 @@ std::string SceneWriter::object_of(std::size_t mesh, std::size_t node) {
   std::swap(world_, objects_text_);
   if (!settings_.is_defined) {
     line(1, fmt::format("ObjectBegin {}", in_quotes(name)));
-    write_shapes(node, false, 2);
+    write_shapes(node, false, 2, "");
     line(1, "ObjectEnd");
   }
   std::swap(world_, objects_text_);
   return name;
 }
 
-void SceneWriter::write_shapes(std::size_t node, bool changes, int depth) {
+/// Outside of Dynamic blocks, whose names are those of what is in them.
+bool SceneWriter::is_still(std::size_t node) const {
+  const Poses& poses = *motion_->poses;
+  if (changes_shape(node)) return false;
+  for (std::optional<std::size_t> at = node; at; at = poses.parent(*at))
+    if (poses.moves(*at) || poses.changes_visibility(*at)) return false;
+  return true;
+}
+
+/// `name`: of what the shapes are parts of; empty: the scene gives it.
+void SceneWriter::write_shapes(std::size_t node, bool changes, int depth, const std::string& name) {
+  const std::string own = name.empty() ? "" : " \"string name\" " + in_quotes(name);
   const std::size_t mesh = (*document_)["nodes"][node]["mesh"].count(0);
   const Value primitives = (*document_)["meshes"][mesh]["primitives"];
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (!has_surface(primitives[i])) continue;
     line(depth, fmt::format("NamedMaterial {}", in_quotes(uses_.name_of(primitives[i]))));
-    line(depth, fmt::format("Shape \"plymesh\" \"string filename\" {}", in_quotes(mesh_file(node, i, changes))));
+    line(depth, fmt::format("Shape \"plymesh\" \"string filename\" {}", in_quotes(mesh_file(node, i, changes)) + own));
   }
 }
 

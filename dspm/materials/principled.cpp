@@ -145,7 +145,8 @@ class PrincipledMaterial final : public Material {
  private:
   static ShadingFrame frame(const SurfacePoint& point, float degrees) {
     if (degrees == 0) return ShadingFrame(point);
-    const Basis basis = Basis::around(point.ns, point.dpdu);
+    Basis basis = Basis::around(point.ns, point.dpdu);
+    if (dot(basis.y, point.dpdv) < 0) basis.y = -basis.y;  // mirrored coordinates, or a mirrored world
     SurfacePoint turned = point;
     turned.dpdu = basis.x * std::cos(degrees * kPi / 180) + basis.y * std::sin(degrees * kPi / 180);
     return ShadingFrame(turned);

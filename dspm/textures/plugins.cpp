@@ -8,6 +8,8 @@ namespace dspm {
 
 // One file per texture; each makes both kinds.
 template <class T>
+TexturePtr<T> make_angle(ParamReader& reader, const TextureContext& context);
+template <class T>
 TexturePtr<T> make_bilerp(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_checkerboard(ParamReader& reader, const TextureContext& context);
@@ -41,6 +43,7 @@ PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
   static PluginTable<Plugin<MakeTexture<T>>> table(
       "texture",
       {
+          {"angle", "the angle of a direction in a texture of colours", make_angle<T>},
           {"bilerp", "four values at the corners of a square, and what lies between", make_bilerp<T>},
           {"checkerboard", "two textures in alternating squares or cubes", make_checkerboard<T>},
           {"constant", "one value everywhere", make_constant<T>},

@@ -62,6 +62,18 @@ std::string explain_block(const DynamicBlock& block, const Summary& s, std::size
   return fmt::format("dynamic \"{}\": {}{} ({}). Paths that meet it split.", block.name, where, how, stored);
 }
 
+/// The names of what these shapes are parts of: all of them, or the first few.
+std::string named(const std::vector<const WorldShape*>& shapes, const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> list;
+  std::set<int> known;
+  for (const WorldShape* shape : shapes)
+    if (const int object = shape->placed.object; object >= 0 && known.insert(object).second && known.size() <= kMost)
+      list.push_back(names[static_cast<std::size_t>(object)]);
+  if (known.size() > kMost) list.push_back(fmt::format("and {} more", known.size() - kMost));
+  return list.empty() ? "" : fmt::format(" ({})", fmt::join(list, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
@@ -86,8 +98,9 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   const Summary changing = summary({first_changing, still.end()}, frames);
   still.erase(first_changing, still.end());
   const Summary fixed = summary(still, frames);
-  lines.push_back(fmt::format("static: {} in {}: shared by all frames. Paths that meet nothing else are traced once.",
-                              counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape")));
+  lines.push_back(fmt::format("static: {} in {}{}: shared by all frames. Paths that meet nothing else are traced once.",
+                              counted(fixed.primitives, "primitive"), counted(fixed.geometries.size(), "shape"),
+                              named(still, geometry.object_names())));
   if (changing.states > 1)
     lines.push_back(fmt::format("shapes whose holes or displacement differ: {}. Paths that meet them split.",
                                 counted(changing.states, "state")));

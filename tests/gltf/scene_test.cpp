@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "dspm/gltf/translation.h"
 #include "dspm/lang/parse.h"
 #include "dspm/session/load.h"
 #include "tests/gltf/gltf_file.h"
@@ -106,6 +108,76 @@ TEST(GltfScene, SaysWhatIsWrong) {
   put_file(directory / "b.gltf", "{}");
   put_file(directory / "c.dsc", "");
   parsed(directory / "a.dsc", 2);
+}
+
+TEST(GltfScene, StillNodesAreCalledByTheirNames) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  const int times = file.add_floats({0, 1}, "SCALAR", 1), places = file.add_floats({0, 0, 0, 2, 0, 0}, "VEC3", 3);
+  put_file(directory / "a.gltf",
+           file.text(fmt::format(
+               R"("nodes":[{{"name":"shelf","mesh":0,"children":[1]}},{{"name":"cup","mesh":1,"children":[2]}},)"
+               R"({{"name":"spoon","mesh":2}}],"meshes":[{{"primitives":[{0}]}},{{"primitives":[{0}]}},)"
+               R"({{"primitives":[{0}]}}],"animations":[{{"channels":[{{"sampler":0,"target":{{"node":1,)"
+               R"("path":"translation"}}}}],"samplers":[{{"input":{1},"output":{2}}}]}}])",
+               square.primitive(), times, places)));
+  const SceneDescription scene = parsed(directory / "a.gltf");
+  std::vector<std::string> names;
+  for (const ShapeUse& shape : scene.shapes) names.push_back(shape.name);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "shelf"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "spoon"), 0);  // moves with the cup, whose block names it
+}
+
+// What the first frame does not show is keyed all the same: light that is dark at first, a tint that is white at first.
+TEST(GltfScene, MaterialsMayBeginAsUsual) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  const int times = file.add_floats({0, 1}, "SCALAR", 1), colours = file.add_floats({0, 0, 0, 1, 0.5f, 0}, "VEC3", 3),
+            strengths = file.add_floats({1, 9}, "SCALAR", 1);
+  const auto channel = [](int sampler, const char* pointer) {
+    return fmt::format(R"({{"sampler":{},"target":{{"path":"pointer","extensions":{{"KHR_animation_pointer":)"
+                       R"({{"pointer":"/materials/0/{}"}}}}}}}})",
+                       sampler, pointer);
+  };
+  put_file(
+      directory / "a.gltf",
+      file.text(fmt::format(
+          R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],"materials":[{{"emissiveFactor":[0,0,0],)"
+          R"("extensions":{{"KHR_materials_emissive_strength":{{"emissiveStrength":1}}}}}}],)"
+          R"("animations":[{{"channels":[{},{}],"samplers":[{{"input":{},"output":{}}},{{"input":{},"output":{}}}]}}])",
+          square.primitive(R"(,"material":0)"), channel(0, "emissiveFactor"),
+          channel(1, "extensions/KHR_materials_emissive_strength/emissiveStrength"), times, colours, times,
+          strengths)));
+  const std::string text = gltf::translate(directory / "a.gltf", "a", {}).text;
+  EXPECT_NE(text.find("\"rgb emission@1\" [0 0 0]"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"rgb emission@25\" [1 0.5 0]"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"float emissionstrength@25\" 9"), std::string::npos) << text;
+  EXPECT_EQ(text.find("normalscale"), std::string::npos) << text;
+}
+
+// Alpha is 0.25 across the tangent and 0.25 + 0.75 / 4 = 0.4375 along it.
+TEST(GltfScene, StretchesFacetsAsGltfDoes) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  put_file(
+      directory / "a.gltf",
+      file.text(fmt::format(
+          R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],"materials":[{{"pbrMetallicRoughness":)"
+          R"({{"roughnessFactor":0.5}},"extensions":{{"KHR_materials_anisotropy":{{"anisotropyStrength":0.5}}}}}}])",
+          square.primitive(R"(,"material":0)"))));
+  const SceneDescription scene = parsed(directory / "a.gltf");
+  const auto look = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                 [](const MaterialUse& m) { return m.params.find("anisotropy") != nullptr; });
+  ASSERT_NE(look, scene.materials.end());
+  const auto number = [&](const char* name) {
+    return double{std::get<std::vector<float>>(look->params.find(name)->values).front()};
+  };
+  const double alpha = std::pow(number("roughness"), 2), aspect = std::sqrt(1 - 0.9 * number("anisotropy"));
+  EXPECT_NEAR(alpha / aspect, 0.4375, 1e-5);
+  EXPECT_NEAR(alpha * aspect, 0.25, 1e-5);
 }
 
 /// The world of a whole file, with its meshes.

@@ -203,6 +203,23 @@ TEST(Principled, RotationTurnsHighlights) {
   }
 }
 
+// Towards the side to which v grows, whatever the handedness of the coordinates.
+TEST(Principled, RotationGoesTowardsTheSecondTangent) {
+  const auto brushed = make("principled", {number("metallic", 1), number("roughness", 0.6f), number("anisotropy", 0.9f),
+                                           number("anisotropyrotation", 45)});
+  SurfacePoint point = surface(), mirrored = point;
+  const Basis basis = Basis::around(point.ns, point.dpdu);
+  point.dpdv = basis.y, mirrored.dpdv = -basis.y;
+  BsdfSlot slots[2];
+  const Bsdf &one = brushed->bsdf(point, slots[0]), &other = brushed->bsdf(mirrored, slots[1]);
+  const auto f = [&](const Bsdf& bsdf, float y) {
+    const Vec3 across = normalize(basis.x + basis.y * y);
+    return bsdf.evaluate(normalize(point.ns + across * 0.8f), point.ns, Transport::radiance, 1).g;
+  };
+  EXPECT_GT(f(one, 1), 1.5f * f(one, -1));
+  EXPECT_NEAR(f(other, -1), f(one, 1), 1e-3f * f(one, 1));
+}
+
 // Facets of metal reflect the base colour straight on and white light at grazing angles.
 TEST(Principled, MetalHasSchlicksFresnelTerm) {
   const auto metal =

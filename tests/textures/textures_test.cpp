@@ -41,6 +41,20 @@ TEST(Texture, ANewTextureOfTheSameNameReplaces) {
   EXPECT_EQ(holder->constant(), 1);
 }
 
+TEST(Texture, AnglesOfDirections) {
+  Workshop w;
+  const auto angle = [&](float red, float green, float rotation) {
+    return w
+        .make<float>("angle", {triple_param(ParamType::rgb, "tex", red, green, 0), number_param("rotation", rotation)})
+        ->evaluate({});
+  };
+  EXPECT_EQ(angle(1, .5f, 0), 0);
+  EXPECT_NEAR(angle(.5f, 1, 0), 90, 1e-4f);
+  EXPECT_NEAR(angle(.75f, .75f, 30), 75, 1e-4f);
+  EXPECT_NEAR(angle(.5f, .25f, 0), -90, 1e-4f);
+  EXPECT_EQ(w.make<float>("angle", {})->constant(), 0);
+}
+
 TEST(Texture, ScaleAndMix) {
   Workshop w;
   w.textures.add("squares", w.make<float>("checkerboard", {}));  // 1 and 0

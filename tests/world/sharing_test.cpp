@@ -39,6 +39,14 @@ TEST(Sharing, SaysWhatIsSharedAndWhy) {
   EXPECT_EQ(all.find("file of its own"), std::string::npos) << all;
 }
 
+TEST(Sharing, NamesWhatIsStatic) {
+  TestScene test(
+      "Frames 2\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\" \"string name\" \"seat\"\n"
+      "Shape \"disk\"\n");
+  EXPECT_NE(explained(test, {0, 1}).find("static: 2 primitives in 2 shapes (seat, disk): shared"), std::string::npos)
+      << explained(test, {0, 1});
+}
+
 TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
   TestScene test(test::box("Frames 6\n", kContents));
   EXPECT_NE(explained(test, {3, 4}).find("dynamic \"moving\": the same in all frames"), std::string::npos);
