@@ -15,7 +15,7 @@ set(public_headers
   lights/light.h
   materials/bsdf.h materials/interior.h materials/material.h materials/material_set.h materials/microfacet.h
   materials/parameters.h materials/shading_frame.h
-  math/bins.h math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h
+  math/bins.h math/frame_array.h math/frames.h math/ray.h math/rng.h math/sampling.h math/transform.h math/vec.h math/vertex_data.h
   lang/file_frames.h
   modules/module.h modules/stamp.h
   output/renderer.h

@@ -22,6 +22,9 @@ void add(CLI::App& app, Options& o) {
   app.add_option("--animation", o.animation,
                  "which animation of a glTF file is shown; else the first, and those that move other things")
       ->type_name("NAME");
+  app.add_option("--camera", o.camera,
+                 "which camera of a glTF file looks, by its name or its number from 1; else the first")
+      ->type_name("NAME");
   app.add_option("--studio", o.studio, "camera, lights and ground for a glTF file: auto (what it lacks), on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}).description(""))
       ->type_name("KIND");

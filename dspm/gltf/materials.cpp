@@ -56,7 +56,8 @@ class MaterialTranslator {
   void place(const Value& info, Statement& picture) {
     const Value transform = info.extension("KHR_texture_transform");
     const std::size_t set = transform["texCoord"].count(info["texCoord"].count(0));
-    if (set >= 1) note("texture coordinates beyond the first set are left out: the first is taken");
+    if (set >= 2) note("texture coordinates beyond the second set are left out: the second is taken");
+    if (set >= 1) picture.set("integer", "uvset", "2");
     if (!transform.exists()) return;
     const auto offset = transform["offset"].numbers(std::array<double, 2>{0, 0});
     const auto scale = transform["scale"].numbers(std::array<double, 2>{1, 1});
@@ -115,13 +116,22 @@ class MaterialTranslator {
   void colour(const char* parameter, Triple factor, const Value& info, bool of_vertices = false) {
     for (double& value : factor) value = std::clamp(value, 0.0, 1.0);
     std::string map = picture(info, parameter, "", "sRGB");
-    if (of_vertices && look_.has_colours) note("colours of vertices are left out");
+    if (of_vertices && look_.has_colours) map = times_vertices(map, parameter, "spectrum");
     if (map.empty()) return material().rgb(parameter, factor);
     if (factor != Triple{1, 1, 1} || form_.is_keyed)
       map = add(fmt::format("{} tinted", parameter), "spectrum", "product",
                 {Parameter{"texture", "tex1", in_quotes(map)},
                  Parameter{"rgb", "tex2", fmt::format("[{}]", listed(factor))}});
     material().texture(parameter, map);
+  }
+
+  /// A texture, if there is one, times the colours or opacities of the vertices.
+  std::string times_vertices(const std::string& map, const char* parameter, const char* type) {
+    const std::string own = add(fmt::format("{} of vertices", parameter), type, "vertexcolor", {});
+    if (map.empty()) return own;
+    Statement both;
+    both.texture("tex1", map), both.texture("tex2", own);
+    return add(fmt::format("{} on vertices", parameter), type, "product", std::move(both.parameters));
   }
 
   std::array<double, 4> base_factor() const {
@@ -237,6 +247,15 @@ class MaterialTranslator {
     const double factor = std::clamp(base_factor()[3], 0.0, 1.0), edge = material_["alphaCutoff"].number(0.5);
     std::string map =
         picture(material_["pbrMetallicRoughness"]["baseColorTexture"], "opacity", "alpha", "sRGB", factor);
+    if (look_.has_opacities) {
+      const bool scaled = map.empty() && (factor != 1 || form_.is_keyed);
+      map = times_vertices(map, "opacity", "float");
+      if (scaled) {
+        Statement dimmed;
+        dimmed.texture("tex1", map), dimmed.number("tex2", factor, INFINITY);
+        map = add("opacity tinted", "float", "product", std::move(dimmed.parameters));
+      }
+    }
     if (map.empty()) return material().number("alpha", mode == "BLEND" ? factor : factor >= edge ? 1 : 0, INFINITY);
     if (mode == "MASK") {
       Statement cut;

@@ -68,6 +68,7 @@ Translation SceneWriter::write() {
   for (const std::size_t node : all) visit(node);
   if (std::none_of(all.begin(), all.end(), [&](std::size_t node) { return useful_[node]; }))
     throw std::runtime_error("its scene has nothing to show: no meshes with surfaces, and no lights");
+  if (!settings_.around) choose_camera();
   for (const std::size_t node : all) write_node(node, 1);
   const std::string axis = uses_.axis();
 
@@ -97,7 +98,7 @@ void SceneWriter::visit(std::size_t node) {
   const Document& document = *document_;
   const Value own = document["nodes"][node];
   const Poses& poses = *motion_->poses;
-  if (own["camera"].exists() && !camera_node_) camera_node_ = node;
+  if (own["camera"].exists()) cameras_.push_back(node);
   bool useful = own.extension("KHR_lights_punctual").exists();
   has_light_ = has_light_ || useful;
   if (const auto mesh = own["mesh"].index(document["meshes"].size())) {
@@ -175,6 +176,26 @@ std::vector<int> SceneWriter::frames_to_see() const {
   std::vector<int> frames;
   for (int i = 0; i < count; ++i) frames.push_back(i * (motion_->frames - 1) / (count - 1));
   return frames;
+}
+
+void SceneWriter::choose_camera() {
+  if (settings_.studio == "on") return;
+  const Value cameras = (*document_)["cameras"];
+  std::vector<std::string> names;
+  for (const std::size_t node : cameras_) {
+    const Value own = (*document_)["nodes"][node];
+    const std::string name = own["name"].text("");
+    names.push_back(name.empty() ? cameras[own["camera"].required_index(cameras.size())]["name"].text("") : name);
+    if (names.back().empty()) names.back() = std::to_string(names.size());
+    const bool is_wanted = settings_.camera == names.back() || settings_.camera == std::to_string(names.size());
+    if (!camera_node_ && (settings_.camera.empty() || is_wanted)) camera_node_ = node;
+  }
+  if (!settings_.camera.empty() && !camera_node_)
+    throw std::runtime_error(fmt::format("it has no camera \"{}\"; available: {}", settings_.camera,
+                                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  if (settings_.camera.empty() && names.size() > 1)
+    result_.notes.push_back(
+        fmt::format("of its cameras, {} is shown; --camera chooses among {}", names.front(), fmt::join(names, ", ")));
 }
 
 std::string SceneWriter::camera(std::size_t node, double& aspect) {

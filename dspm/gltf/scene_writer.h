@@ -63,6 +63,7 @@ class SceneWriter {
   std::string header();
   std::string exposure();
   std::string camera(std::size_t node, double& aspect);
+  void choose_camera();
   std::string name_of(std::size_t node, const char* instead) const;
 
   std::shared_ptr<const Document> document_;
@@ -78,6 +79,7 @@ class SceneWriter {
   std::string world_, objects_text_;
   Subject subject_;
   std::map<std::size_t, std::vector<Vec3>> stiff_points_;  // of meshes that keep their shape
+  std::vector<std::size_t> cameras_;                       // nodes
   std::optional<std::size_t> camera_node_;
   bool has_light_ = false;
   std::vector<bool> useful_;

@@ -21,6 +21,7 @@ struct Around {
 struct Settings {
   double fps = 24;
   std::string animation;        // its name; empty: the first, and those that set other things
+  std::string camera;           // its name or number, from 1; empty: the first
   std::string studio = "auto";  // on, off, or auto: what is missing
   std::string hdr;              // a picture of the light around; empty: none
   /// It becomes part of a scene, without camera and studio; else it is a whole scene.

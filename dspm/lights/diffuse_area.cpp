@@ -138,7 +138,7 @@ class DiffuseArea final : public Light {
   /// The fraction of the surface that is there. Rays that hit it have passed that test.
   float present_at(const SurfacePoint& point) const {
     if (glow_.hidden || placed_.cutout == nullptr) return 1;
-    return std::clamp(placed_.cutout->alpha(point.p, point.uv), 0.f, 1.f);
+    return std::clamp(placed_.cutout->alpha(point), 0.f, 1.f);
   }
   EmitterPoints::Brightness brightness() const {
     if (!glow_.varies() && (glow_.hidden || placed_.cutout == nullptr)) return nullptr;

@@ -15,7 +15,7 @@ namespace dspm {
 
 /// The place at which textures are looked up.
 inline TexturePoint texture_point(const SurfacePoint& point) {
-  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy};
+  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, point.dpdx, point.dpdy, point.vertices};
 }
 
 /// A texture may exceed what a surface can reflect.

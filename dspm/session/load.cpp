@@ -19,7 +19,7 @@ namespace dspm {
 gltf::Settings gltf_settings_of(const Choices& choices) {
   gltf::Settings settings;
   if (choices.page_fps > 0) settings.fps = choices.page_fps;
-  settings.animation = choices.animation, settings.studio = choices.studio;
+  settings.animation = choices.animation, settings.camera = choices.camera, settings.studio = choices.studio;
   if (!choices.hdr.empty()) settings.hdr = std::filesystem::absolute(choices.hdr).string();
   return settings;
 }

@@ -1,16 +1,17 @@
 // Where a shape has holes: pbrt's "alpha". Shapes know no textures, so world implements this with one.
 #pragma once
 
-#include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
+
+struct SurfacePoint;
 
 class Cutout {
  public:
   virtual ~Cutout() = default;
   /// The fraction of rays that the surface stops at a point of the world: all of them from 1 on, none up to 0.
-  virtual float alpha(const Vec3& p, Vec2 uv) const = 0;
+  virtual float alpha(const SurfacePoint& point) const = 0;
 };
 
 inline constexpr const char* kAlphaParam = "alpha";

@@ -112,6 +112,13 @@ class Splitter {
     if (is_new) {
       mesh_.vertices.push_back(0.5f * (at(mesh_.vertices, low) + at(mesh_.vertices, high)));
       mesh_.uvs.push_back((at(mesh_.uvs, low) + at(mesh_.uvs, high)) * 0.5f);
+      if (!mesh_.second_uvs.empty())
+        mesh_.second_uvs.push_back((at(mesh_.second_uvs, low) + at(mesh_.second_uvs, high)) * 0.5f);
+      if (!mesh_.colours.empty()) {
+        std::array<float, 4> mean = at(mesh_.colours, low);
+        for (std::size_t c = 0; c < 4; ++c) mean[c] = 0.5f * (mean[c] + at(mesh_.colours, high)[c]);
+        mesh_.colours.push_back(mean);
+      }
       const Vec3 n = at(mesh_.normals, low) + at(mesh_.normals, high);
       mesh_.normals.push_back(length2(n) > 0 ? normalize(n) : at(mesh_.normals, low));
     }
@@ -126,7 +133,8 @@ class Splitter {
 }  // namespace
 
 MeshData displaced(const TriangleMesh& mesh, const Displacing& how) {
-  MeshData result{mesh.vertices(), mesh.normals(), mesh.uvs(), mesh.faces()};
+  MeshData result = mesh.data();
+  result.tangents.clear();
   if (result.uvs.empty()) throw std::runtime_error("a mesh to be displaced must have texture coordinates");
   if (result.normals.empty()) result.normals = normals_of(result, places_of(result));
   Splitter(result, how).split_all();

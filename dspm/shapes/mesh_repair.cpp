@@ -184,7 +184,8 @@ bool fits(const RepairPlan& plan, const TriangleMesh& mesh) {
 
 TriangleMesh apply(const RepairPlan& plan, const TriangleMesh& mesh) {
   if (!fits(plan, mesh)) throw std::invalid_argument("the repair was planned for a mesh with different faces");
-  MeshData mended{mesh.vertices(), mesh.normals(), mesh.uvs(), plan.faces, mesh.tangents()};
+  MeshData mended = mesh.data();
+  mended.faces = plan.faces;
   for (std::size_t i = 0; i < plan.place.size(); ++i) mended.vertices[i] = at(mesh.vertices(), plan.place[i]);
   if (!mended.normals.empty()) turn_normals(mended);
   return TriangleMesh(std::move(mended));

@@ -102,7 +102,7 @@ float PlacedShape::pdf_a(int primitive, const Vec3& ng) const {
 bool PlacedShape::stops(const Ray& ray, int primitive, Vec2 uv) const {
   if (cutout == nullptr) return true;
   const SurfacePoint point = surface_point(primitive, uv);
-  const float alpha = cutout->alpha(point.p, point.uv);
+  const float alpha = cutout->alpha(point);
   return alpha >= 1 || (alpha > 0 && number_of(ray, cutout_key, primitive, uv) < alpha);
 }
 

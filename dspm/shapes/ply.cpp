@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "dspm/shapes/ply_header.h"
@@ -71,13 +72,43 @@ class BinaryNumbers {
   std::string_view data_;
 };
 
+/// Colours of whole numbers are pictures' (sRGB), others linear.
+float colour_of(double value, PlyType type, bool is_opacity) {
+  const double most = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 0;
+  if (most == 0) return static_cast<float>(value);
+  const double c = value / most;
+  return static_cast<float>(is_opacity ? c : c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
 /// The meaning of a vertex's property.
-enum Slot { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kSlots, kNone = kSlots };
+enum Slot {
+  kX,
+  kY,
+  kZ,
+  kNx,
+  kNy,
+  kNz,
+  kU,
+  kV,
+  kTx,
+  kTy,
+  kTz,
+  kU2,
+  kV2,
+  kRed,
+  kGreen,
+  kBlue,
+  kAlpha,
+  kSlots,
+  kNone = kSlots
+};
 
 Slot slot_of(const PlyProperty& property) {
   static constexpr std::pair<std::string_view, Slot> table[] = {
-      {"x", kX}, {"y", kY}, {"z", kZ}, {"nx", kNx},       {"ny", kNy},       {"nz", kNz},       {"u", kU},
-      {"v", kV}, {"s", kU}, {"t", kV}, {"texture_u", kU}, {"texture_v", kV}, {"texture_s", kU}, {"texture_t", kV}};
+      {"x", kX},         {"y", kY},         {"z", kZ},         {"nx", kNx},     {"ny", kNy},       {"nz", kNz},
+      {"u", kU},         {"v", kV},         {"s", kU},         {"t", kV},       {"texture_u", kU}, {"texture_v", kV},
+      {"texture_s", kU}, {"texture_t", kV}, {"tx", kTx},       {"ty", kTy},     {"tz", kTz},       {"u2", kU2},
+      {"v2", kV2},       {"red", kRed},     {"green", kGreen}, {"blue", kBlue}, {"alpha", kAlpha}};
   for (const auto& [name, slot] : table)
     if (name == property.name && !property.is_list) return slot;
   return kNone;
@@ -121,9 +152,14 @@ class BodyReader {
     if (!has({kX, kY, kZ})) throw std::runtime_error("vertices have no x, y, z");
     has_normals_ = has({kNx, kNy, kNz});
     has_uvs_ = has({kU, kV});
+    has_tangents_ = has({kTx, kTy, kTz}), has_second_uvs_ = has({kU2, kV2});
+    has_colours_ = has({kRed, kGreen, kBlue}), has_opacities_ = has({kAlpha});
     mesh_.vertices.reserve(room);
     mesh_.normals.reserve(has_normals_ ? room : 0);
     mesh_.uvs.reserve(has_uvs_ ? room : 0);
+    mesh_.tangents.reserve(has_tangents_ ? room : 0);
+    mesh_.second_uvs.reserve(has_second_uvs_ ? room : 0);
+    mesh_.colours.reserve(has_colours_ ? room : 0);
   }
 
   bool has(std::initializer_list<Slot> slots) const {
@@ -146,12 +182,18 @@ class BodyReader {
       const PlyProperty& property = element.properties[i];
       if (property.is_list)
         skip(property);
+      else if (const Slot slot = slots_[i]; slot >= kRed && slot <= kAlpha)
+        value[slot] = colour_of(numbers_.next(property.type), property.type, slot == kAlpha);
       else
-        value[slots_[i]] = static_cast<float>(numbers_.next(property.type));
+        value[slot] = static_cast<float>(numbers_.next(property.type));
     }
     mesh_.vertices.push_back({value[kX], value[kY], value[kZ]});
     if (has_normals_) mesh_.normals.push_back({value[kNx], value[kNy], value[kNz]});
     if (has_uvs_) mesh_.uvs.push_back({value[kU], value[kV]});
+    if (has_tangents_) mesh_.tangents.push_back({value[kTx], value[kTy], value[kTz]});
+    if (has_second_uvs_) mesh_.second_uvs.push_back({value[kU2], value[kV2]});
+    if (has_colours_)
+      mesh_.colours.push_back({value[kRed], value[kGreen], value[kBlue], has_opacities_ ? value[kAlpha] : 1});
   }
 
   void read_face(const PlyElement& element) {
@@ -184,7 +226,8 @@ class BodyReader {
   const PlyHeader& header_;
   Numbers numbers_;
   std::vector<Slot> slots_;  // of the vertices' properties
-  bool has_normals_ = false, has_uvs_ = false;
+  bool has_normals_ = false, has_uvs_ = false, has_tangents_ = false, has_second_uvs_ = false;
+  bool has_colours_ = false, has_opacities_ = false;
   Polygons polygons_;
   MeshData mesh_;
 };

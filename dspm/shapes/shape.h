@@ -11,6 +11,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
+#include "dspm/math/vertex_data.h"
 #include "dspm/params/params.h"
 #include "dspm/params/registry.h"
 
@@ -38,6 +39,7 @@ struct SurfacePoint {
   // The surface turns to each ray, as a curve does, so ng belongs to the ray that met it here, and there is no area on
   // which photons could be counted.
   bool turns = false;
+  VertexPlace vertices{};  // of a mesh with colours of vertices or second texture coordinates
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side
   /// of ng.

@@ -38,6 +38,10 @@ std::optional<std::string> fault_of(const MeshData& data) {
     return fmt::format("{} texture coordinates for {} vertices", data.uvs.size(), count);
   if (!data.tangents.empty() && data.tangents.size() != count)
     return fmt::format("{} tangents for {} vertices", data.tangents.size(), count);
+  if (!data.second_uvs.empty() && data.second_uvs.size() != count)
+    return fmt::format("{} second texture coordinates for {} vertices", data.second_uvs.size(), count);
+  if (!data.colours.empty() && data.colours.size() != count)
+    return fmt::format("{} colours for {} vertices", data.colours.size(), count);
   for (std::size_t i = 0; i < data.faces.size(); ++i)
     for (const int v : data.faces[i])
       if (v < 0 || static_cast<std::size_t>(v) >= count)
@@ -72,7 +76,8 @@ TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
 std::size_t TriangleMesh::memory() const {
   return sizeof *this +
          (data_.vertices.capacity() + data_.normals.capacity() + data_.tangents.capacity()) * sizeof(Vec3) +
-         data_.uvs.capacity() * sizeof(Vec2) + data_.faces.capacity() * sizeof(Face);
+         (data_.uvs.capacity() + data_.second_uvs.capacity()) * sizeof(Vec2) +
+         data_.colours.capacity() * sizeof data_.colours[0] + data_.faces.capacity() * sizeof(Face);
 }
 
 Bounds3 TriangleMesh::bounds(int primitive) const {
@@ -97,7 +102,7 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
   s.p_error = gamma_bound(7) * (abs(c0) + abs(c1) + abs(c2)) + Vec3{size_error, size_error, size_error};
   s.ng = unit_normal(p0, p1, p2);
   s.ns = shading_normal(primitive, b, s.ng);
-  if (data_.uvs.empty()) {  // pbrt's defaults: (0,0), (1,0), (1,1)
+  if (data_.uvs.empty()) {  // see corner_uvs
     s.dpdu = p1 - p0, s.dpdv = p2 - p1;
     s.uv = {b.y + b.z, b.z};
   } else {
@@ -105,6 +110,7 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
     set_tangents(s, primitive, t);
     s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
   }
+  if (!data_.second_uvs.empty() || !data_.colours.empty()) s.vertices = {this, primitive, uv};
   if (!data_.tangents.empty()) {
     const Vec3 given = at_point(data_.tangents, primitive, b);
     if (is_finite(given) && length2(cross(s.ns, given)) > 0) s.dpdu = given;
@@ -113,9 +119,39 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
 }
 
 std::array<Vec2, 3> TriangleMesh::corner_uvs(int face) const {
+  if (data_.uvs.empty()) return {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}};  // as pbrt
+  return corners_of(data_.uvs, face);
+}
+
+std::array<Vec2, 3> TriangleMesh::corners_of(const std::vector<Vec2>& uvs, int face) const {
   std::array<Vec2, 3> result;
   for (int corner = 0; corner < 3; ++corner)
-    result[static_cast<std::size_t>(corner)] = data_.uvs[static_cast<std::size_t>(index(face, corner))];
+    result[static_cast<std::size_t>(corner)] = uvs[static_cast<std::size_t>(index(face, corner))];
+  return result;
+}
+
+std::array<float, 4> TriangleMesh::vertex_colour(int triangle, Vec2 at) const {
+  if (data_.colours.empty()) return {1, 1, 1, 1};
+  const float share[3] = {1 - at.x - at.y, at.x, at.y};
+  std::array<float, 4> mean{};
+  for (int corner = 0; corner < 3; ++corner)
+    for (std::size_t c = 0; c < 4; ++c)
+      mean[c] += share[corner] * data_.colours[static_cast<std::size_t>(index(triangle, corner))][c];
+  return mean;
+}
+
+// Solves w_i - w_0 = (u_i - u_0) dw/du + (v_i - v_0) dw/dv for the second coordinates w.
+VertexData::SecondUv TriangleMesh::second_uv(int triangle, Vec2 at) const {
+  const auto first = corner_uvs(triangle);
+  const auto& own = data_.second_uvs;
+  const auto second = own.empty() ? first : corners_of(own, triangle);
+  SecondUv result{second[0] * (1 - at.x - at.y) + second[1] * at.x + second[2] * at.y, {}, {}};
+  const Vec2 a = first[1] - first[0], b = first[2] - first[0], da = second[1] - second[0], db = second[2] - second[0];
+  const float determinant = a.x * b.y - b.x * a.y;
+  if (std::abs(determinant) > 1e-9f) {
+    result.by_u = (da * b.y - db * a.y) * (1 / determinant);
+    result.by_v = (db * a.x - da * b.x) * (1 / determinant);
+  }
   return result;
 }
 

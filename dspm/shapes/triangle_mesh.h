@@ -10,6 +10,7 @@
 #include "dspm/math/ray.h"
 #include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
+#include "dspm/math/vertex_data.h"
 #include "dspm/shapes/shape.h"
 
 namespace dspm {
@@ -23,14 +24,16 @@ struct MeshData {
   std::vector<Vec3> normals;  // one per vertex, any length, or none
   std::vector<Vec2> uvs;      // one per vertex, or none
   std::vector<Face> faces;
-  std::vector<Vec3> tangents = {};  // along u, one per vertex, any length, or none
+  std::vector<Vec3> tangents = {};                 // along u, one per vertex, any length, or none
+  std::vector<Vec2> second_uvs = {};               // one per vertex, or none
+  std::vector<std::array<float, 4>> colours = {};  // likewise: linear red, green, blue, and opacity
 };
 
 /// Why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if it is
 /// one.
 std::optional<std::string> fault_of(const MeshData& data);
 
-class TriangleMesh final : public Shape {
+class TriangleMesh final : public Shape, public VertexData {
  public:
   /// Throws std::invalid_argument with fault_of(data). If there are normals, faces are turned to their side.
   explicit TriangleMesh(MeshData data);
@@ -40,6 +43,7 @@ class TriangleMesh final : public Shape {
   const std::vector<Vec2>& uvs() const { return data_.uvs; }
   const std::vector<Face>& faces() const { return data_.faces; }
   const std::vector<Vec3>& tangents() const { return data_.tangents; }
+  const MeshData& data() const { return data_; }
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
@@ -55,12 +59,15 @@ class TriangleMesh final : public Shape {
   Vec2 sample_area(int primitive, Vec2 u) const override;
   std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const override;
   const TriangleMesh* triangles() const override { return this; }
+  std::array<float, 4> vertex_colour(int triangle, Vec2 at) const override;
+  SecondUv second_uv(int triangle, Vec2 at) const override;
 
  private:
   int index(int face, int corner) const {
     return data_.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
   }
   std::array<Vec2, 3> corner_uvs(int face) const;
+  std::array<Vec2, 3> corners_of(const std::vector<Vec2>& uvs, int face) const;
   void set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& uvs) const;
   Vec3 at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const;
   Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;

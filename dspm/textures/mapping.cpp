@@ -44,6 +44,10 @@ Vec2 bounded(Vec2 change) {
   return {bound(change.x), bound(change.y)};
 }
 
+VertexData::SecondUv second_uv(const TexturePoint& at) {
+  return at.vertices.data->second_uv(at.vertices.triangle, at.vertices.at);
+}
+
 TextureMapping::Kind kind_of(const std::string& word) {
   using Kind = TextureMapping::Kind;
   return word == "spherical"     ? Kind::spherical
@@ -58,6 +62,9 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
   TextureMapping mapping;
   mapping.kind_ =
       kind_of(reader.choice("mapping", "uv", {"uv", "spherical", "cylindrical", "planar"}, "from surface to picture"));
+  const int set = reader.integer("uvset", 1, {}, "of uv: 2 takes a mesh's second texture coordinates");
+  if (set != 1 && set != 2) reader.error("uvset", "\"uvset\" must be 1 or 2");
+  mapping.second_uv_ = set == 2;
   mapping.scale_.x = reader.number("uscale", 1, {}, "of uv: repetitions of the picture between u = 0 and 1");
   mapping.scale_.y = reader.number("vscale", 1, {}, "of uv: repetitions of the picture between v = 0 and 1");
   mapping.delta_.x = reader.number("udelta", 0, {}, "of uv and planar: shift");
@@ -72,7 +79,7 @@ TextureMapping TextureMapping::read(ParamReader& reader, const Transform& world_
 
 Vec2 TextureMapping::at(const TexturePoint& point) const {
   if (kind_ == Kind::uv) {
-    const Vec2 st = turned_uv(point.uv);
+    const Vec2 st = turned_uv(takes_second(point) ? second_uv(point).uv : point.uv);
     return {st.x + delta_.x, st.y + delta_.y};
   }
   return at_own(world_from_texture_.inverse_point(point.p));
@@ -96,7 +103,12 @@ TextureCoordinates TextureMapping::map(const TexturePoint& point) const {
 }
 
 Vec2 TextureMapping::change(const TexturePoint& point, const Vec3& dp) const {
-  if (kind_ == Kind::uv) return turned_uv(uv_change(point, dp));
+  if (kind_ == Kind::uv) {
+    const Vec2 first = uv_change(point, dp);
+    if (!takes_second(point)) return turned_uv(first);
+    const auto second = second_uv(point);
+    return turned_uv(second.by_u * first.x + second.by_v * first.y);
+  }
   const Vec3 p = world_from_texture_.inverse_point(point.p), own = world_from_texture_.inverse_vector(dp);
   if (kind_ == Kind::spherical) return {tilted(p, own), turned(p, own)};
   if (kind_ == Kind::cylindrical) return {turned(p, own), own.z};

@@ -2,6 +2,7 @@
 // cubes do. A footprint is carried along: the changes of the coordinates along its two axes.
 //
 //   | mapping                              | "uv"     | or spherical, cylindrical, planar                         |
+//   | uvset                                | 1        | of uv: 2 takes a mesh's second texture coordinates        |
 //   | uscale, vscale, udelta, vdelta       | 1, 1, 0, 0 | of uv: s = uscale u + udelta; planar takes the deltas too |
 //   | rotation                             | 0        | of uv: degrees from u towards v, after the scale and before the
 //   |                                      |          | delta                                                     |
@@ -35,10 +36,12 @@ class TextureMapping {
  private:
   Vec2 at_own(const Vec3& p) const;
   Vec2 turned_uv(Vec2 uv) const;
+  bool takes_second(const TexturePoint& point) const { return second_uv_ && point.vertices.data != nullptr; }
   /// How the coordinates change along the axis `dp` of a footprint, to first order.
   Vec2 change(const TexturePoint& point, const Vec3& dp) const;
 
   Kind kind_ = Kind::uv;
+  bool second_uv_ = false;
   Vec2 scale_{1, 1}, delta_;
   Vec2 along_u_{1, 0};  // where u leads to
   Vec3 v1_, v2_;

@@ -34,6 +34,8 @@ TexturePtr<T> make_scale(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_threshold(ParamReader& reader, const TextureContext& context);
 template <class T>
+TexturePtr<T> make_vertexcolor(ParamReader& reader, const TextureContext& context);
+template <class T>
 TexturePtr<T> make_windy(ParamReader& reader, const TextureContext& context);
 template <class T>
 TexturePtr<T> make_wrinkled(ParamReader& reader, const TextureContext& context);
@@ -56,6 +58,7 @@ PluginTable<Plugin<MakeTexture<T>>>& texture_plugins() {
           {"product", "a texture times another of its kind", make_product<T>},
           {"scale", "a texture times another", make_scale<T>},
           {"threshold", "a texture of numbers cut off: 0 below an edge, 1 from there on", make_threshold<T>},
+          {"vertexcolor", "the colours of a mesh's vertices", make_vertexcolor<T>},
           {"windy", "waves under gusts of wind", make_windy<T>},
           {"wrinkled", "noise with creases", make_wrinkled<T>},
       },

@@ -7,6 +7,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/vec.h"
+#include "dspm/math/vertex_data.h"
 
 namespace dspm {
 
@@ -18,6 +19,7 @@ struct TexturePoint {
   Vec3 n{};             // geometric normal, unit length
   Vec3 dpdu{}, dpdv{};  // derivatives of p by uv; dpdv is zero if they are not known
   Vec3 dpdx{}, dpdy{};  // the footprint
+  VertexPlace vertices{};
 };
 
 template <class T>

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "dspm/math/vec.h"
 #include "dspm/shapes/cutout.h"
+#include "dspm/shapes/shape.h"
 #include "dspm/textures/texture.h"
 
 namespace dspm {
@@ -12,7 +12,9 @@ namespace dspm {
 class TextureCutout final : public Cutout {
  public:
   explicit TextureCutout(TexturePtr<float> texture) : texture_(std::move(texture)) {}
-  float alpha(const Vec3& p, Vec2 uv) const override { return texture_->evaluate({p, uv}); }
+  float alpha(const SurfacePoint& point) const override {
+    return texture_->evaluate({point.p, point.uv, {}, {}, {}, {}, {}, point.vertices});
+  }
 
  private:
   TexturePtr<float> texture_;

@@ -18,7 +18,8 @@ namespace dspm::test {
 /// Holes, solid places and places that stop some rays, in stripes.
 class Stripes final : public Cutout {
  public:
-  float alpha(const Vec3&, Vec2 uv) const override {
+  float alpha(const SurfacePoint& point) const override {
+    const Vec2 uv = point.uv;
     const float stripe = std::floor(7 * (uv.x + 2 * uv.y));
     return 0.5f * (stripe - 3 * std::floor(stripe / 3));
   }

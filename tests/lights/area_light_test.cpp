@@ -228,7 +228,7 @@ TEST(AreaLight, EitherAColourOrAPicture) {
 // Half of the surface is there, so half of the light is, and more of what is sampled comes from there.
 TEST(AreaLight, ShinesWhereItIsThere) {
   class Half final : public Cutout {
-    float alpha(const Vec3& p, Vec2) const override { return p.x < 0.5f ? 1.f : 0.f; }
+    float alpha(const SurfacePoint& point) const override { return point.p.x < 0.5f ? 1.f : 0.f; }
   };
   const Half half;
   AreaLamp lamp = make_lamp("half", square(), {});

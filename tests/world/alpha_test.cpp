@@ -60,7 +60,7 @@ TEST(Alpha, AnotherAlphaIsAnotherPlacedShapeOfTheSameGeometry) {
   EXPECT_EQ(whole.shape, half.shape);
   EXPECT_EQ(whole.cutout, nullptr);
   ASSERT_NE(half.cutout, nullptr);
-  EXPECT_EQ(half.cutout->alpha({}, {}), 0.5f);
+  EXPECT_EQ(half.cutout->alpha({}), 0.5f);
   EXPECT_EQ(whole.cutout_key, half.cutout_key);
 }
 
@@ -70,8 +70,8 @@ Texture "leaf" "float" "constant" "float value" 0.25
 Shape "sphere" "texture alpha" "leaf"
 VariationBegin "spring" Texture "leaf" "float" "constant" "float value" 0.25 VariationEnd
 VariationBegin "autumn" Texture "leaf" "float" "constant" "float value" 0.75 VariationEnd)");
-  EXPECT_EQ(made.last(1).cutout->alpha({}, {}), 0.25f);
-  EXPECT_EQ(made.last().cutout->alpha({}, {}), 0.75f);
+  EXPECT_EQ(made.last(1).cutout->alpha({}), 0.25f);
+  EXPECT_EQ(made.last().cutout->alpha({}), 0.75f);
   EXPECT_EQ(made.last().frames, FrameSet::single(1));
 }
 

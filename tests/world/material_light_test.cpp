@@ -168,7 +168,7 @@ Shape "disk"
   ASSERT_EQ(scene->shapes.size(), 2u);
   EXPECT_EQ(scene->shapes[0].cutout, nullptr);
   ASSERT_NE(scene->shapes[1].cutout, nullptr);
-  EXPECT_EQ(scene->shapes[1].cutout->alpha({}, {}), 0.5f);
+  EXPECT_EQ(scene->shapes[1].cutout->alpha({}), 0.5f);
 }
 
 // Frames whose material differs in other ways share the shape.
