@@ -50,7 +50,7 @@ int render_live(Options options) {
   LastWords last_words;
   const InterruptRequests interrupts;
   KeptGeometry kept;
-  const Surroundings around{messages, memory, watch, last_words, &live, &kept};
+  const Surroundings around{messages, memory, watch, last_words, &live, nullptr, &kept};
   Edits edits(live, options.scenes, [&] {
     LiveMessages of_edit(options.quiet, live);
     Options edited = options;

@@ -19,7 +19,7 @@ class KeptGeometry;
 
 struct WorldOptions {
   int width = 1, height = 1;  // of the full image, for the camera
-  std::string accel;          // a plugin's name; empty: what the scene says, else two-level
+  std::string accel = {};     // a plugin's name; empty: what the scene says, else two-level
   bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
   float film_diagonal = CameraContext().film_diagonal;
   KeptGeometry* kept = nullptr;  // of scenes before, and for those to come; outlives the world

@@ -157,8 +157,8 @@ TEST(Mix, HolesFollowVariationsAndKeys) {
     VariationBegin "gone" MakeNamedMaterial "net" "string type" "mix" "string materials" ["air" "air"] VariationEnd)"));
   const auto scene = test.scene(test.all_frames());
   ASSERT_EQ(scene->shapes.size(), 3u);
-  EXPECT_EQ(scene->shapes[0].cutout->alpha({}, {}), 0.75f);
-  EXPECT_EQ(scene->shapes[1].cutout->alpha({}, {}), 0.25f);
+  EXPECT_EQ(scene->shapes[0].cutout->alpha({}), 0.75f);
+  EXPECT_EQ(scene->shapes[1].cutout->alpha({}), 0.25f);
   EXPECT_EQ(scene->shapes[2].cutout, nullptr);
   EXPECT_EQ(scene->shapes[2].frames, FrameSet::single(2));
 }
