@@ -101,7 +101,7 @@ int load_and(const Options& options, const Surroundings& around, const std::func
 }
 
 int render_scene(const Options& options, Link* others) {
-  if (options.serve) return render_live(options);
+  if (options.serve) return render_live(options, others);
   return with_render(options, "reading the scene", others,
                      [](Render& render, const LoadedScene&, Messages&) { return render.run(); });
 }

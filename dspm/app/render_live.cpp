@@ -1,6 +1,8 @@
 #include "dspm/app/render_live.h"
 
+#include <exception>
 #include <memory>
+#include <optional>
 
 #include "dspm/app/coarse.h"
 #include "dspm/app/render.h"
@@ -16,14 +18,15 @@ namespace {
 
 bool is_interrupted() { return InterruptRequests::signal() != 0; }
 
-/// Until the scene has changed, or the run is over.
-int render_once(Options options, const Surroundings& around, Edits& edits) {
+/// Until the scene has changed, or the run is over. `is_edited`: it is not the first time.
+int render_once(Options options, const Surroundings& around, Edits& edits, bool is_edited) {
   const auto step_begins = [&] {
     const char* const step = "reading the scene";
     around.watch.begin(step, ""), around.last_words.begin(step, ""), around.live->step_begins(step);
   };
   around.live->begin();  // before the scene is taken, so that no later one is missed
   options.look_at = around.live->camera();
+  if (is_edited && around.leader != nullptr) around.leader->begin_anew(options.look_at);
   forget_files_read();
   step_begins();
   std::unique_ptr<LoadedScene> coarse = edits.take();
@@ -38,7 +41,7 @@ int render_once(Options options, const Surroundings& around, Edits& edits) {
 
 }  // namespace
 
-int render_live(Options options) {
+int render_live(Options options, Link* others) {
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
   LivePage live(*options.serve, options.view);
@@ -50,23 +53,31 @@ int render_live(Options options) {
   LastWords last_words;
   const InterruptRequests interrupts;
   KeptGeometry kept;
-  const Surroundings around{messages, memory, watch, last_words, &live, nullptr, &kept};
+  std::optional<Leader> leader;
+  if (others != nullptr) leader.emplace(*others, [&] { return is_interrupted() || live.end_wanted(); });
+  const Surroundings around{messages, memory, watch, last_words, &live, leader ? &*leader : nullptr, &kept};
   Edits edits(live, options.scenes, [&] {
     LiveMessages of_edit(options.quiet, live);
     Options edited = options;
     edited.look_at = live.camera();
     return load_coarsely(edited, of_edit, kept);
   });
-  for (;;) try {
-      const int code =
-          naming_memory_step([&] { return watch.step(); }, [&] { return render_once(options, around, edits); });
+  /// False: the end is wanted.
+  const auto waits_for_edit = [&](const std::exception& error) {
+    live.show_problem(error.what());
+    print_message(error.what());
+    watch.begin("", "");
+    return live.wait_for_restart(is_interrupted);
+  };
+  for (bool is_edited = false;; is_edited = true) try {
+      const int code = naming_memory_step([&] { return watch.step(); },
+                                          [&] { return render_once(options, around, edits, is_edited); });
       if (!live.is_restarting()) return code;
       options.resume.clear();  // that was another scene
     } catch (const SceneError& error) {
-      live.show_problem(error.what());
-      print_message(error.what());
-      watch.begin("", "");
-      if (!live.wait_for_restart(is_interrupted)) throw;
+      if (!waits_for_edit(error)) throw;
+    } catch (const MachineFailed& error) {
+      if (!waits_for_edit(error)) throw;
     }
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "dspm/app/options.h"
+#include "dspm/machines/link.h"
 
 namespace dspm {
 
-/// Returns and throws as render_scene() does. A scene with errors does not end it: they stand on the page until they
-/// are mended.
-int render_live(Options options);
+/// Returns and throws as render_scene() does. A scene with errors does not end it, nor does another machine that cannot
+/// read it: they stand on the page until they are mended.
+int render_live(Options options, Link* others = nullptr);
 
 }  // namespace dspm

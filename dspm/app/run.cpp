@@ -76,9 +76,16 @@ SessionSettings Render::session_settings() const {
   if (leader_ == nullptr) return settings;
   settings.block = options_.block.value_or(4);
   settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
+    refuse_if_not_in_parts(*integrator, "mpirun");
     return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), {all, block});
   };
   return settings;
+}
+
+void Render::refuse_if_not_in_parts(const Integrator& integrator, const char* asked_by) const {
+  if (const std::string why = integrator.why_not_in_parts(); !why.empty())
+    throw UsageError(fmt::format("{}: {} cannot be rendered in parts: {}", asked_by,
+                                 in_words("integrator", loaded_.job.integrator), why));
 }
 
 void Render::say_end_of_part() const {

@@ -60,9 +60,7 @@ class Render final : public SessionObserver {
     announce(scene, integrator, iterations);
     onlookers_.emplace(loaded_.job, options_, View(options_.view), messages_);
     if (live_ != nullptr) live_->begin_run(loaded_.job, scene, integrator, iterations, false);
-    if (const std::string why = integrator.why_not_in_parts(); (is_part() || leader_ != nullptr) && !why.empty())
-      throw UsageError(fmt::format("{}: {} cannot be rendered in parts: {}", is_part() ? "--part" : "mpirun",
-                                   in_words("integrator", loaded_.job.integrator), why));
+    if (is_part()) refuse_if_not_in_parts(integrator, "--part");
     checkpoints_.begin(intervals_, integrator);
   }
   IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
@@ -101,6 +99,8 @@ class Render final : public SessionObserver {
   bool is_part() const { return !options_.part.is_all(); }
   SessionSettings session_settings() const;
   void say_end_of_part() const;
+  /// Throws UsageError.
+  void refuse_if_not_in_parts(const Integrator& integrator, const char* asked_by) const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.
   bool is_of_no_use() const { return live_ != nullptr && live_->is_restarting(); }

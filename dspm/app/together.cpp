@@ -12,6 +12,7 @@
 #include "dspm/machines/helper.h"
 #include "dspm/system/cancellation.h"
 #include "dspm/system/parallel.h"
+#include "dspm/world/kept_geometry.h"
 
 namespace dspm {
 namespace {
@@ -20,9 +21,7 @@ void refuse_what_needs_one_machine(const Options& o) {
   const auto refuse = [](bool is_given, const char* option, const char* why) {
     if (is_given) throw UsageError(fmt::format("{} does not go together with mpirun: {}", option, why));
   };
-  refuse(o.until_error > 0, "--until-error", "no machine knows the error of the whole while it works");
   refuse(!o.part.is_all() || !o.frame_part.is_all(), "--part", "the machines share out all iterations already");
-  refuse(o.serve.has_value(), "--serve", "edits would have to reach all machines; --display-server shows images");
   for (const std::string& scene : o.scenes)
     refuse(scene == "-", "-", "every machine reads the scene, so it cannot come from standard input");
 }
@@ -33,22 +32,30 @@ std::string host() {
   return name.data();
 }
 
-int help(const Options& options, Link& link) {
+std::optional<Edition> next_edition(Helper& helper) {
+  allow_work();  // before the question: work is cancelled after each later edition
+  return helper.edition();
+}
+
+int help(Options options, Link& link) {
   SignalHandlers handlers;  // the leader decides what a signal means
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) handlers.handle(signal, SIG_IGN);
+  const ThreadLimit threads(options.threads);
+  KeptGeometry kept;
   Helper helper(link, [] { cancel_work(); });
-  try {
-    const Cancellable nothing_is_lost;
-    const ThreadLimit threads(options.threads);
-    Messages messages(true);
-    const std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
-    LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), messages);
-    prepare(options, resumed.get(), true, loaded.job);
-    helper.render(loaded, messages, host(), digest_of(loaded.job));
-  } catch (const Cancelled&) {  // it is over
-  } catch (const std::exception& error) {
-    helper.fail(fmt::format("{}: {}", host(), error.what()));
-  }
+  while (const std::optional<Edition> edition = next_edition(helper)) try {
+      if (edition->number > 0) options.resume.clear(), options.look_at = edition->look_at;  // that was another scene
+      const Cancellable nothing_is_lost;
+      Messages messages(true);
+      const std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
+      LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), messages, std::nullopt,
+                         options.serve ? &kept : nullptr);
+      prepare(options, resumed.get(), true, loaded.job);
+      helper.render(loaded, messages, {host(), digest_of(loaded.job), edition->number});
+    } catch (const Cancelled&) {  // it is over, or there is another edition
+    } catch (const std::exception& error) {
+      helper.fail({edition->number, fmt::format("{}: {}", host(), error.what())});
+    }
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "dspm/integrators/error_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -85,7 +86,7 @@ class ErrorEstimate final : public WrappingIntegrator {
 
   void iterate(int iteration, const Scene& scene) override {
     inner_->iterate(iteration, scene);
-    const int done = iteration + 1;
+    const int done = inner_->statistics().iterations;
     if (const std::optional<std::size_t> slot = slot_of(done)) compare(*slot, done);
   }
 
@@ -101,13 +102,14 @@ class ErrorEstimate final : public WrappingIntegrator {
     state.value(known_);
     state.value(errors_);
     state.value(kept_);
+    state.value(kept_after_);
     return true;
   }
 
  private:
   /// With the image after half of the iterations, which the present one replaces.
   void compare(std::size_t slot, int done) {
-    const bool has_half = done >= kFirstEstimate && done % 2 == 0;
+    const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;
     const std::size_t size = kept_.size() / (kMarksPerOctave * frames_);
     for (std::size_t f = 0; f < frames_; ++f) {
       const std::span<float> kept(&kept_[(slot * frames_ + f) * size], size);
@@ -115,12 +117,14 @@ class ErrorEstimate final : public WrappingIntegrator {
       if (has_half) errors_[f] = error_of(kept, now);
       std::copy(now.begin(), now.end(), kept.begin());
     }
+    kept_after_[slot] = done;
     known_ |= static_cast<std::uint8_t>(has_half);
   }
 
   PixelGrid grid_;
   std::size_t frames_;
-  std::vector<float> kept_;  // luminances by slot, frame and pixel
+  std::vector<float> kept_;                        // luminances by slot, frame and pixel
+  std::array<int, kMarksPerOctave> kept_after_{};  // so many iterations
   std::vector<double> errors_;
   std::uint8_t known_ = 0;
 };

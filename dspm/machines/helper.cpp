@@ -11,17 +11,22 @@ namespace dspm {
 Helper::Helper(Link& link, std::function<void()> on_end)
     : on_end_(std::move(on_end)), post_(link, [this](Letter letter) { open(std::move(letter)); }) {}
 
-void Helper::render(const LoadedScene& loaded, Messages& messages, const std::string& host, const std::string& digest) {
+std::optional<Edition> Helper::edition() {
+  const std::lock_guard lock(mutex_);
+  return is_over_ ? std::nullopt : std::optional(edition_);
+}
+
+void Helper::render(const LoadedScene& loaded, Messages& messages, const Hello& hello) {
   std::uint64_t interval = 0;  // of the integrator; 0: none yet
   std::unique_ptr<Scene> scene;
   std::unique_ptr<Integrator> integrator;
   std::string zero;
-  post_.send(0, LetterKind::ready, written(Hello{host, digest}));
-  while (const std::optional<Order> order = next_order()) {
+  post_.send(0, LetterKind::ready, written(hello));
+  while (const std::optional<Order> order = next_order(hello.edition)) {
     if (order->interval != interval) {
       integrator.reset(), scene.reset();
       scene = loaded.world->scene(order->frames);
-      integrator = make_integrator(loaded.job, *scene, messages, static_cast<std::size_t>(order->memory));
+      integrator = make_without_error(loaded.job, *scene, messages, static_cast<std::size_t>(order->memory));
       zero = state_of(*integrator), interval = order->interval;
     }
     const Rendered block{interval, order->block.begin};
@@ -35,15 +40,16 @@ void Helper::render(const LoadedScene& loaded, Messages& messages, const std::st
   }
 }
 
-void Helper::fail(const std::string& why) {
-  post_.send(0, LetterKind::failed, why);
-  while (next_order()) {}
+void Helper::fail(const Failure& failure) {
+  post_.send(0, LetterKind::failed, written(failure));
+  while (next_order(failure.edition)) {}
 }
 
-std::optional<Order> Helper::next_order() {
+std::optional<Order> Helper::next_order(int edition) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return order_ || is_over_; });
-  return is_over_ ? std::nullopt : std::exchange(order_, std::nullopt);
+  const auto has_ended = [&] { return is_over_ || edition_.number != edition; };
+  changed_.wait(lock, [&] { return order_ || has_ended(); });
+  return has_ended() ? std::nullopt : std::exchange(order_, std::nullopt);
 }
 
 /// By the thread of the post.
@@ -53,6 +59,8 @@ void Helper::open(Letter letter) {
   if (letter.kind == LetterKind::bring)
     if (auto state = kept_.extract(read<Rendered>(letter.text)); !state.empty())
       post_.send(0, LetterKind::state, letter.text + state.mapped());
+  if (letter.kind == LetterKind::edited)
+    edition_ = read<Edition>(letter.text), order_.reset(), kept_.clear(), on_end_();
   if (letter.kind == LetterKind::end) is_over_ = true, on_end_();
   changed_.notify_all();
 }

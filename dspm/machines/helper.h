@@ -15,22 +15,25 @@ namespace dspm {
 
 class Helper {
  public:
-  /// `on_end` is called when the leader says that it is over, by the thread of the post.
+  /// `on_end` is called when the leader says that it is over, or that the scene was edited, by the thread of the post.
   Helper(Link& link, std::function<void()> on_end);
 
-  /// Until the leader says that it is over. `host`: this machine's name. `digest`: of its scene.
-  void render(const LoadedScene& loaded, Messages& messages, const std::string& host, const std::string& digest);
-  /// Says that it cannot help, and waits for the end.
-  void fail(const std::string& why);
+  /// What is to be loaded; nullopt: it is over.
+  std::optional<Edition> edition();
+  /// Until the leader says that it is over, or that there is another edition.
+  void render(const LoadedScene& loaded, Messages& messages, const Hello& hello);
+  /// Says that it cannot help with this edition, and waits likewise.
+  void fail(const Failure& failure);
 
  private:
   void open(Letter letter);
-  /// nullopt: it is over.
-  std::optional<Order> next_order();
+  /// nullopt: there are no more of this edition.
+  std::optional<Order> next_order(int edition);
 
   std::function<void()> on_end_;
   std::mutex mutex_;  // of all that follows but the post
   std::condition_variable changed_;
+  Edition edition_;
   std::optional<Order> order_;
   bool is_over_ = false;
   std::map<Rendered, std::string> kept_;  // states

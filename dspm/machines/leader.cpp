@@ -26,7 +26,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     if (begin != next_) reopen(begin);
     for (;;) {
       std::unique_lock lock(leader_.mutex_);
-      if (!leader_.failure_.empty()) throw std::runtime_error(leader_.failure_);
+      if (!leader_.failure_.empty()) throw MachineFailed(leader_.failure_);
       if (std::optional<std::string> state = leader_.desk_.take(begin)) {
         leader_.fetch();
         lock.unlock();
@@ -79,7 +79,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
 
   Leader& leader_;
   Extent extent_;
-  int next_ = -1;
+  int next_ = -1;  // the iteration with which the next block begins
   const std::string zero_;
 };
 
@@ -98,6 +98,14 @@ void Leader::expect(std::string digest) {
   serve();
 }
 
+void Leader::begin_anew(const std::optional<std::array<double, 9>>& look_at) {
+  const std::lock_guard lock(mutex_);
+  ++edition_.number, edition_.look_at = look_at;
+  first_interval_ = order_.interval + 1;
+  digest_.reset(), failure_.clear(), waiting_.clear(), ready_.clear();
+  for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::edited, written(edition_));
+}
+
 std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
                                               std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
@@ -110,15 +118,17 @@ void Leader::open(Letter letter) {
   const std::lock_guard lock(mutex_);
   const auto is_now = [&](const Rendered& each) { return each.interval == order_.interval; };
   if (letter.kind == LetterKind::ready) {
-    ready_.push_back(std::move(letter));
+    if (read<Hello>(letter.text).edition == edition_.number) ready_.push_back(std::move(letter));
   } else if (letter.kind == LetterKind::done) {
-    if (const auto block = read<Rendered>(letter.text); is_now(block)) desk_.rendered(letter.machine, block.begin);
-    waiting_.push_back(letter.machine);
+    const auto block = read<Rendered>(letter.text);
+    if (is_now(block)) desk_.rendered(letter.machine, block.begin);
+    if (block.interval >= first_interval_) waiting_.push_back(letter.machine);
   } else if (letter.kind == LetterKind::state) {
     const auto block = read<Rendered>(letter.text);
     if (is_now(block)) desk_.arrived(block.begin, letter.text.substr(written(block).size()));
   } else if (letter.kind == LetterKind::failed) {
-    failure_ = letter.text;
+    if (auto failure = read<Failure>(letter.text); failure.edition == edition_.number)
+      failure_ = std::move(failure.why);
   }
   fetch();
   serve();

@@ -2,12 +2,15 @@
 // checkpoints, shows progress and answers to its user.
 #pragma once
 
+#include <array>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "dspm/integrators/integrator.h"
@@ -16,6 +19,12 @@
 #include "dspm/session/frame_intervals.h"
 
 namespace dspm {
+
+/// Another machine cannot go on.
+class MachineFailed final : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 class Leader {
  public:
@@ -26,14 +35,15 @@ class Leader {
 
   /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
   void expect(std::string digest);
+  /// The scene was edited: the others are to read it anew, before the next expect(). Not while an interval is shared out.
+  void begin_anew(const std::optional<std::array<double, 9>>& look_at);
 
   /// How the iterations of an interval are shared out: so many, 0: endless; in blocks of that size, see Block::from.
   struct Extent {
     int iterations, block;
   };
   /// What all machines together do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that
-  /// follow in its block. Its iterate() throws std::runtime_error if another machine has failed. It must not outlive the
-  /// leader. `integrator`: made with RenderSettings::learn_at_once, or each block would learn anew. `memory`: bytes that
+  /// follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader. `integrator`: made with RenderSettings::learn_at_once, or each block would learn anew. `memory`: bytes that
   /// each machine's may hold; 0: no bound.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
                                         std::size_t memory, const Extent& extent);
@@ -52,7 +62,9 @@ class Leader {
   std::mutex mutex_;  // of all that follows but the post
   std::condition_variable changed_;
   Desk desk_;
-  Order order_;  // but for its block: the interval that is being rendered
+  Edition edition_;
+  std::uint64_t first_interval_ = 1;  // of the edition
+  Order order_;                       // but for its block: the interval that is being rendered
   std::optional<std::string> digest_;
   std::deque<int> waiting_;   // machines that have asked for an order
   std::deque<Letter> ready_;  // that came before the leader knew its own scene

@@ -2,7 +2,9 @@
 // adds up what comes back. The others help.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ enum class LetterKind {
   bring,   // leader: a block's turn has come
   state,   // helper: of that block
   failed,  // helper: why it cannot go on
+  edited,  // leader: the scene is to be read anew
   end      // leader: there are no more orders
 };
 
@@ -52,11 +55,37 @@ struct Rendered {
   friend auto operator<=>(const Rendered&, const Rendered&) = default;
 };
 
+/// What is rendered, of a scene that is edited while a page shows it.
+struct Edition {
+  int number = 0;                                     // of edits so far
+  std::optional<std::array<double, 9>> look_at = {};  // see Choices
+
+  void persist(StateStream& state) {
+    state.value(number);
+    bool is_placed = look_at.has_value();
+    state.value(is_placed);
+    if (!is_placed) return look_at.reset();
+    if (!look_at) look_at.emplace();
+    state.value(*look_at);
+  }
+};
+
 /// A helper introduces itself.
 struct Hello {
   std::string host, digest;  // the machine's name, and what its scene is
+  int edition = 0;
 
-  void persist(StateStream& state) { state.text(host, 1 << 10), state.text(digest, 1 << 10); }
+  void persist(StateStream& state) {
+    state.text(host, 1 << 10), state.text(digest, 1 << 10);
+    state.value(edition);
+  }
+};
+
+struct Failure {
+  int edition = 0;
+  std::string why;
+
+  void persist(StateStream& state) { state.value(edition), state.text(why, 1 << 20); }
 };
 
 /// Anything with persist(), as the text of a letter, and back. Throws std::runtime_error if it is not one.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 
+#include "dspm/integrators/error_estimate.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/block.h"
@@ -31,8 +32,14 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
                                             std::size_t memory) {
+  const auto make = [&](std::size_t bytes) { return make_without_error(job, scene, messages, bytes); };
+  return with_error_estimate(make, scene, job.settings, memory);
+}
+
+std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
+                                               std::size_t memory) {
   Diagnostics diagnostics;
-  std::unique_ptr<Integrator> integrator = job.make_integrator(scene, diagnostics, memory);
+  std::unique_ptr<Integrator> integrator = job.make_without_error(scene, diagnostics, memory);
   messages.show(diagnostics);
   diagnostics.throw_if_errors();
   return integrator;
@@ -72,10 +79,14 @@ void Session::render_interval(std::size_t index) {
   const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
   const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
-  std::unique_ptr<Integrator> integrator =
-      make_integrator(loaded_.job, *scene, messages_, memory_.for_integrator(index));
+  const auto make = [&](std::size_t bytes) {
+    std::unique_ptr<Integrator> own = make_without_error(loaded_.job, *scene, messages_, bytes);
+    const int all = iterations_of(*own);
+    return settings_.share_out ? settings_.share_out(index, std::move(own), all) : std::move(own);
+  };
+  const std::unique_ptr<Integrator> integrator =
+      with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index));
   const int iterations = iterations_of(*integrator);
-  if (settings_.share_out) integrator = settings_.share_out(index, std::move(integrator), iterations);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
     throw UsageError(
         fmt::format("the first of {} frame intervals would never end: give --time-limit, --iterations or --until-error",

@@ -82,5 +82,8 @@ class Session {
 /// Shows warnings; throws SceneError if the integrator cannot be made.
 std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
                                             std::size_t memory = 0);
+/// Likewise, see Job::make_without_error.
+std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
+                                               std::size_t memory);
 
 }  // namespace dspm

@@ -207,6 +207,12 @@ int Job::iterations(const Integrator& made) const {
 
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory) const {
+  const auto make = [&](std::size_t bytes) { return make_without_error(scene, diagnostics, bytes); };
+  return with_error_estimate(make, scene, settings, memory);
+}
+
+std::unique_ptr<Integrator> Job::make_without_error(const Scene& scene, Diagnostics& diagnostics,
+                                                    std::size_t memory) const {
   const auto make = [&](const Scene& of, const RenderSettings& bounded) {
     const OwnIntegrator* const own = own_integrator(*this, scene);
     ParamReader reader(own != nullptr ? own->params : params, fmt::format("integrator \"{}\"", plugin->name),
@@ -218,10 +224,7 @@ std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics
     return std::unique_ptr<Integrator>();
   };
   const auto make_with_outputs = [&](std::size_t bytes) { return with_shadow_catchers(make, scene, settings, bytes); };
-  const auto make_with_variance = [&](std::size_t bytes) {
-    return with_variance_output(make_with_outputs, scene, settings, bytes);
-  };
-  std::unique_ptr<Integrator> made = with_error_estimate(make_with_variance, scene, settings, memory);
+  std::unique_ptr<Integrator> made = with_variance_output(make_with_outputs, scene, settings, memory);
   if (made == nullptr && diagnostics.error_count() == 0)
     diagnostics.error(where, fmt::format("integrator \"{}\" cannot be made: its factory returned null", plugin->name));
   if (made != nullptr) check_outputs(made->outputs(), settings.outputs, integrator, diagnostics);

@@ -58,6 +58,9 @@ struct Job {
   /// `memory`: bytes that it may hold; 0: no bound. Throws NotEnoughMemory if they are too few.
   std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                               std::size_t memory = 0) const;
+  /// The same without the estimate of the error, for who does not see all iterations.
+  std::unique_ptr<Integrator> make_without_error(const Scene& scene, Diagnostics& diagnostics,
+                                                 std::size_t memory = 0) const;
 };
 
 /// Errors go to `diagnostics`. Throws UsageError if the command line does not fit this scene.

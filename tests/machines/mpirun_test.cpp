@@ -62,6 +62,13 @@ TEST_F(Mpirun, GoesOnWithAnotherNumberOfThem) {
   EXPECT_EQ(image("a.0003.exr"), image("b.0003.exr"));
 }
 
+TEST_F(Mpirun, EndsWhenTheErrorIsSmall) {
+  ASSERT_EQ(mpirun(1, "tiny.dsc --until-error 20% --float -o one.exr"), 0) << contents(directory / "err.txt");
+  ASSERT_EQ(mpirun(2, "tiny.dsc --until-error 20% --float -o two.exr"), 0);
+  EXPECT_EQ(lines_with("the estimated error is"), 1);
+  EXPECT_EQ(image("one.0002.exr"), image("two.0002.exr"));
+}
+
 TEST_F(Mpirun, IntervalsFollowOneAnother) {
   ASSERT_EQ(mpirun(2, "tiny.dsc --iterations 10 --integrator sppm --float -o a.exr"), 0)
       << contents(directory / "err.txt");
@@ -73,10 +80,8 @@ TEST_F(Mpirun, WhatIsWrongIsSaidOnce) {
   put_file(directory / "wrong.dsc", "WorldBegin\nShape \"spere\"\n");
   EXPECT_NE(mpirun(3, "wrong.dsc"), 0);
   EXPECT_EQ(lines_with("spere"), 2);  // the message, and the line that it shows
-  for (const std::string option : {"--until-error 2%", "--part 1/2 --checkpoint a.ck", "--serve 0"}) {
-    EXPECT_NE(mpirun(2, "tiny.dsc " + option), 0);
-    EXPECT_EQ(lines_with("does not go together with mpirun"), 1) << option << contents(directory / "err.txt");
-  }
+  EXPECT_NE(mpirun(2, "tiny.dsc --part 1/2 --checkpoint a.ck"), 0);
+  EXPECT_EQ(lines_with("does not go together with mpirun"), 1) << contents(directory / "err.txt");
   EXPECT_EQ(mpirun(3, "--list-variations tiny.dsc"), 0);
 }
 

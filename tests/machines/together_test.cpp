@@ -1,4 +1,5 @@
 // Several machines, here threads of one process: the bits do not depend on how many there are, nor on their speed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "dspm/integrators/error_estimate.h"
 #include "dspm/machines/block_state.h"
 #include "dspm/machines/helper.h"
 #include "dspm/machines/leader.h"
@@ -17,9 +19,9 @@
 namespace dspm::test {
 namespace {
 
-const std::string kScene = R"(
+constexpr const char* kScene = R"(
 Frames 3
-Integrator "dsppm" "integer iterations" 22 "integer photons" 300 "integer seed" 5
+Integrator "dsppm" "integer iterations" 22 "integer photons" 300 "integer seed" {}
 Camera "perspective"
 Film "rgb" "integer xresolution" 9 "integer yresolution" 7
 WorldBegin
@@ -65,8 +67,11 @@ class Network {
   std::vector<std::deque<Letter>> boxes_;
 };
 
+/// An edition of the scene.
 struct Loaded {
-  Loaded() : scene("scene.dsc", kScene, {}, diagnostics) { scene.job.settings.learn_at_once = true; }
+  explicit Loaded(int edition = 0) : scene("scene.dsc", fmt::format(kScene, 5 + edition), {}, diagnostics) {
+    scene.job.settings.learn_at_once = true;
+  }
   Diagnostics diagnostics;
   LoadedScene scene;
 };
@@ -93,10 +98,30 @@ void help(Network& network, int machine, const Hand& hand) {
   Helper helper(wire, [] {});
   Messages messages(true);
   std::this_thread::sleep_for(std::chrono::milliseconds(hand.rest));
-  if (!hand.fault.empty()) return helper.fail(hand.fault);
-  const Loaded loaded;
-  helper.render(loaded.scene, messages, "machine" + std::to_string(machine), hand.digest);
+  if (!hand.fault.empty()) return helper.fail({0, hand.fault});
+  while (const std::optional<Edition> edition = helper.edition()) {
+    const Loaded loaded(edition->number);
+    helper.render(loaded.scene, messages, {"machine" + std::to_string(machine), hand.digest, edition->number});
+  }
 }
+
+/// All of them, until the leader goes.
+class Machines {
+ public:
+  explicit Machines(
+      const std::vector<Hand>& hands, std::function<bool()> end_wanted = [] { return false; })
+      : network_(static_cast<int>(hands.size()) + 1), leader_(wire_, std::move(end_wanted)) {
+    for (std::size_t i = 0; i < hands.size(); ++i)
+      threads_.emplace_back([this, hand = hands[i], i] { help(network_, static_cast<int>(i) + 1, hand); });
+  }
+  Leader& leader() { return leader_; }
+
+ private:
+  Network network_;
+  std::vector<std::jthread> threads_;
+  Network::Wire wire_ = network_.wire(0);
+  Leader leader_;
+};
 
 /// What the leader has in the end.
 struct Sum {
@@ -119,27 +144,22 @@ struct Run {
 };
 
 Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
-  Network network(static_cast<int>(hands.size()) + 1);
-  std::vector<std::jthread> threads;
-  for (std::size_t i = 0; i < hands.size(); ++i)
-    threads.emplace_back([&, i] { help(network, static_cast<int>(i) + 1, hands[i]); });
+  Machines machines(hands, run.end_wanted);
   const Loaded loaded;
   Messages messages(true);
-  Network::Wire wire = network.wire(0);
-  Leader leader(wire, run.end_wanted);
-  leader.expect("this scene");
+  machines.leader().expect("this scene");
   const FrameList& frames = loaded.scene.job.frames;
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
   const auto integrator =
-      leader.share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, {run.end, 4});
+      machines.leader().share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, {run.end, 4});
   if (!run.before.empty()) load_state(run.before, *integrator);
   for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) integrator->iterate(i, *scene);
   return sum_of(*integrator, static_cast<int>(frames.size()));
 }
 
 /// The same without machines: each block by itself, added in their order.
-Sum slow_twin() {
-  const Loaded loaded;
+Sum slow_twin(int edition = 0) {
+  const Loaded loaded(edition);
   Messages messages(true);
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
   const auto sum = make_integrator(loaded.scene.job, *scene, messages);
@@ -176,6 +196,56 @@ void expect_failure(const Hand& hand, const std::string& words) {
 TEST(Together, AHelperThatFailsEndsTheRun) {
   expect_failure({.fault = "machine1: out of memory"}, "machine1: out of memory");
   expect_failure({.digest = "another"}, "machine1 has another scene, other files of it or another version of dspm");
+}
+
+TEST(Together, AnEditReachesAll) {
+  Machines machines({{}, {.rest = 5}, {}});
+  const Loaded before, now(1);
+  Messages messages(true);
+  const FrameList& frames = now.scene.job.frames;
+  const auto shared_out = [&](const Loaded& loaded, const Scene& scene) {
+    machines.leader().expect("this scene");
+    return machines.leader().share_out(make_integrator(loaded.scene.job, scene, messages), frames, 0, {22, 4});
+  };
+  const std::unique_ptr<Scene> old_scene = before.scene.world->scene(frames), scene = now.scene.world->scene(frames);
+  shared_out(before, *old_scene)->iterate(0, *old_scene);  // others are still at work then
+  machines.leader().begin_anew({});
+  const auto integrator = shared_out(now, *scene);
+  for (int i = 0; i < 22; i += 4) integrator->iterate(i, *scene);
+  EXPECT_EQ(sum_of(*integrator, 3).images, slow_twin(1).images);
+}
+
+/// Estimated after 16 iterations.
+std::vector<double> errors(const std::vector<Hand>& hands) {
+  Machines machines(hands);
+  Loaded loaded;
+  loaded.scene.job.settings.estimate_error = true;
+  Messages messages(true);
+  machines.leader().expect("this scene");
+  const FrameList& frames = loaded.scene.job.frames;
+  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
+  const auto make = [&](std::size_t) {
+    return machines.leader().share_out(make_without_error(loaded.scene.job, *scene, messages, 0), frames, 0, {16, 4});
+  };
+  const auto integrator = with_error_estimate(make, *scene, loaded.scene.job.settings, 0);
+  for (int i = 0; i < 16; i += 4) integrator->iterate(i, *scene);
+  return integrator->statistics().errors;
+}
+
+TEST(Together, TheErrorIsThatOfTheSum) {
+  Loaded loaded;
+  loaded.scene.job.settings.estimate_error = true;
+  Messages messages(true);
+  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
+  const auto alone = make_integrator(loaded.scene.job, *scene, messages);
+  for (int i = 0; i < 16; ++i) alone->iterate(i, *scene);
+  const std::vector<double> wanted = alone->statistics().errors, one = errors({});
+  ASSERT_EQ(one.size(), 3u);
+  for (std::size_t f = 0; f < 3; ++f) {
+    EXPECT_GT(wanted[f], 0.01);
+    EXPECT_NEAR(one[f] / wanted[f], 1, 1e-3);
+  }
+  EXPECT_EQ(errors({{}, {.rest = 5}}), one);
 }
 
 TEST(Together, AnEndThatIsWantedDoesNotWaitForOthers) {
