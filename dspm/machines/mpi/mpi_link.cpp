@@ -6,6 +6,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,10 @@ class MpiLink final : public Link {
   MpiLink() {
     int given = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &given);
+    if (given < MPI_THREAD_SERIALIZED) {  // the post has a thread of its own
+      MPI_Finalize();
+      throw std::runtime_error("this MPI lets only the first thread call it: one with MPI_THREAD_SERIALIZED is needed");
+    }
     MPI_Comm_dup(MPI_COMM_WORLD, &heads_);
     MPI_Comm_dup(MPI_COMM_WORLD, &texts_);
     MPI_Comm_size(MPI_COMM_WORLD, &machines_);
