@@ -19,7 +19,7 @@
 namespace dspm {
 namespace {
 
-constexpr std::size_t kProgram = 15 << 20;          // code, libraries, a stack: all before the scene is read
+constexpr std::size_t kProgram = 17 << 20;          // code, libraries, a stack: all before the scene is read
 constexpr std::size_t kThreads = 64 * (128 << 10);  // stacks and working memory of 64 threads
 // Plan and run differ slightly in what they hold: an interval that fits in the plan must also fit in the run.
 constexpr std::size_t kLeeway = 1 << 20;

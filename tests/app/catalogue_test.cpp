@@ -50,7 +50,7 @@ TEST(Catalogue, DescribesWhatPhotonsAreTold) {
     for (const ParamInfo& info : plugin.params()) names += " " + info.name;
     const bool is_light = plugin.kind == "light" || plugin.kind == "area light";
     EXPECT_EQ(names.ends_with(" photons caustics group"), is_light) << plugin.kind << " " << plugin.name << names;
-    EXPECT_EQ(names.ends_with(" caustics"), plugin.kind == "shape") << plugin.kind << names;
+    EXPECT_EQ(names.ends_with(" caustics shadowcatcher"), plugin.kind == "shape") << plugin.kind << names;
   }
 }
 

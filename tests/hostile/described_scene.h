@@ -34,6 +34,7 @@ class DescribedScene {
     frames_ = whole(1, 4);
     add(fmt::format("Frames {}", frames_));
     use("integrator", "Integrator \"{}\"");
+    has_catchers_ = directives_.back().plugin != "integrator:ambientocclusion" && chance(0.1);  // it refuses them
     if (chance(0.3)) use("accelerator", "Accelerator \"{}\"");
     use("filter", "PixelFilter \"{}\"");
     use("film", "Film \"{}\" \"integer xresolution\" 12 \"integer yresolution\" 8 \"string filename\" \"a.exr\"");
@@ -107,6 +108,7 @@ class DescribedScene {
     for (const ParamInfo& info : plugin.params()) {
       if (drawn.head.find(" " + info.name + "\"") != std::string::npos) continue;
       if (light_ == Light::furnace && info.name == "emission") continue;
+      if (info.name == "shadowcatcher" && !has_catchers_) continue;
       const bool needed = info.default_value == "required" || info.default_value.empty();
       if (needed || is_costly(info) || chance(0.4)) add_param(info, drawn);
     }
@@ -241,6 +243,7 @@ class DescribedScene {
   std::mt19937 random_;
   Light light_;
   int frames_ = 1;
+  bool has_catchers_ = false;
   int points_ = 3;  // of the plugin that is being drawn, if it has lists
   std::vector<DrawnDirective> directives_;
 };

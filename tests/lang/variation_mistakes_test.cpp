@@ -33,7 +33,7 @@ TEST_P(VariationMistakes, AreTold) {
 const Mistake kPlaces[] = {
     {"AxisBegin \"a\"\nVariationBegin \"b\" Shape \"sphere\" VariationEnd AxisEnd",
      {"7:20: Shape is not allowed in VariationBegin \"b\" (line 7) | a variation contains MakeNamedMaterial, "
-      "Texture, Light, LightSource, Show, Hide, Dynamic blocks, Camera and Integrator"}},
+      "Texture, Light, LightSource, AreaLightSource, Show, Hide, Dynamic blocks, Camera and Integrator"}},
     {"AxisBegin \"a\"\nShow \"cushion\"\nVariationBegin \"b\" Show \"cushion\" VariationEnd AxisEnd",
      {"7:1: Show is only allowed in a variation | VariationBegin \"a name\" begins one"}},
     {"AxisBegin \"a\"\nTranslate 1 2 3\nVariationBegin \"b\" Show \"cushion\" VariationEnd AxisEnd",
