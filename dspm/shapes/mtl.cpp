@@ -9,7 +9,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/shapes/mtl_options.h"
-#include "dspm/system/file_access.h"
+#include "dspm/shapes/mtl_pictures.h"
 
 namespace dspm {
 namespace {
@@ -42,17 +42,10 @@ bool is_physically_based(const tinyobj::material_t& m) {
 /// Roughness is the root of alpha.
 float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
-/// A picture and the statement that names it.
-struct Picture {
-  const char* statement;
-  std::string file;
-  const tinyobj::texture_option_t& options;
-};
-
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::vector<std::string>& complaints, MtlLeftOut& left_out)
-      : path_(path), complaints_(complaints), left_out_(left_out) {}
+      : path_(path), left_out_(left_out), pictures_(path, complaints, left_out) {}
 
   FileMaterial material(const tinyobj::material_t& m) {
     made_ = {path_, trimmed(m.name), {}, {}, {}, {}};
@@ -103,7 +96,7 @@ class Reader {
     const bool is_modern = is_physically_based(m);
     // Metal of the days before Pm.
     const bool is_metal = !is_modern && !is_positive(m.diffuse) && m.diffuse_texname.empty();
-    const Picture specular{"map_Ks", m.specular_texname, m.specular_texopt};
+    const MtlPicture specular{"map_Ks", m.specular_texname, m.specular_texopt};
     if (is_metal)
       colour_or_picture("basecolor", m.specular, specular);
     else
@@ -120,7 +113,7 @@ class Reader {
   }
 
   /// As Blender writes it: a half for what the index of refraction mirrors. A picture may be alone.
-  void highlight(const tinyobj::material_t& m, const Picture& picture) {
+  void highlight(const tinyobj::material_t& m, const MtlPicture& picture) {
     const float brightest = std::max({m.specular[0], m.specular[1], m.specular[2]});
     tinyobj::real_t hue[3] = {1, 1, 1};
     for (int c = 0; c < 3; ++c)
@@ -142,7 +135,7 @@ class Reader {
   }
 
   void emission(const tinyobj::material_t& m) {
-    if (const auto picture = texture({"map_Ke", m.emissive_texname, m.emissive_texopt}, true)) {
+    if (const auto picture = pictures_.add({"map_Ke", m.emissive_texname, m.emissive_texopt}, true, made_)) {
       const auto [least, most] = std::minmax({m.emission[0], m.emission[1], m.emission[2]});
       add(param_of(ParamType::texture, "emission", std::vector<std::string>{*picture}, {}));
       if (most > 0) add(number("emissionstrength", most));
@@ -153,7 +146,7 @@ class Reader {
   }
 
   void alpha(const tinyobj::material_t& m) {
-    if (const auto picture = plain_picture({"map_d", m.alpha_texname, m.alpha_texopt}))
+    if (const auto picture = pictures_.plain({"map_d", m.alpha_texname, m.alpha_texopt}, made_))
       made_.alpha = *picture;
     else if (!is_glass(m.illum))
       add(number("alpha", in_unit(m.dissolve)));
@@ -162,28 +155,28 @@ class Reader {
   /// Heights of a bump map are in the units of the scene. World takes pictures of normals, which many files have there,
   /// for what they are.
   void relief(const tinyobj::material_t& m) {
-    if (const auto picture = plain_picture({"norm", m.normal_texname, m.normal_texopt}))
+    if (const auto picture = pictures_.plain({"norm", m.normal_texname, m.normal_texopt}, made_))
       return add(param_of(ParamType::text, "normalmap", std::vector{picture->string()}, {}));
     const bool is_bump = !m.bump_texname.empty();
-    const Picture heights = is_bump ? Picture{"map_Bump", m.bump_texname, m.bump_texopt}
-                                    : Picture{"disp", m.displacement_texname, m.displacement_texopt};
-    if (const auto picture = texture(heights, false))
+    const MtlPicture heights = is_bump ? MtlPicture{"map_Bump", m.bump_texname, m.bump_texopt}
+                                       : MtlPicture{"disp", m.displacement_texname, m.displacement_texopt};
+    if (const auto picture = pictures_.add(heights, false, made_))
       add(param_of(ParamType::texture, "displacement", std::vector<std::string>{*picture}, {}));
   }
 
-  static Picture diffuse_picture(const tinyobj::material_t& m) {
+  static MtlPicture diffuse_picture(const tinyobj::material_t& m) {
     return {"map_Kd", m.diffuse_texname, m.diffuse_texopt};
   }
   static float in_unit(float value) { return std::clamp(value, 0.f, 1.f); }
 
-  void colour_or_picture(const char* name, const tinyobj::real_t (&value)[3], const Picture& file) {
-    if (const auto picture = texture(file, true))
+  void colour_or_picture(const char* name, const tinyobj::real_t (&value)[3], const MtlPicture& file) {
+    if (const auto picture = pictures_.add(file, true, made_))
       add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
     else
       add(colour(name, value));
   }
-  void number_or_picture(const char* name, float value, const Picture& file) {
-    if (const auto picture = texture(file, false))
+  void number_or_picture(const char* name, float value, const MtlPicture& file) {
+    if (const auto picture = pictures_.add(file, false, made_))
       add(param_of(ParamType::texture, name, std::vector<std::string>{*picture}, {}));
     else
       add(number(name, in_unit(value)));
@@ -191,76 +184,13 @@ class Reader {
 
   void add(Param param) { made_.params.params.push_back(std::move(param)); }
 
-  /// Where that picture is, if it is there.
-  std::optional<std::filesystem::path> picture_of(const Picture& picture) {
-    std::string file = picture.file;
-    if (file.empty()) return std::nullopt;
-    std::replace(file.begin(), file.end(), '\\', '/');
-    const std::filesystem::path path = path_.parent_path() / file;
-    if (seems_to_exist(path)) return std::filesystem::absolute(path);
-    complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, made_.name));
-    return std::nullopt;
-  }
-
-  /// One of which only the file counts.
-  std::optional<std::filesystem::path> plain_picture(const Picture& picture) {
-    const auto file = picture_of(picture);
-    const tinyobj::texture_option_t& options = picture.options;
-    if (!file) return file;
-    leave_out_of(picture, "-s", options.scale[0] != 1 || options.scale[1] != 1);
-    leave_out_of(picture, "-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0);
-    leave_out_of(picture, "-clamp", options.clamp);
-    leave_out_of(picture, "-mm", options.brightness != 0 || options.contrast != 1);
-    leave_out_always(picture);
-    return file;
-  }
-
-  /// The name of an imagemap of that file, if it is there.
-  std::optional<std::string> texture(const Picture& picture, bool is_spectrum) {
-    const auto file = picture_of(picture);
-    if (!file) return std::nullopt;
-    std::string name = fmt::format("{} of {} in {}", picture.statement, made_.name, path_.string());
-    made_.textures.push_back({name, *file, is_spectrum});
-    add_options(picture, name, is_spectrum);
-    return name;
-  }
-
-  /// Where the picture lies and what multiplies it: s = scale u + offset, as exporters mean it.
-  void add_options(const Picture& picture, const std::string& texture, bool is_spectrum) {
-    const tinyobj::texture_option_t& options = picture.options;
-    const auto set = [&](const char* name, float value, float usual) {
-      if (value != usual) add(number(of_picture(name, texture), value));
-    };
-    const auto say = [&](const char* name, const char* word) {
-      add(param_of(ParamType::text, of_picture(name, texture), std::vector<std::string>{word}, {}));
-    };
-    set("uscale", options.scale[0], 1), set("vscale", options.scale[1], 1);
-    set("udelta", options.origin_offset[0], 0), set("vdelta", options.origin_offset[1], 0);
-    if (options.clamp) say("wrap", "clamp");
-    const float gain = options.brightness == 0 ? options.contrast : 1;
-    set("scale", options.bump_multiplier * gain, 1);
-    leave_out_of(picture, "-mm", options.brightness != 0);
-    for (const char* channel : {"red", "green", "blue"})
-      if (!is_spectrum && options.imfchan == *channel) say("channel", channel);
-    leave_out_always(picture);
-  }
-
-  void leave_out_always(const Picture& picture) {
-    const tinyobj::texture_option_t& options = picture.options;
-    leave_out_of(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0);
-    leave_out_of(picture, "-boost", options.sharpness != 1);
-  }
-  void leave_out_of(const Picture& picture, const char* option, bool is_there) {
-    leave_out(fmt::format("{} of {}", option, picture.statement), is_there);
-  }
-
   void leave_out(const std::string& statement, bool is_there) {
     if (is_there) left_out_[statement].push_back(made_.name);
   }
 
   const std::filesystem::path& path_;
-  std::vector<std::string>& complaints_;
   MtlLeftOut& left_out_;
+  MtlPictures pictures_;
   FileMaterial made_;
 };
 

@@ -1,0 +1,75 @@
+#include "dspm/shapes/mtl_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dspm/system/file_access.h"
+
+namespace dspm {
+
+std::optional<std::string> MtlPictures::add(const MtlPicture& picture, bool is_spectrum, FileMaterial& to) {
+  const auto file = find(picture, to);
+  if (!file) return std::nullopt;
+  std::string name = fmt::format("{} of {} in {}", picture.statement, to.name, mtl_.string());
+  to.textures.push_back({name, *file, is_spectrum});
+  add_options(picture, name, is_spectrum, to);
+  return name;
+}
+
+std::optional<std::filesystem::path> MtlPictures::plain(const MtlPicture& picture, const FileMaterial& of) {
+  const auto file = find(picture, of);
+  const tinyobj::texture_option_t& options = picture.options;
+  if (!file) return file;
+  leave_out(picture, "-s", options.scale[0] != 1 || options.scale[1] != 1, of);
+  leave_out(picture, "-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0, of);
+  leave_out(picture, "-clamp", options.clamp, of);
+  leave_out(picture, "-mm", options.brightness != 0 || options.contrast != 1, of);
+  leave_out_always(picture, of);
+  return file;
+}
+
+std::optional<std::filesystem::path> MtlPictures::find(const MtlPicture& picture, const FileMaterial& of) {
+  std::string file = picture.file;
+  if (file.empty()) return std::nullopt;
+  std::replace(file.begin(), file.end(), '\\', '/');
+  const std::filesystem::path path = mtl_.parent_path() / file;
+  if (seems_to_exist(path)) return std::filesystem::absolute(path);
+  complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, of.name));
+  return std::nullopt;
+}
+
+/// Where the picture lies and what multiplies it: s = scale u + offset, as exporters mean it.
+void MtlPictures::add_options(const MtlPicture& picture, const std::string& texture, bool is_spectrum,
+                              FileMaterial& to) {
+  const tinyobj::texture_option_t& options = picture.options;
+  std::vector<Param>& params = to.params.params;
+  const auto set = [&](const char* name, float value, float usual) {
+    if (value != usual)
+      params.push_back(param_of(ParamType::number, of_picture(name, texture), std::vector<float>{value}, {}));
+  };
+  const auto say = [&](const char* name, const char* word) {
+    params.push_back(param_of(ParamType::text, of_picture(name, texture), std::vector<std::string>{word}, {}));
+  };
+  set("uscale", options.scale[0], 1), set("vscale", options.scale[1], 1);
+  set("udelta", options.origin_offset[0], 0), set("vdelta", options.origin_offset[1], 0);
+  if (options.clamp) say("wrap", "clamp");
+  const float gain = options.brightness == 0 ? options.contrast : 1;
+  set("scale", options.bump_multiplier * gain, 1);
+  leave_out(picture, "-mm", options.brightness != 0, to);
+  for (const char* channel : {"red", "green", "blue"})
+    if (!is_spectrum && options.imfchan == *channel) say("channel", channel);
+  leave_out_always(picture, to);
+}
+
+void MtlPictures::leave_out_always(const MtlPicture& picture, const FileMaterial& of) {
+  const tinyobj::texture_option_t& options = picture.options;
+  leave_out(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0, of);
+  leave_out(picture, "-boost", options.sharpness != 1, of);
+}
+
+void MtlPictures::leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of) {
+  if (is_there) left_out_[fmt::format("{} of {}", option, picture.statement)].push_back(of.name);
+}
+
+}  // namespace dspm

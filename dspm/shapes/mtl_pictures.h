@@ -1,0 +1,44 @@
+// The pictures of MTL materials, with their options.
+#pragma once
+
+#include <tiny_obj_loader.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/shapes/mtl.h"
+
+namespace dspm {
+
+/// A picture and the statement that names it.
+struct MtlPicture {
+  const char* statement;
+  std::string file;
+  const tinyobj::texture_option_t& options;
+};
+
+class MtlPictures {
+ public:
+  /// Of the file `mtl`; the rest as in read_mtl.
+  MtlPictures(const std::filesystem::path& mtl, std::vector<std::string>& complaints, MtlLeftOut& left_out)
+      : mtl_(mtl), complaints_(complaints), left_out_(left_out) {}
+
+  /// Adds an imagemap of that file to the material, with its options; its name, if the file is there.
+  std::optional<std::string> add(const MtlPicture& picture, bool is_spectrum, FileMaterial& to);
+  /// Where a picture is of which only the file counts, if it is there.
+  std::optional<std::filesystem::path> plain(const MtlPicture& picture, const FileMaterial& of);
+
+ private:
+  std::optional<std::filesystem::path> find(const MtlPicture& picture, const FileMaterial& of);
+  void add_options(const MtlPicture& picture, const std::string& texture, bool is_spectrum, FileMaterial& to);
+  void leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of);
+  void leave_out_always(const MtlPicture& picture, const FileMaterial& of);
+
+  const std::filesystem::path& mtl_;
+  std::vector<std::string>& complaints_;
+  MtlLeftOut& left_out_;
+};
+
+}  // namespace dspm
