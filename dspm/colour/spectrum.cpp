@@ -28,11 +28,19 @@ Sums observer(int nm) {
   return {lerp(kObserverX), lerp(kObserverY), lerp(kObserverZ)};
 }
 
+template <class Function>
+auto at_each_nm(Function&& function) {
+  std::array<decltype(function(kFirstNm)), kLastNm - kFirstNm + 1> values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(kFirstNm + static_cast<int>(i));
+  return values;
+}
+
 template <class Value>
 Sums integrate(Value&& value) {
+  static const auto observed = at_each_nm(observer);
   Sums sums;
   for (int nm = kFirstNm; nm <= kLastNm; ++nm) {
-    const Sums o = observer(nm);
+    const Sums& o = observed[static_cast<std::size_t>(nm - kFirstNm)];
     const double v = value(nm);
     sums.x += o.x * v, sums.y += o.y * v, sums.z += o.z * v;
   }
@@ -51,9 +59,11 @@ std::array<double, 3> rec709(const Sums& c) {
 /// to ten times worse.
 template <class Value>
 std::array<double, 3> under_daylight(Value&& value) {
-  static const Spectrum daylight = *named_spectrum("stdillum-D65");
-  static const auto white = rec709(integrate([](int nm) { return daylight.at(static_cast<float>(nm)); }));
-  auto rgb = rec709(integrate([&](int nm) { return value(nm) * daylight.at(static_cast<float>(nm)); }));
+  static const auto spectrum =
+      at_each_nm([d65 = *named_spectrum("stdillum-D65")](int nm) { return d65.at(static_cast<float>(nm)); });
+  constexpr auto daylight = [](int nm) { return spectrum[static_cast<std::size_t>(nm - kFirstNm)]; };
+  static const auto white = rec709(integrate(daylight));
+  auto rgb = rec709(integrate([&](int nm) { return value(nm) * daylight(nm); }));
   for (std::size_t i = 0; i < 3; ++i) rgb[i] /= white[i];
   return rgb;
 }

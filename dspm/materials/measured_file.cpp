@@ -139,16 +139,22 @@ void MeasuredFile::read_reflectance(const Tables& tables) {
 
 /// The peak of GGX is 1 / (pi alpha^2) if the integral of D cos is 1.
 float MeasuredFile::measure_alpha() const {
-  constexpr int kRows = 64, kColumns = 512;
-  double integral = 0, peak = 0;
-  for (int row = 0; row < kRows; ++row)
-    for (int column = 0; column < kColumns; ++column) {
-      const Vec2 p{(static_cast<float>(column) + 0.5f) / kColumns, (static_cast<float>(row) + 0.5f) / kRows};
-      const float angle = p.x * p.x * kPi / 2;
-      const auto d = static_cast<double>(facets_.at(p));
-      integral += d * static_cast<double>(std::cos(angle) * solid_angle(p.x, std::sin(angle))) / (kRows * kColumns);
-      peak = std::max(peak, d);
-    }
+  const auto width = static_cast<std::size_t>(facets_.width), height = static_cast<std::size_t>(facets_.height);
+  std::vector<double> mean(width);  // over the azimuths, which lie evenly
+  for (std::size_t i = 0; i < facets_.values.size(); ++i) {
+    const bool is_at_end = i < width || i >= (height - 1) * width;
+    mean[i % width] += double{facets_.values[i]} * (is_at_end ? 0.5 : 1) / static_cast<double>(height - 1);
+  }
+  constexpr int kSteps = 512;
+  double integral = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    const float x = (static_cast<float>(step) + 0.5f) / kSteps, angle = x * x * kPi / 2;
+    const GridPlace at({x, 0}, facets_.width, facets_.height);
+    const auto column = static_cast<std::size_t>(at.x);
+    integral += std::lerp(mean[column], mean[column + 1], double{at.tx}) *
+                double{std::cos(angle) * solid_angle(x, std::sin(angle))} / kSteps;
+  }
+  const double peak = *std::max_element(facets_.values.begin(), facets_.values.end());
   const double alpha = peak > 0 ? std::sqrt(integral / (peak * std::acos(-1.))) : 1;
   return std::clamp(static_cast<float>(alpha), Ggx::kSmoothest, 1.f);
 }
