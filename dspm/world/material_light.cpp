@@ -17,7 +17,9 @@ namespace dspm {
 namespace {
 
 /// Without the footprint, so that rays that hit the light and rays that are sent to it agree.
-TexturePoint place_of(const SurfacePoint& point) { return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, {}, {}, point.vertices}; }
+TexturePoint place_of(const SurfacePoint& point) {
+  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, {}, {}, point.vertices};
+}
 
 class TexturePattern final : public EmissionPattern {
  public:

@@ -7,6 +7,7 @@
 #include "dspm/gltf/translation.h"
 #include "dspm/lang/parse.h"
 #include "dspm/session/load.h"
+#include "dspm/shapes/ply.h"
 #include "tests/gltf/gltf_file.h"
 #include "tests/support/temporary_directory.h"
 
@@ -187,6 +188,91 @@ TEST(GltfScene, MakesAWorld) {
   Messages messages(true);
   const LoadedScene loaded({(directory / "chair.gltf").string()}, {}, messages);
   EXPECT_EQ(loaded.description->frames.count(), 50);
+}
+
+/// A square with colours of vertices as they are given, and a picture by the second texture coordinates.
+template <class T>
+std::string painted(const std::vector<T>& colours, int component, int width) {
+  GltfFile file;
+  const Square square(file);
+  const int paint = file.add(colours, width == 3 ? "VEC3" : "VEC4", component, width,
+                             component == 5126 ? "" : R"(,"normalized":true)");
+  return file.text(fmt::format(
+      R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":{},"TEXCOORD_0":{},)"
+      R"("TEXCOORD_1":{},"COLOR_0":{}}},"indices":{},"material":0}}]}}],"materials":[{{"alphaMode":"BLEND",)"
+      R"("pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"texCoord":1}}}}}}],"textures":[{{"source":0}}],)"
+      R"("images":[{{"uri":"a.png"}}])",
+      square.positions, square.uvs, square.uvs, paint, square.indices));
+}
+
+// However they are stored, half is half: in whole numbers colours are linear, too.
+TEST(GltfScene, VerticesHaveColours) {
+  TemporaryDirectory directory;
+  put_file(directory / "a.png", "");
+  const auto translated = [&](const std::string& text) {
+    put_file(directory / "a.gltf", text);
+    return gltf::translate(directory / "a.gltf", "a", {});
+  };
+  const auto check = [&](const std::string& text, bool has_opacities) {
+    const gltf::Translation made = translated(text);
+    EXPECT_NE(made.text.find("\"spectrum\" \"vertexcolor\""), std::string::npos) << made.text;
+    EXPECT_EQ(made.text.find("\"float\" \"vertexcolor\"") != std::string::npos, has_opacities) << made.text;
+    EXPECT_NE(made.text.find("\"integer uvset\" 2"), std::string::npos) << made.text;
+    int meshes = 0;
+    for (const auto& [name, content] : made.files) {
+      if (!name.ends_with(".ply") || made.text.find("\"plymesh\" \"string filename\" \"" + name) == std::string::npos)
+        continue;
+      const MeshData mesh = read_ply(content());
+      if (mesh.colours.empty()) continue;
+      ++meshes;
+      EXPECT_NEAR(mesh.colours[0][1], 0.5f, 2e-3f);
+      EXPECT_EQ(mesh.second_uvs, mesh.uvs);
+    }
+    EXPECT_EQ(meshes, 1) << made.text;
+  };
+  check(painted<float>({1, .5f, 0, 1, .5f, 0, 1, .5f, 0, 1, .5f, 0}, 5126, 3), false);
+  check(painted<float>({1, .5f, 0, 1, 1, .5f, 0, 1, 1, .5f, 0, 1, 1, .5f, 0, 0}, 5126, 4), true);
+  check(
+      painted<std::uint16_t>({65535, 32768, 0, 1, 65535, 32768, 0, 1, 65535, 32768, 0, 1, 65535, 32768, 0, 1}, 5123, 4),
+      true);
+  check(painted<std::uint8_t>({255, 128, 0, 1, 255, 128, 0, 1, 255, 128, 0, 1, 255, 128, 0, 1}, 5121, 4), true);
+}
+
+TEST(GltfScene, OneOfItsCamerasLooks) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  put_file(
+      directory / "a.gltf",
+      file.text(fmt::format(R"("nodes":[{{"mesh":0}},{{"name":"front","camera":0}},{{"camera":1}},{{"camera":0}}],)"
+                            R"("meshes":[{{"primitives":[{}]}}],"cameras":[{{"type":"perspective","perspective":)"
+                            R"({{"yfov":1,"znear":0.1}}}},{{"name":"top","type":"orthographic","orthographic":)"
+                            R"({{"xmag":1,"ymag":1,"znear":0.1,"zfar":9}}}}])",
+                            square.primitive())));
+  const auto translated = [&](const std::string& camera) {
+    gltf::Settings settings;
+    settings.camera = camera;
+    return gltf::translate(directory / "a.gltf", "a", settings);
+  };
+  const auto is_flat = [&](const std::string& camera) {
+    return translated(camera).text.find("\"orthographic\"") != std::string::npos;
+  };
+  EXPECT_FALSE(is_flat(""));
+  EXPECT_FALSE(is_flat("front"));
+  EXPECT_FALSE(is_flat("3"));
+  EXPECT_TRUE(is_flat("top"));
+  EXPECT_TRUE(is_flat("2"));
+  const std::vector<std::string> notes = translated("").notes;
+  EXPECT_NE(
+      std::find(notes.begin(), notes.end(), "of its cameras, front is shown; --camera chooses among front, top, 3"),
+      notes.end());
+  try {
+    translated("side");
+    ADD_FAILURE();
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("it has no camera \"side\"; available: front, top, 3"), std::string::npos)
+        << e.what();
+  }
 }
 
 }  // namespace

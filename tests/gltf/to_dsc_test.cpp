@@ -7,6 +7,9 @@
 namespace dspm::test {
 namespace {
 
+constexpr const char* kPicture =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAFUlEQVR4nGM4oaGhcUKDAUjcuXMHACGmBd0PuU1+AAAAAElFTkSuQmCC";
+
 /// A square that turns, and one with vertices of three colours, which a morph target moves.
 std::string toy() {
   GltfFile file;
@@ -19,8 +22,6 @@ std::string toy() {
   const std::string second =
       fmt::format(R"({{"attributes":{{"POSITION":{},"COLOR_0":{}}},"indices":{},"targets":[{{"POSITION":{}}}]}})",
                   square.positions, colours, square.indices, moved);
-  const std::string picture =
-      "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAFUlEQVR4nGM4oaGhcUKDAUjcuXMHACGmBd0PuU1+AAAAAElFTkSuQmCC";
   return file.text(fmt::format(
       R"("scenes":[{{"nodes":[0,1]}}],"nodes":[{{"name":"turns","mesh":0}},{{"mesh":1,"translation":[2.5,0,0]}}],)"
       R"("meshes":[{{"primitives":[{}]}},{{"primitives":[{}],"weights":[0]}}],"materials":[{{"pbrMetallicRoughness":)"
@@ -28,7 +29,7 @@ std::string toy() {
       R"("images":[{{"uri":"data:image/png;base64,{}"}}],"animations":[{{"channels":[)"
       R"({{"sampler":0,"target":{{"node":0,"path":"rotation"}}}},{{"sampler":1,"target":{{"node":1,"path":"weights"}}}}],)"
       R"("samplers":[{{"input":{},"output":{}}},{{"input":{},"output":{}}}]}}])",
-      square.primitive(R"(,"material":0)"), second, picture, times, turns, times, weights));
+      square.primitive(R"(,"material":0)"), second, kPicture, times, turns, times, weights));
 }
 
 TEST(ToDsc, RendersTheSameImages) {
@@ -53,6 +54,46 @@ TEST(ToDsc, RendersTheSameImages) {
 TEST(ToDsc, WantsGltf) {
   TinyDirectory directory;
   EXPECT_EQ(run(directory, {"--to-dsc", "tiny.dsc"}).code, 2);
+}
+
+/// A picture on a square by one of two sets of coordinates; the other one turns it. Two cameras, one of which looks away.
+std::string poster(int set) {
+  GltfFile file;
+  const Square square(file);
+  const int turned = file.add_floats({0, 0, 0, 1, 1, 1, 1, 0}, "VEC2", 2);
+  return file.text(fmt::format(
+      R"("nodes":[{{"mesh":0}},{{"name":"away","camera":0,"translation":[0,0,9],"rotation":[0,1,0,0]}},)"
+      R"({{"name":"front","camera":0,"translation":[0,0,4]}}],"cameras":[{{"type":"perspective","perspective":)"
+      R"({{"yfov":0.7,"aspectRatio":1.3,"znear":0.1}}}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":{},)"
+      R"("TEXCOORD_{}":{},"TEXCOORD_{}":{}}},"indices":{},"material":0}}]}}],"materials":[{{"extensions":)"
+      R"({{"KHR_materials_unlit":{{}}}},"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"texCoord":{}}}}}}}],)"
+      R"("textures":[{{"source":0}}],"images":[{{"uri":"data:image/png;base64,{}"}}])",
+      square.positions, set, square.uvs, 1 - set, turned, square.indices, set, kPicture));
+}
+
+// Which of the two sets a picture takes makes no difference if they are exchanged as well; that of the camera does.
+TEST(ToDsc, SecondCoordinatesAndCameras) {
+  TemporaryDirectory directory;
+  const auto image = [&](const char* file, const char* camera) {
+    Arguments arguments{file,           "-o", "image.pfm", "--resolution", "26x20",
+                        "--iterations", "2",  "--photons", "2000",         "--quiet"};
+    if (camera != nullptr) arguments = arguments + Arguments{"--camera", camera};
+    const Outcome outcome = run(directory, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return contents(directory / "image.pfm");
+  };
+  put_file(directory / "first.gltf", poster(0));
+  put_file(directory / "second.gltf", poster(1));
+  const std::string front = image("first.gltf", "front");
+  EXPECT_TRUE(front == image("second.gltf", "2"));
+  EXPECT_FALSE(front == image("first.gltf", nullptr));
+  const Outcome written = run(directory, {"--to-dsc", "second.gltf", "--camera", "front"});
+  ASSERT_EQ(written.code, 0) << written.err;
+  std::filesystem::remove(directory / "second.gltf");
+  EXPECT_TRUE(front == image("second.dsc", nullptr));
+  const Outcome wrong = run(directory, {"first.gltf", "--camera", "side"});
+  EXPECT_NE(wrong.code, 0);
+  EXPECT_NE(wrong.err.find("it has no camera \"side\"; available: away, front"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

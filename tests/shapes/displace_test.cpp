@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 #include "tests/shapes/random.h"
@@ -83,6 +84,26 @@ TEST(Displace, TooManyTrianglesAreAnError) {
   MeshData bare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}, {}, {{0, 1, 2}}};
   EXPECT_THROW(displaced(TriangleMesh(std::move(bare)), {distance, 1, [](const Vec3&, Vec2) { return 0.f; }}),
                std::runtime_error);
+}
+
+// Red is x and the second coordinates are (y, x): so they stay, wherever edges are split.
+TEST(Displace, ColoursAndSecondCoordinatesAreInterpolated) {
+  MeshData square{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  for (const Vec3& p : square.vertices) {
+    square.second_uvs.push_back({p.y, p.x});
+    square.colours.push_back({p.x, 0, 0, p.y});
+  }
+  const MeshData made =
+      displaced(TriangleMesh(std::move(square)), {distance, 0.1f, [](const Vec3&, Vec2) { return 0.5f; }});
+  ASSERT_EQ(made.colours.size(), made.vertices.size());
+  ASSERT_EQ(made.second_uvs.size(), made.vertices.size());
+  EXPECT_GT(made.vertices.size(), 100u);
+  for (std::size_t i = 0; i < made.vertices.size(); ++i) {
+    const Vec3 p = made.vertices[i];
+    EXPECT_EQ(made.colours[i], (std::array<float, 4>{p.x, 0, 0, p.y}));
+    EXPECT_EQ(made.second_uvs[i], (Vec2{p.y, p.x}));
+  }
 }
 
 }  // namespace

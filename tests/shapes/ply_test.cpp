@@ -169,5 +169,28 @@ TEST(Ply, DamagedFilesAreErrorsOrMeshes) {
   }
 }
 
+// Colours in whole numbers are a picture's: 188 of 255 is half of the light. Opacities are as they are.
+TEST(Ply, ColoursTangentsAndSecondTextureCoordinates) {
+  const auto triangle = [](const std::string& type, const std::string& red) {
+    const std::string colour = " " + red + " 0 0 " + red + " ";
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty " +
+           type + " red\nproperty " + type + " green\nproperty " + type + " blue\nproperty " + type +
+           " alpha\nproperty float u2\nproperty float v2\nproperty float tx\nproperty float ty\nproperty float tz\n"
+           "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0" +
+           colour + "1 2 3 4 5\n1 0 0" + colour + "1 2 3 4 5\n0 1 0" + colour + "6 7 3 4 5\n3 0 1 2\n";
+  };
+  const MeshData whole = read_ply(triangle("uchar", "188"));
+  ASSERT_EQ(whole.colours.size(), 3u);
+  EXPECT_NEAR(whole.colours[1][0], 0.503f, 1e-3f);
+  EXPECT_EQ(whole.colours[1][1], 0);
+  EXPECT_EQ(whole.colours[1][3], 188 / 255.f);
+  ASSERT_EQ(whole.second_uvs.size(), 3u);
+  EXPECT_EQ(whole.second_uvs[2], (Vec2{6, 7}));
+  ASSERT_EQ(whole.tangents.size(), 3u);
+  EXPECT_EQ(whole.tangents[0], (Vec3{3, 4, 5}));
+  EXPECT_EQ(read_ply(triangle("float", "0.25")).colours[2][0], 0.25f);
+  EXPECT_NEAR(read_ply(triangle("ushort", "48316")).colours[2][0], 0.503f, 1e-3f);
+}
+
 }  // namespace
 }  // namespace dspm

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "dspm/math/sampling.h"
 #include "tests/shapes/meshes.h"
 #include "tests/shapes/placed.h"
@@ -116,6 +118,24 @@ TEST(TriangleMesh, SpawnedRaysLeave) {
     if (mesh.intersect(0, s.spawn(test::leaving(s.ng, random)))) ++again;
   }
   EXPECT_EQ(again, 0);
+}
+
+// Second coordinates that are (2u + v + 1, 3v): the derivatives are known.
+TEST(TriangleMesh, VerticesHaveColoursAndSecondCoordinates) {
+  MeshData data{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {}, {{0, 0}, {4, 0}, {0, 1}}, {{0, 1, 2}}};
+  EXPECT_EQ(TriangleMesh(MeshData(data)).surface_point(0, {0.25f, 0.5f}).vertices.data, nullptr);
+  data.second_uvs = {{1, 0}, {9, 0}, {2, 3}};
+  data.colours = {{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 0.5f}};
+  const TriangleMesh mesh(std::move(data));
+  const VertexPlace place = mesh.surface_point(0, {0.25f, 0.5f}).vertices;
+  ASSERT_NE(place.data, nullptr);
+  EXPECT_EQ(place.data->vertex_colour(place.triangle, place.at), (std::array<float, 4>{0.25f, 0.25f, 0.5f, 0.5f}));
+  const auto second = place.data->second_uv(place.triangle, place.at);
+  EXPECT_EQ(second.uv, (Vec2{3.5f, 1.5f}));
+  EXPECT_EQ(second.by_u, (Vec2{2, 0}));
+  EXPECT_EQ(second.by_v, (Vec2{1, 3}));
+  EXPECT_THROW(TriangleMesh({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {}, {}, {{0, 1, 2}}, {}, {{0, 0}}}),
+               std::invalid_argument);
 }
 
 }  // namespace

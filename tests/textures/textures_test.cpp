@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -155,6 +156,50 @@ TEST(TexturePlugins, DescribeThemselves) {
   EXPECT_EQ(mix[0].name, "tex1");
   EXPECT_EQ(mix[0].type, "rgb, spectrum, blackbody or texture");
   EXPECT_EQ(mix[2].type, "float or texture");
+}
+
+/// A mesh of which only the vertices are known.
+struct KnownVertices final : VertexData {
+  std::array<float, 4> vertex_colour(int triangle, Vec2 at) const override {
+    return {0.1f * static_cast<float>(triangle), at.x, at.y, 0.25f};
+  }
+  SecondUv second_uv(int, Vec2 at) const override { return {at, {0, 1}, {1, 0}}; }
+};
+
+TEST(Texture, ColoursOfVertices) {
+  Workshop w;
+  const KnownVertices mesh;
+  TexturePoint point = at_uv(7, 8);
+  const auto paint = w.make<Rgb>("vertexcolor", {});
+  const auto alpha = w.make<float>("vertexcolor", {}),
+             blue = w.make<float>("vertexcolor", {text_param("channel", "blue")});
+  EXPECT_EQ(paint->evaluate(point), Rgb(1));
+  EXPECT_EQ(alpha->evaluate(point), 1);
+  point.vertices = {&mesh, 2, {0.5f, 0.75f}};
+  EXPECT_EQ(paint->evaluate(point), Rgb(0.2f, 0.5f, 0.75f));
+  EXPECT_EQ(alpha->evaluate(point), 0.25f);
+  EXPECT_EQ(blue->evaluate(point), 0.75f);
+  EXPECT_EQ(w.message(), "");
+}
+
+// The second coordinates are the first, exchanged: what they give is what an exchanged point gives, footprint and all.
+TEST(Texture, SecondCoordinates) {
+  Workshop w;
+  const KnownVertices mesh;
+  const std::vector<Param> fine{number_param("uscale", 8), number_param("vscale", 2)};
+  std::vector<Param> second = fine;
+  second.push_back(integer_param("uvset", 2));
+  const auto first = w.make<Rgb>("checkerboard", fine), other = w.make<Rgb>("checkerboard", second);
+  for (int i = 0; i < 100; ++i) {
+    const float u = 0.0173f * static_cast<float>(i), v = 0.37f * u * u;
+    TexturePoint point{{u, v, 0}, {u, v}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0.05f, 0, 0}, {0, 0.02f, 0}};
+    TexturePoint exchanged{{v, u, 0}, {v, u}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0.05f, 0}, {0.02f, 0, 0}};
+    EXPECT_EQ(other->evaluate(point), first->evaluate(point));  // without vertices
+    point.vertices = {&mesh, 0, {v, u}};
+    EXPECT_NEAR(other->evaluate(point).r, first->evaluate(exchanged).r, 1e-5f);
+  }
+  w.make<Rgb>("checkerboard", {integer_param("uvset", 3)});
+  EXPECT_EQ(w.message(), "\"uvset\" must be 1 or 2");
 }
 
 }  // namespace
