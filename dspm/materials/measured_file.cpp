@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/colour/spectrum.h"
+#include "dspm/colour/sampled_colours.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/math/vec.h"
 
@@ -120,20 +120,19 @@ float MeasuredFile::Grid::at(const Vec2& p) const {
 void MeasuredFile::read_reflectance(const Tables& tables) {
   const bool is_rgb = tables.contains("rgb");
   const Tensor& tensor = table(tables, is_rgb ? "rgb" : "spectra", 5, false);
-  Spectrum spectrum;
-  if (!is_rgb) spectrum.nm = ascending(tables, "wavelengths");
-  const std::size_t colours = is_rgb ? 3 : spectrum.nm.size(), side = tensor.shape[3];
+  const std::vector<float> nm = is_rgb ? std::vector<float>() : ascending(tables, "wavelengths");
+  const std::size_t colours = is_rgb ? 3 : nm.size(), side = tensor.shape[3];
   if (tensor.shape[0] * tensor.shape[1] != parameters_.count() || tensor.shape[2] != colours ||
       tensor.shape[4] != side || side < 2)
     fail("the table of reflected light has another size than its angles and wavelengths");
   side_ = static_cast<int>(side), reflectance_.resize(parameters_.count() * side * side);
-  spectrum.values.resize(colours);
+  const SampledColours of_spectra(nm);
+  std::vector<float> values(colours);
   for (std::size_t i = 0; i < reflectance_.size(); ++i) {
     const std::size_t grid = i / (side * side), texel = i % (side * side);
     for (std::size_t c = 0; c < colours; ++c)
-      spectrum.values[c] = std::max(0.f, tensor.values[(grid * colours + c) * side * side + texel]);
-    reflectance_[i] = is_rgb ? Rgb(spectrum.values[0], spectrum.values[1], spectrum.values[2])
-                             : to_rgb(spectrum, SpectrumRole::unbounded);
+      values[c] = std::max(0.f, tensor.values[(grid * colours + c) * side * side + texel]);
+    reflectance_[i] = is_rgb ? Rgb(values[0], values[1], values[2]) : of_spectra.of(values);
   }
 }
 

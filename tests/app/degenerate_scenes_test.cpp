@@ -151,8 +151,8 @@ TEST_P(DegenerateScene, ImagesAreFinite) {
 INSTANTIATE_TEST_SUITE_P(Integrators, DegenerateScene,
                          ::testing::Values(R"("dsppm")", R"("sppm" "string emission" "power")",
                                            R"("photonmap" "string emission" "power")",
-                                           R"("photonmap" "integer finalgather" 2)", R"("path")",
-                                           R"("vcm" "string emission" "power")"));
+                                           R"("photonmap" "integer causticphotons" 2000 "integer finalgather" 2)",
+                                           R"("path")", R"("vcm" "string emission" "power")"));
 
 TEST(SenselessScene, IsRefused) {
   const TemporaryDirectory directory;

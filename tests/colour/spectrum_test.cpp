@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "dspm/colour/sampled_colours.h"
 #include "dspm/colour/spectrum_tables.h"
 #include "dspm/math/vec.h"
 
@@ -122,6 +124,19 @@ TEST(Spectrum, ConstantsStayWhatTheyAre) {
   }
   const Rgb held = to_rgb({{500, 600}, {1.5f, 1.5f}}, SpectrumRole::unbounded);  // holds beyond its samples
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(held[i], 1.5f, 1e-5f);
+}
+
+TEST(Spectrum, ColoursOfTheSameSamplesAreThoseOfEach) {
+  const std::vector<float> nm = {340, 401.5f, 420, 500, 503, 590, 700, 1000};
+  const SampledColours colours(nm);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> value(0, 2);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<float> values(nm.size());
+    for (float& v : values) v = i % 4 == 0 && value(random) > 0.5f ? 0 : value(random);  // some are outside Rec. 709
+    const Rgb slow = to_rgb({nm, values}, SpectrumRole::unbounded), quick = colours.of(values);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(quick[c], slow[c], 2e-6f);
+  }
 }
 
 TEST(Spectrum, ColoursAreTheRightWayRound) {

@@ -134,6 +134,8 @@ TEST(RandomScenes, HoldEveryPlugin) {
   for (const CatalogueEntry& entry : all_plugins()) missing.insert(entry.kind + ":" + entry.name);
   for (unsigned seed = 1; seed <= 300 && !missing.empty(); ++seed) {
     DescribedScene scene(seed);
+    const std::vector<std::string> drawn = scene.plugins();
+    if (std::none_of(drawn.begin(), drawn.end(), [&](const auto& name) { return missing.contains(name); })) continue;
     mended(scene);
     for (const std::string& name : scene.plugins()) missing.erase(name);
   }

@@ -1,0 +1,23 @@
+// The colours of many spectra that are sampled at the same wavelengths: sums over the samples, not over all wavelengths.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "dspm/colour/rgb.h"
+
+namespace dspm {
+
+class SampledColours {
+ public:
+  /// `nm`: ascending.
+  explicit SampledColours(const std::vector<float>& nm);
+  /// But for rounding, to_rgb() of these samples with SpectrumRole::unbounded.
+  Rgb of(std::span<const float> values) const;
+
+ private:
+  std::vector<std::array<double, 3>> weights_;
+};
+
+}  // namespace dspm
