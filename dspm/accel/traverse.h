@@ -9,6 +9,7 @@
 #include <immintrin.h>
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,8 +31,12 @@ class NodeTest {
       far_origin_[axis] = _mm_set1_ps(ray.far_origin[axis]);
       inverse_[axis] = _mm_set1_ps(ray.inverse[axis]);
     }
+    const auto is_nan = [](const Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); };
+    is_nan_ = is_nan(ray.near_origin) || is_nan(ray.inverse);
   }
 
+  /// It would enter all boxes, the empty ones of unused children too, which lead nowhere.
+  bool is_nan() const { return is_nan_; }
   /// Bits of the children whose boxes the ray enters within `limit`, and the distances at which it enters them.
   unsigned operator()(const Bvh::Node& node, float limit, float* entry) const {
     return half(node, 0, limit, entry) | half(node, 4, limit, entry) << 4;
@@ -53,12 +58,13 @@ class NodeTest {
 
   std::ptrdiff_t near_[3], far_[3];  // offsets of planes in a node
   __m128 near_origin_[3], far_origin_[3], inverse_[3];
+  bool is_nan_;
 };
 
 /// Whether the ray enters one of the root's boxes within `limit`.
 inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
   alignas(16) float entry[Bvh::kWidth];
-  return !bvh.nodes.empty() && test(bvh.nodes.front(), limit, entry) != 0;
+  return !bvh.nodes.empty() && !test.is_nan() && test(bvh.nodes.front(), limit, entry) != 0;
 }
 
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
@@ -75,7 +81,7 @@ void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& v
     if constexpr (!Query::kOneFrame) common[place] = frames;
   };
   const auto frames_at = [&](int place) { return Query::kOneFrame ? 0 : common[place]; };
-  if (bvh.nodes.empty()) return;
+  if (bvh.nodes.empty() || test.is_nan()) return;
   const bool frames_differ = !bvh.node_frames.empty();
   int size = 1;
   put(0, 0, 0, query.frames().bits());

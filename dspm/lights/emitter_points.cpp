@@ -57,6 +57,7 @@ void EmitterPoints::measure(const Brightness& brightness, const std::vector<floa
       area += static_cast<double>(share), luminous += static_cast<double>(luminance(cell) * share);
     }
   }
+  if (!(luminous > 0)) return;  // uniform: degenerate primitives must not be chosen
   const float least = area > 0 ? kLeastShare * static_cast<float>(luminous / area) : 0.f;
   // Without the way back from a point to its numbers, its density in a table would not be known.
   const auto largest = static_cast<int>(std::max_element(areas.begin(), areas.end()) - areas.begin());

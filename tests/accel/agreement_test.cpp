@@ -143,6 +143,18 @@ TEST_P(Agreement, OnALargeMesh) {
   for (int i = 0; i < 300; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
 }
 
+// What is not a number goes nowhere; in a tree it would enter every box.
+TEST_P(Agreement, OnRaysThatAreNotNumbers) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  test::RandomScene scene(3);
+  const TwoLevel tree(scene.placed(), scene.all(), GetParam());
+  for (const Vec3& broken : {Vec3{kNan, kNan, kNan}, Vec3{kNan, 1, 0}, Vec3{0, kNan, 1}, Vec3{1, 0, kNan}})
+    for (const Ray& ray : {Ray{{0, 0, 0}, broken}, Ray{broken, {0, 0, 1}}}) {
+      for (const FrameHit& part : tree.partition(ray, scene.all())) EXPECT_TRUE(part.hit.missed());
+      EXPECT_TRUE(tree.occluded(ray, scene.all()).empty());
+    }
+}
+
 TEST_P(Agreement, OnNothing) {
   const TwoLevel tree({}, FrameSet::first(64), GetParam());
   const Ray ray{{0, 0, 0}, {0, 0, 1}};

@@ -252,6 +252,22 @@ TEST(AreaLight, ShinesWhereItIsThere) {
   EXPECT_NEAR(irradiance(*hidden, from, down, 100'000), irradiance(*plain.light, from, down, 100'000), 0.01f);
 }
 
+// Where all is dark, a point is drawn by its area: one of a degenerate triangle would have no normal.
+TEST(AreaLight, DegenerateTrianglesAreNoPlaceOfADarkPicture) {
+  MeshData data;
+  data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  data.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  data.faces = {{0, 1, 1}, {0, 1, 2}, {0, 0, 0}, {1, 1, 2}};
+  const std::string dark = (std::filesystem::temp_directory_path() / "dspm_dark.pfm").string();
+  write_pfm(dark, Image(2, 2));
+  const AreaLamp lamp = make_lamp("dark", std::make_unique<TriangleMesh>(data), {}, {text("filename", dark)});
+  Sequence random(15);
+  for (int i = 0; i < 100; ++i) {
+    const auto start = lamp.light->emit(random.pair(), random.pair());
+    EXPECT_TRUE(!start || is_finite(start->ray.direction));
+  }
+}
+
 TEST(AreaLight, DegenerateTrianglesDoNotShine) {
   MeshData data;
   data.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
