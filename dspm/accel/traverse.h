@@ -16,6 +16,7 @@
 #include "dspm/accel/box_ray.h"
 #include "dspm/accel/bvh.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 
