@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "dspm/integrators/emission_tree.h"
@@ -100,18 +101,25 @@ class Learner {
 
   /// `scale`: of the search radius.
   PilotRound trace(const EmissionGuides& guides, float scale) {
-    const VisiblePoints matte = visible(&HitPointTile::hit_points, scale),
-                        glossy = visible(&HitPointTile::glossy, scale);
+    if (searched_ == nullptr || searched_->scale != scale)
+      searched_ = std::make_unique<const Searched>(
+          Searched{scale, visible(&HitPointTile::hit_points, scale), visible(&HitPointTile::glossy, scale)});
     PilotRound round{guides, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
     photon_.guides = &guides;
     for (std::int64_t first = 0; first < paths_; first += kPathsAtOnce) {
       traces_ =
           trace_photons(scene_, photon_, rounds_, first, std::min(paths_, first + kPathsAtOnce), std::move(traces_));
-      find(static_cast<std::uint64_t>(first), matte, glossy, round);
+      find(static_cast<std::uint64_t>(first), *searched_, round);
     }
     ++rounds_;
     return round;
   }
+
+  /// What rounds search, with radii of that scale. Most have that of the round before.
+  struct Searched {
+    float scale;
+    VisiblePoints matte, glossy;
+  };
 
   /// Pilot pixels are further apart than pixels; wide circles need fewer points.
   VisiblePoints visible(std::vector<HitPoint> HitPointTile::*which, float scale) const {
@@ -123,7 +131,7 @@ class Learner {
                          std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
   }
 
-  void find(std::uint64_t path, const VisiblePoints& matte, const VisiblePoints& glossy, PilotRound& round) const {
+  void find(std::uint64_t path, const Searched& visible, PilotRound& round) const {
     const std::size_t choices = scene_.light_choices.size();
     std::vector<std::uint64_t> first_path(traces_.size());
     for (std::size_t t = 0; t < traces_.size(); ++t) first_path[t] = std::exchange(path, path + traces_[t].ends.size());
@@ -138,8 +146,8 @@ class Learner {
         const auto add = [&](float radiance, FrameSet frames, const HitPoint&) {
           sums[choice_of(frames)] += frames.count() * static_cast<double>(radiance) * static_cast<double>(radiance);
         };
-        for (; photon < end.photons; ++photon) matte.for_each_gathering(trace.photons[photon], add);
-        for (; hidden < end.hidden; ++hidden) glossy.for_each_gathering(trace.hidden[hidden], add);
+        for (; photon < end.photons; ++photon) visible.matte.for_each_gathering(trace.photons[photon], add);
+        for (; hidden < end.hidden; ++hidden) visible.glossy.for_each_gathering(trace.hidden[hidden], add);
       }
       for (std::size_t i = 0; i < squares.size(); ++i) {
         const std::size_t choice = i % choices;
@@ -221,6 +229,7 @@ class Learner {
   std::uint64_t choices_ = 0;  // of frames of the sample
   PilotPixels pixels_;
   std::vector<HitPointTile> tiles_;
+  std::unique_ptr<const Searched> searched_;
   std::vector<PhotonTrace> traces_;
   std::uint64_t rounds_ = 0;
   std::size_t bytes_ = 0;
