@@ -44,7 +44,13 @@ int render_once(Options options, const Surroundings& around, Edits& edits, bool 
 int render_live(Options options, Link* others) {
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
+  const LivePage* page = nullptr;
+  // First, as the others wait for a leader, whatever becomes of the page.
+  std::optional<Leader> leader;
+  if (others != nullptr)
+    leader.emplace(*others, [&] { return is_interrupted() || (page != nullptr && page->end_wanted()); });
   LivePage live(*options.serve, options.view);
+  page = &live;
   LiveMessages messages(options.quiet, live);
   messages.say("the page is at {}", live.url());
   if (options.view.view.starts_with("ocio")) messages.say("the page knows no OpenColorIO: it shows agx");
@@ -53,8 +59,6 @@ int render_live(Options options, Link* others) {
   LastWords last_words;
   const InterruptRequests interrupts;
   KeptGeometry kept;
-  std::optional<Leader> leader;
-  if (others != nullptr) leader.emplace(*others, [&] { return is_interrupted() || live.end_wanted(); });
   const Surroundings around{messages, memory, watch, last_words, &live, leader ? &*leader : nullptr, &kept};
   Edits edits(live, options.scenes, [&] {
     LiveMessages of_edit(options.quiet, live);

@@ -17,6 +17,8 @@ class Helper {
  public:
   /// `on_end` is called when the leader says that it is over, or that the scene was edited, by the thread of the post.
   Helper(Link& link, std::function<void()> on_end);
+  /// Says goodbye.
+  ~Helper() { post_.send(0, LetterKind::bye); }
 
   /// What is to be loaded; nullopt: it is over.
   std::optional<Edition> edition();

@@ -90,6 +90,8 @@ Leader::Leader(Link& link, std::function<bool()> end_wanted)
 
 Leader::~Leader() {
   for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::end);
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return gone_ == machines() - 1; });
 }
 
 void Leader::expect(std::string digest) {
@@ -130,6 +132,7 @@ void Leader::open(Letter letter) {
     if (auto failure = read<Failure>(letter.text); failure.edition == edition_.number)
       failure_ = std::move(failure.why);
   }
+  gone_ += letter.kind == LetterKind::bye;
   fetch();
   serve();
   changed_.notify_all();

@@ -30,7 +30,8 @@ class Leader {
  public:
   /// `end_wanted`: by the user; a block that another machine is still rendering is then not waited for.
   Leader(Link& link, std::function<bool()> end_wanted);
-  /// Tells all others that it is over.
+  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their last
+  /// letters are taken.
   ~Leader();
 
   /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
@@ -69,7 +70,8 @@ class Leader {
   std::deque<int> waiting_;   // machines that have asked for an order
   std::deque<Letter> ready_;  // that came before the leader knew its own scene
   std::string failure_;
-  Post post_;  // the last member: its thread uses the others
+  int gone_ = 0;  // machines
+  Post post_;     // the last member: its thread uses the others
 };
 
 }  // namespace dspm

@@ -22,7 +22,8 @@ enum class LetterKind {
   state,   // helper: of that block
   failed,  // helper: why it cannot go on
   edited,  // leader: the scene is to be read anew
-  end      // leader: there are no more orders
+  end,     // leader: there are no more orders
+  bye      // helper: its last letter
 };
 
 struct Letter {

@@ -15,9 +15,10 @@ class Link {
   /// They count from 0, which leads.
   virtual int machines() const = 0;
   virtual int me() const = 0;
-  /// Begins to send; the letter is on its way until all_sent().
+  /// Begins to send; the letter is on its way until is_quiet().
   virtual void send(Letter letter) = 0;
-  virtual bool all_sent() = 0;
+  /// Nothing is on its way from here, nor half here.
+  virtual bool is_quiet() = 0;
   /// One that has come, or nullopt.
   virtual std::optional<Letter> receive() = 0;
 };

@@ -39,7 +39,7 @@ void Post::run() {
       bytes_ += letter->text.size(), was_idle = false;
       open_(std::move(*letter));
     }
-    if (link_.all_sent() && closing && was_idle) return;
+    if (link_.is_quiet() && closing && was_idle) return;
     rest = was_idle ? std::min(2 * rest, kLongest) : kShortest;
     if (was_idle) std::this_thread::sleep_for(rest);
   }

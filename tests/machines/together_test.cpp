@@ -44,7 +44,7 @@ class Network {
       const std::lock_guard lock(network_.mutex_);
       network_.boxes_[to].push_back(std::move(letter));
     }
-    bool all_sent() override { return true; }
+    bool is_quiet() override { return true; }
     std::optional<Letter> receive() override {
       const std::lock_guard lock(network_.mutex_);
       std::deque<Letter>& box = network_.boxes_[static_cast<std::size_t>(me_)];
@@ -87,7 +87,7 @@ void get_stuck(Network::Wire& wire) {
   wire.send({0, LetterKind::ready, written(Hello{"stuck", "this scene"})});
   for (;;) {
     const std::optional<Letter> letter = wire.receive();
-    if (letter && letter->kind == LetterKind::end) return;
+    if (letter && letter->kind == LetterKind::end) return wire.send({0, LetterKind::bye, {}});
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }

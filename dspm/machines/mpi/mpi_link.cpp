@@ -44,9 +44,9 @@ class MpiLink final : public Link {
     });
   }
 
-  bool all_sent() override {
+  bool is_quiet() override {
     out_.remove_if([](Transfer& out) { return out.is_done(); });
-    return out_.empty();
+    return out_.empty() && in_.empty();
   }
 
   std::optional<Letter> receive() override {
