@@ -10,8 +10,7 @@
 
 namespace dspm {
 
-/// The scene in that size. Throws SceneError if it cannot be rendered.
-/// `kept`: see WorldOptions.
+/// The scene in that size. `kept`: see WorldOptions. Throws SceneError if it cannot be rendered.
 std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages, KeptGeometry& kept);
 /// Ends early if `page` wants an end.
 void show_coarsely(const LoadedScene& loaded, LivePage& page);

@@ -19,10 +19,10 @@ namespace dspm {
 
 /// The integrator that `make` returns (null if it failed); if `render.estimate_error`, its statistics have the errors
 /// of all frames, of the luminance, after 8, 10, 12, 14, 16, 18, ... iterations, eight times until their number has
-/// doubled, if the image after half of them was seen: an iterate() that does several iterations passes over some. Between
-/// them they stay. Constant light needs no iterations, so pixels that show it are left out, as are
-/// black ones; a black frame has no error. Keeps half a megabyte per frame. `memory`: bytes for both; 0: no bound.
-/// Throws NotEnoughMemory.
+/// doubled, if the image after half of them was seen: an iterate() that does several iterations passes over some.
+/// Between them they stay. Constant light needs no iterations, so pixels that show it are left out, as are black ones;
+/// a black frame has no error. Keeps half a megabyte per frame. `memory`: bytes for both; 0: no bound. Throws
+/// NotEnoughMemory.
 std::unique_ptr<Integrator> with_error_estimate(const MakeWithin& make, const Scene& scene,
                                                 const RenderSettings& render, std::size_t memory);
 

@@ -28,21 +28,26 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// What make(diagnostics) returns, once these are shown.
+template <class Make>
+std::unique_ptr<Integrator> made(Messages& messages, Make&& make) {
+  Diagnostics diagnostics;
+  std::unique_ptr<Integrator> integrator = make(diagnostics);
+  messages.show(diagnostics);
+  diagnostics.throw_if_errors();
+  return integrator;
+}
+
 }  // namespace
 
 std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
                                             std::size_t memory) {
-  const auto make = [&](std::size_t bytes) { return make_without_error(job, scene, messages, bytes); };
-  return with_error_estimate(make, scene, job.settings, memory);
+  return made(messages, [&](Diagnostics& diagnostics) { return job.make_integrator(scene, diagnostics, memory); });
 }
 
 std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
                                                std::size_t memory) {
-  Diagnostics diagnostics;
-  std::unique_ptr<Integrator> integrator = job.make_without_error(scene, diagnostics, memory);
-  messages.show(diagnostics);
-  diagnostics.throw_if_errors();
-  return integrator;
+  return made(messages, [&](Diagnostics& diagnostics) { return job.make_without_error(scene, diagnostics, memory); });
 }
 
 Session::Session(const LoadedScene& loaded, const std::vector<FrameList>& intervals, const MemoryBound& memory,

@@ -8,6 +8,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
+#include "dspm/params/flag.h"
 #include "dspm/params/params.h"
 #include "dspm/shapes/mesh_check.h"
 #include "dspm/shapes/mesh_params.h"
@@ -19,16 +20,6 @@
 #include "dspm/world/shape_maker.h"
 
 namespace dspm {
-namespace {
-
-bool is_open(const ParamList& params) {
-  const Param* const open = params.find(kOpenParam);
-  const auto* values = open != nullptr ? std::get_if<std::vector<bool>>(&open->values) : nullptr;
-  return values != nullptr && values->size() == 1 && values->front();
-}
-
-}  // namespace
-
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
                    Diagnostics& diagnostics)
     : description_(description),
@@ -155,7 +146,7 @@ void Geometry::check(const ShapeUse& use, Source& source) {
     if (!body || !check_meshes_) continue;
     MeshReport report =
         *derived<MeshReport>(kept_, {first.shape}, ContentKey("report"), [&] { return check_mesh(*mesh); });
-    if (is_open(source.params.states.front())) report.open_edges = {};
+    if (is_true(source.params.states.front(), kOpenParam)) report.open_edges = {};
     for (const std::string& fault : describe(report))
       diagnostics_.warning(
           use.where, fmt::format("{} with {}: {}", subject_of(use), looks_.name_of(material), fault),

@@ -11,6 +11,7 @@
 #include "dspm/integrators/shadow_catcher.h"
 #include "dspm/integrators/variance_output.h"
 #include "dspm/math/frames.h"
+#include "dspm/params/flag.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shadow_catcher.h"
@@ -28,11 +29,7 @@ bool gives(const Integrator& integrator, const char* name) {
 }
 
 bool asks_for_shadow_catchers(const SceneDescription& description) {
-  const auto asks = [](const ShapeUse& use) {
-    const Param* const param = use.params.find(kShadowCatcherParam);
-    const auto* values = param != nullptr ? std::get_if<std::vector<bool>>(&param->values) : nullptr;
-    return values != nullptr && values->size() == 1 && values->front();
-  };
+  const auto asks = [](const ShapeUse& use) { return is_true(use.params, kShadowCatcherParam); };
   return std::any_of(description.shapes.begin(), description.shapes.end(), asks) ||
          std::any_of(description.objects.begin(), description.objects.end(), [&](const ObjectDefinition& object) {
            return std::any_of(object.shapes.begin(), object.shapes.end(), asks);
