@@ -134,7 +134,8 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
 }
 
-IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrator) const {
+IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrator) {
+  schedule_.begin(writes() ? states_[kept_ + interval].iterations : 0);
   if (!writes()) return {.index = interval};
   const IntervalState& state = states_[kept_ + interval];
   if (state.iterations == 0) return {.index = interval};

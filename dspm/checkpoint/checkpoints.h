@@ -37,7 +37,7 @@ class Checkpoints {
   /// Before the first iteration. Throws if the file cannot be written or is too large for the disk.
   void begin(const std::vector<FrameList>& intervals, Integrator& first);
   /// Loads the interval's state and returns its progress; without a state, it is at its beginning.
-  IntervalProgress resume(std::size_t interval, Integrator& integrator) const;
+  IntervalProgress resume(std::size_t interval, Integrator& integrator);
   bool due(int iterations) { return writes() && schedule_.due(iterations); }
   /// Does nothing if no checkpoint is written. Throws WriteError.
   void save(const IntervalProgress& progress, Integrator& integrator);

@@ -109,6 +109,7 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   const int first = progress.iterations;
   const Clock::time_point begin = Clock::now();
   WriteSchedule schedule(settings_.write_every);
+  schedule.begin(first);
   if (iterations > 0 && progress.iterations >= iterations)
     messages_.say("{} done, none is left; ask for more with --iterations",
                   counted(static_cast<std::size_t>(progress.iterations), "iteration"));

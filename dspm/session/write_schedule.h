@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <utility>
 
 namespace dspm {
 
@@ -14,12 +15,13 @@ struct Interval {
 class WriteSchedule {
  public:
   explicit WriteSchedule(const Interval& every) : every_(every) {}
+  /// Iterations count from here: those of a frame interval, `done` of which a checkpoint held. The clock goes on.
+  void begin(int done) { asked_ = done; }
   /// Whether to write after that many iterations, which may be several more than at the last call; if so, the clock
   /// starts anew.
   bool due(int iterations) {
     const std::chrono::duration<double> passed = Clock::now() - last_;
-    const int before = asked_ < 0 ? iterations - 1 : asked_;
-    asked_ = iterations;
+    const int before = std::exchange(asked_, iterations);
     const bool yes = (every_.iterations > 0 && iterations / every_.iterations > before / every_.iterations) ||
                      (every_.seconds > 0 && passed.count() >= every_.seconds);
     if (yes) last_ = Clock::now();
@@ -30,7 +32,7 @@ class WriteSchedule {
   using Clock = std::chrono::steady_clock;
   Interval every_;
   Clock::time_point last_ = Clock::now();
-  int asked_ = -1;  // at the last call; below 0: none yet
+  int asked_ = 0;  // iterations at the last call
 };
 
 }  // namespace dspm
