@@ -60,6 +60,7 @@ int Render::run() {
   report_.seconds = seconds_before + seconds.count();
   report_.around = loaded_.steps;
   for (const StepTime& step : steps_.end()) report_.around.push_back(step);
+  if (leader_ != nullptr) report_.traffic.machines = leader_->machines(), report_.traffic.bytes = leader_->bytes();
   report_.exit_code = InterruptRequests::exit_code(results_.are_whole() ? 0 : 1);
   if (options_.part.is_all())
     results_.say_end(report_.seconds, InterruptRequests::signal() != 0);
@@ -75,9 +76,10 @@ SessionSettings Render::session_settings() const {
   settings.part = options_.part;
   if (leader_ == nullptr) return settings;
   settings.block = options_.block.value_or(4);
-  settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> integrator, int all) {
-    refuse_if_not_in_parts(*integrator, "mpirun");
-    return leader_->share_out(std::move(integrator), intervals_[i], memory_.for_integrator(i), {all, block});
+  settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> sum,
+                                                      std::unique_ptr<Integrator> own, int all) {
+    refuse_if_not_in_parts(*sum, "mpirun");
+    return leader_->share_out(std::move(sum), std::move(own), intervals_[i], memory_.for_integrator(i), {all, block});
   };
   return settings;
 }
@@ -100,6 +102,8 @@ void Render::interval_ends(const IntervalProgress& progress, const Scene& scene,
   if (progress.index + 1 < intervals_.size()) results_.report_faults();
   if (live_ != nullptr) live_->interval_ends(exhibit(progress, integrator));
   report_.tree_bytes = std::max(report_.tree_bytes, scene.accel->memory());
+  report_.traffic.iterations +=
+      static_cast<std::uint64_t>(progress.iterations - resumed_) * intervals_[progress.index].size();
   report_.add(integrator.statistics(), intervals_[progress.index]);
 }
 

@@ -66,7 +66,7 @@ class Render final : public SessionObserver {
   IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
     const IntervalProgress before = checkpoints_.resume(index, integrator);
     progress_->begin(static_cast<int>(index), before.iterations);
-    saved_ = before.iterations;
+    saved_ = resumed_ = before.iterations;
     has_checkpoint_ |= saved_ > 0;
     last_words_.keep(kept_in_words());
     return before;
@@ -156,7 +156,7 @@ class Render final : public SessionObserver {
   Results results_;
   Checkpoints checkpoints_;
   std::vector<FrameList> intervals_;
-  int saved_ = 0;  // iterations of the interval that the checkpoint holds
+  int resumed_ = 0, saved_ = 0;  // iterations of the interval that the checkpoint held at first, and holds
   bool has_checkpoint_ = false;
   bool has_said_what_is_found_ = false;
   RunReport report_;

@@ -33,7 +33,7 @@ void Helper::render(const LoadedScene& loaded, Messages& messages, const Hello& 
     std::string state = rendered(order->block, *integrator, *scene, zero);
     {
       const std::lock_guard lock(mutex_);
-      std::erase_if(kept_, [&](const auto& each) { return each.first.interval != interval; });
+      std::erase_if(kept_, [&](const auto& each) { return each.first < Rendered{interval, order->wanted_from}; });
       kept_[block] = std::move(state);
     }
     post_.send(0, LetterKind::done, written(block));

@@ -15,40 +15,33 @@ namespace dspm {
 
 class Leader::SharedIterations final : public WrappingIntegrator {
  public:
-  SharedIterations(std::unique_ptr<Integrator> inner, Leader& leader, const Extent& extent)
-      : WrappingIntegrator(std::move(inner)), leader_(leader), extent_(extent), zero_(state_of(*inner_)) {}
+  SharedIterations(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own, Leader& leader,
+                   const Extent& extent)
+      : WrappingIntegrator(std::move(sum)),
+        leader_(leader),
+        extent_(extent),
+        renderer_(std::move(own)),
+        zero_(state_of(*renderer_)) {}
   ~SharedIterations() override {
     const std::lock_guard lock(leader_.mutex_);
     leader_.desk_.close();
   }
 
   void iterate(int begin, const Scene& scene) override {
-    if (begin != next_) reopen(begin);
-    for (;;) {
-      std::unique_lock lock(leader_.mutex_);
-      if (!leader_.failure_.empty()) throw MachineFailed(leader_.failure_);
-      if (std::optional<std::string> state = leader_.desk_.take(begin)) {
-        leader_.fetch();
-        lock.unlock();
-        add(*state, *inner_);
-        next_ = Block::from(begin, extent_.iterations, extent_.block).end;
-        return;
-      }
-      if (const std::optional<Block> own = leader_.desk_.hand_out(0)) {
-        lock.unlock();
-        render(*own, scene);
-        continue;
-      }
-      if (leader_.end_wanted_()) throw Cancelled{};
-      leader_.changed_.wait_for(lock, std::chrono::milliseconds(100));
-    }
+    const bool is_beyond = extent_.iterations > 0 && begin >= extent_.iterations;
+    if (begin != next_ || is_beyond) reopen(begin);
+    next_ = -1;  // if anything is thrown
+    while (!add_block(begin))
+      if (!render_on(begin, scene)) wait_for(begin);
+    next_ = Block::from(begin, extent_.iterations, extent_.block).end;
   }
 
+  /// Work is that of this machine.
   Statistics statistics() const override {
     Statistics statistics = inner_->statistics();
-    statistics.counters.add("machines", static_cast<std::uint64_t>(leader_.machines()));
-    statistics.counters.add("bytes between them", leader_.post_.bytes());
-    statistics.bytes += zero_.size();
+    const Statistics own = renderer_->statistics();
+    for (std::size_t i = 0; i < statistics.steps.size(); ++i) statistics.steps[i].work = own.steps[i].work;
+    statistics.bytes += 2 * zero_.size();
     return statistics;
   }
 
@@ -56,31 +49,65 @@ class Leader::SharedIterations final : public WrappingIntegrator {
   /// At the beginning, after a resume, and if more iterations are wanted than were at first.
   void reopen(int begin) {
     if (begin >= extent_.iterations) extent_.iterations = 0;
+    rendering_.reset();
     const std::lock_guard lock(leader_.mutex_);
     leader_.desk_.open(begin, extent_.iterations, extent_.block);
     leader_.serve();
   }
 
-  /// The integrator serves twice: it holds the sum, and renders a block in between.
-  void render(const Block& block, const Scene& scene) {
-    const std::string sum = state_of(*inner_);
-    std::string state;
-    try {
-      state = rendered(block, *inner_, scene, zero_);
-    } catch (...) {
-      load_state(sum, *inner_);
-      throw;
-    }
-    load_state(sum, *inner_);
+  /// False: it has not come yet.
+  bool add_block(int begin) {
+    std::unique_lock lock(leader_.mutex_);
+    if (!leader_.failure_.empty()) throw MachineFailed(leader_.failure_);
+    const std::optional<std::string> state = leader_.desk_.take(begin);
+    if (!state) return false;
+    leader_.go_on();
+    lock.unlock();
+    add(*state, *inner_);
+    return true;
+  }
+
+  /// One iteration of a block of the leader's own, so that what comes meanwhile is soon added. False: there is none.
+  bool render_on(int begin, const Scene& scene) {
+    if (rendering_ && rendering_->begin < begin) rendering_.reset();  // another machine was faster
+    const bool is_next = rendering_ && rendering_->begin == begin;
+    if (!is_next && leader_.end_wanted_()) throw Cancelled{};
+    if (!rendering_ && !begin_block()) return false;
+    renderer_->iterate(iteration_, scene);
+    if (++iteration_ < rendering_->end) return true;
+    std::string state = state_of(*renderer_);
     const std::lock_guard lock(leader_.mutex_);
-    leader_.desk_.arrived(block.begin, std::move(state));
-    leader_.fetch();
+    leader_.desk_.arrived(rendering_->begin, std::move(state));
+    leader_.go_on();
+    rendering_.reset();
+    return true;
+  }
+
+  bool begin_block() {
+    {
+      const std::lock_guard lock(leader_.mutex_);
+      rendering_ = leader_.desk_.hand_out(0);
+    }
+    if (!rendering_) return false;
+    iteration_ = rendering_->begin;
+    load_state(zero_, *renderer_);
+    return true;
+  }
+
+  /// Not for long, as an end may be wanted.
+  void wait_for(int begin) {
+    std::unique_lock lock(leader_.mutex_);
+    leader_.changed_.wait_for(lock, std::chrono::milliseconds(100),
+                              [&] { return leader_.desk_.is_here(begin) || !leader_.failure_.empty(); });
   }
 
   Leader& leader_;
   Extent extent_;
   int next_ = -1;  // the iteration with which the next block begins
-  const std::string zero_;
+  const std::unique_ptr<Integrator> renderer_;
+  const std::string zero_;          // its state before any iteration
+  std::optional<Block> rendering_;  // a block of the leader's own
+  int iteration_ = 0;               // its next one
 };
 
 Leader::Leader(Link& link, std::function<bool()> end_wanted)
@@ -108,11 +135,11 @@ void Leader::begin_anew(const std::optional<std::array<double, 9>>& look_at) {
   for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::edited, written(edition_));
 }
 
-std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
-                                              std::size_t memory, const Extent& extent) {
+std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
+                                              const FrameList& frames, std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
   ++order_.interval, order_.frames = frames, order_.memory = memory;
-  return std::make_unique<SharedIterations>(std::move(integrator), *this, extent);
+  return std::make_unique<SharedIterations>(std::move(sum), std::move(own), *this, extent);
 }
 
 /// By the thread of the post.
@@ -133,8 +160,7 @@ void Leader::open(Letter letter) {
       failure_ = std::move(failure.why);
   }
   gone_ += letter.kind == LetterKind::bye;
-  fetch();
-  serve();
+  go_on();
   changed_.notify_all();
 }
 
@@ -151,7 +177,8 @@ void Leader::serve() {
   for (const int machine : std::exchange(waiting_, {})) {
     Order order = order_;
     if (const std::optional<Block> block = desk_.hand_out(machine))
-      order.block = *block, post_.send(machine, LetterKind::order, written(order));
+      order.block = *block, order.wanted_from = desk_.wanted_from(),
+      post_.send(machine, LetterKind::order, written(order));
     else
       still.push_back(machine);
   }

@@ -44,12 +44,15 @@ class Leader {
     int iterations, block;
   };
   /// What all machines together do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that
-  /// follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader. `integrator`: made with RenderSettings::learn_at_once, or each block would learn anew. `memory`: bytes that
-  /// each machine's may hold; 0: no bound.
-  std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> integrator, const FrameList& frames,
-                                        std::size_t memory, const Extent& extent);
+  /// follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader. `sum` and `own` are alike: the
+  /// one adds up everybody's blocks, the other renders the leader's, both made with RenderSettings::learn_at_once, or each
+  /// block would learn anew. `memory`: bytes that each machine's may hold; 0: no bound.
+  std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
+                                        const FrameList& frames, std::size_t memory, const Extent& extent);
 
   int machines() const { return link_.machines(); }
+  /// That went between them so far.
+  std::uint64_t bytes() const { return post_.bytes(); }
 
  private:
   class SharedIterations;
@@ -57,6 +60,7 @@ class Leader {
   void open(Letter letter);
   void serve();
   void fetch();
+  void go_on() { fetch(), serve(); }
 
   Link& link_;
   std::function<bool()> end_wanted_;

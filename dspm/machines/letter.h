@@ -38,12 +38,14 @@ struct Order {
   std::vector<FileFrame> frames;  // of the interval
   std::uint64_t memory = 0;       // bytes that its integrator may hold; 0: no bound
   Block block;
+  int wanted_from = 0;  // blocks that begin earlier need not be kept
 
   void persist(StateStream& state) {
     state.value(interval);
     state.list(frames, std::size_t{1} << 24);
     state.value(memory);
     state.value(block);
+    state.value(wanted_from);
   }
 };
 

@@ -117,6 +117,22 @@ void write_energy(JsonWriter& json, const RunReport& report) {
   json.end_array();
 }
 
+void write_traffic(JsonWriter& json, const Traffic& traffic) {
+  json.key("machines").begin_object();
+  json.member("count", traffic.machines);
+  json.member("bytes", traffic.bytes);
+  json.member("bytes_an_iteration_and_frame", traffic.bytes_an_iteration_and_frame());
+  json.end_object();
+}
+
+std::string table_of(const Traffic& traffic) {
+  const auto line = [](const char* name, std::uint64_t value) {
+    return fmt::format("  {:<24}{:>16}\n", name, grouped(value));
+  };
+  return line("machines", static_cast<std::uint64_t>(traffic.machines)) + line("bytes between them", traffic.bytes) +
+         line("an iteration and frame", traffic.bytes_an_iteration_and_frame());
+}
+
 }  // namespace
 
 void RunReport::add(const Statistics& interval, const std::vector<FileFrame>& of_interval) {
@@ -168,6 +184,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   text += fmt::format("  {:<24}{:>16}\n", "photon tests", grouped(s.photon_tests));
   for (const Counters::Entry& counter : s.counters)
     text += fmt::format("  {:<24}{:>16}\n", counter.name, grouped(counter.value));
+  if (report.traffic.machines > 0) text += table_of(report.traffic);
   text += table_of(s.emission);
   text += fmt::format("\n  {:<24}{:>16}{:>18}\n", "paths", "camera", "photon");
   const auto line = [&](const char* name, std::uint64_t camera, std::uint64_t photon) {
@@ -214,6 +231,7 @@ std::string json_of(const Job& job, const RunReport& report) {
     for (const auto& [frame, error] : report.errors) json.value(error);
     json.end_array();
   }
+  if (report.traffic.machines > 0) write_traffic(json, report.traffic);
   json.key("memory").begin_object();
   json.member("peak_bytes", peak_memory());
   json.member("tree_bytes", report.tree_bytes);

@@ -16,6 +16,15 @@ namespace dspm {
 /// The step of RunReport::around that holds the integrator's steps.
 inline constexpr const char* kIterations = "iterations";
 
+/// What machines that rendered together have sent to one another.
+struct Traffic {
+  int machines = 0;  // 0: the run knew no others
+  std::uint64_t bytes = 0;
+  std::uint64_t iterations = 0;  // of this run, each as often as it has frames
+
+  std::uint64_t bytes_an_iteration_and_frame() const { return iterations == 0 ? 0 : bytes / iterations; }
+};
+
 struct RunReport {
   std::vector<int> iterations;  // done, by frame interval
   double seconds = 0;           // from the start of the first iteration to the last image written
@@ -26,6 +35,7 @@ struct RunReport {
   Statistics statistics;               // all intervals together
   std::vector<FileFrame> frames;       // of the energy balances, in their order
   std::map<FileFrame, double> errors;  // estimated
+  Traffic traffic;
 
   /// Adds the work of the integrator of an interval of these frames.
   void add(const Statistics& interval, const std::vector<FileFrame>& of_interval);

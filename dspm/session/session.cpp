@@ -86,8 +86,10 @@ void Session::render_interval(std::size_t index) {
   const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
   const auto make = [&](std::size_t bytes) {
     std::unique_ptr<Integrator> own = make_without_error(loaded_.job, *scene, messages_, bytes);
+    if (!settings_.share_out) return own;
     const int all = iterations_of(*own);
-    return settings_.share_out ? settings_.share_out(index, std::move(own), all) : std::move(own);
+    Diagnostics shown_before;
+    return settings_.share_out(index, std::move(own), loaded_.job.make_without_error(*scene, shown_before, bytes), all);
   };
   const std::unique_ptr<Integrator> integrator =
       with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index));

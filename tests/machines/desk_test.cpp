@@ -26,36 +26,64 @@ TEST(Desk, HandsOutAllIterationsOnce) {
   EXPECT_EQ(edges, (std::vector<int>{6, 8, 8, 12, 12, 14}));  // blocks begin at multiples of four, wherever a run does
 }
 
-TEST(Desk, FetchesInOrderAndFewAtATime) {
+TEST(Desk, FetchesTheNextBlockAndFewBeforeTheirTurn) {
   Desk desk;
   desk.open(0, 0, 4);
   for (const int machine : {1, 2, 3, 4}) desk.hand_out(machine);
   for (const int machine : {2, 3, 4}) desk.rendered(machine, 4 * (machine - 1));
-  EXPECT_EQ(to_fetch(desk), Fetches{});  // the first one is missing
+  EXPECT_EQ(to_fetch(desk), (Fetches{{2, 4}, {3, 8}}));  // so that they are there when the first one comes
+  EXPECT_EQ(to_fetch(desk), Fetches{});                  // they are on their way
   desk.rendered(1, 0);
-  EXPECT_EQ(to_fetch(desk), (Fetches{{1, 0}, {2, 4}}));
-  EXPECT_EQ(to_fetch(desk), Fetches{});  // they are on their way
+  EXPECT_EQ(to_fetch(desk), (Fetches{{1, 0}}));  // it always has room
   desk.arrived(4, "b");
+  EXPECT_FALSE(desk.is_here(0));
   EXPECT_FALSE(desk.take(0));
   desk.arrived(0, "a");
+  EXPECT_TRUE(desk.is_here(0));
   EXPECT_EQ(desk.take(0), "a");
-  EXPECT_EQ(to_fetch(desk), (Fetches{{3, 8}}));
+  EXPECT_EQ(to_fetch(desk), Fetches{});
   EXPECT_EQ(desk.take(4), "b");
   EXPECT_EQ(to_fetch(desk), (Fetches{{4, 12}}));
 }
 
-TEST(Desk, MachinesWaitWithTwoBlocksInHand) {
+TEST(Desk, MachinesHoldTwoBlocks) {
   Desk desk;
   desk.open(0, 0, 4);
-  EXPECT_EQ(begin_of(desk.hand_out(1)), 0);  // a slow machine
-  for (const int begin : {4, 8}) {
-    EXPECT_EQ(begin_of(desk.hand_out(2)), begin);
-    desk.rendered(2, begin);
-  }
-  EXPECT_FALSE(desk.hand_out(2));
+  EXPECT_EQ(begin_of(desk.hand_out(1)), 0);
+  EXPECT_EQ(begin_of(desk.hand_out(2)), 4);
+  desk.rendered(1, 0);
+  EXPECT_EQ(begin_of(desk.hand_out(1)), 8);
+  desk.rendered(1, 8);
+  EXPECT_FALSE(desk.hand_out(1));  // the first one is rendered, and on its way
   EXPECT_EQ(begin_of(desk.hand_out(3)), 12);
-  desk.rendered(1, 0), desk.arrived(0, ""), desk.take(0), desk.arrived(4, ""), desk.take(4);
-  EXPECT_EQ(begin_of(desk.hand_out(2)), 16);
+  desk.arrived(0, ""), desk.take(0);
+  EXPECT_EQ(begin_of(desk.hand_out(1)), 16);
+}
+
+TEST(Desk, ASlowMachinesBlockIsRenderedByAFasterOneToo) {
+  Desk desk;
+  desk.open(0, 0, 4);
+  EXPECT_EQ(begin_of(desk.hand_out(1)), 0);  // the slow one
+  const auto render_two = [&](int machine, int first) {
+    for (const int begin : {first, first + 4}) {
+      EXPECT_EQ(begin_of(desk.hand_out(machine)), begin);
+      desk.rendered(machine, begin);
+    }
+  };
+  render_two(2, 4), render_two(3, 12);
+  EXPECT_EQ(begin_of(desk.hand_out(2)), 0);
+  EXPECT_FALSE(desk.hand_out(2));
+  EXPECT_FALSE(desk.hand_out(3));  // one more is enough
+  EXPECT_EQ(to_fetch(desk), (Fetches{{2, 4}, {2, 8}}));
+  desk.rendered(2, 0), desk.rendered(1, 0);
+  EXPECT_EQ(to_fetch(desk), (Fetches{{2, 0}}));  // of the first one that has it
+  desk.arrived(0, "");
+  EXPECT_EQ(desk.wanted_from(), 0);
+  desk.take(0);
+  EXPECT_EQ(desk.wanted_from(), 4);
+  desk.rendered(1, 0), desk.arrived(0, "late");
+  EXPECT_FALSE(desk.is_here(0));
+  EXPECT_EQ(begin_of(desk.hand_out(1)), 20);
 }
 
 TEST(Desk, ForgetsWhatWasBefore) {

@@ -49,6 +49,7 @@ TEST_F(Mpirun, MachinesGiveTheSameBits) {
   EXPECT_EQ(read_exr_header(directory / "three.0003.exr").integers.at("iterations"), 18);
   EXPECT_EQ(lines_with("3 machines"), 1);
   EXPECT_EQ(lines_with("bytes between them"), 1);
+  EXPECT_EQ(lines_with("an iteration and frame"), 1);
 
   ASSERT_EQ(run(directory, {"tiny.dsc", "--iterations", "18", "--float", "-o", "alone.exr"}).code, 0);
   const std::vector<float> one = image("one.0002.exr"), alone = image("alone.0002.exr");

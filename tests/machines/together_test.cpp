@@ -139,6 +139,7 @@ Sum sum_of(Integrator& integrator, int frames) {
 
 struct Run {
   int begin = 0, end = 22;  // iterations
+  int known_end = -1;       // at first; -1: the same
   std::string before = {};  // the state to go on from; empty: none
   std::function<bool()> end_wanted = [] { return false; };
 };
@@ -150,8 +151,9 @@ Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
   machines.leader().expect("this scene");
   const FrameList& frames = loaded.scene.job.frames;
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
+  const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
   const auto integrator =
-      machines.leader().share_out(make_integrator(loaded.scene.job, *scene, messages), frames, 0, {run.end, 4});
+      machines.leader().share_out(make(), make(), frames, 0, {run.known_end < 0 ? run.end : run.known_end, 4});
   if (!run.before.empty()) load_state(run.before, *integrator);
   for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) integrator->iterate(i, *scene);
   return sum_of(*integrator, static_cast<int>(frames.size()));
@@ -205,7 +207,8 @@ TEST(Together, AnEditReachesAll) {
   const FrameList& frames = now.scene.job.frames;
   const auto shared_out = [&](const Loaded& loaded, const Scene& scene) {
     machines.leader().expect("this scene");
-    return machines.leader().share_out(make_integrator(loaded.scene.job, scene, messages), frames, 0, {22, 4});
+    const auto make = [&] { return make_integrator(loaded.scene.job, scene, messages); };
+    return machines.leader().share_out(make(), make(), frames, 0, {22, 4});
   };
   const std::unique_ptr<Scene> old_scene = before.scene.world->scene(frames), scene = now.scene.world->scene(frames);
   shared_out(before, *old_scene)->iterate(0, *old_scene);  // others are still at work then
@@ -225,7 +228,8 @@ std::vector<double> errors(const std::vector<Hand>& hands) {
   const FrameList& frames = loaded.scene.job.frames;
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
   const auto make = [&](std::size_t) {
-    return machines.leader().share_out(make_without_error(loaded.scene.job, *scene, messages, 0), frames, 0, {16, 4});
+    const auto make_one = [&] { return make_without_error(loaded.scene.job, *scene, messages, 0); };
+    return machines.leader().share_out(make_one(), make_one(), frames, 0, {16, 4});
   };
   const auto integrator = with_error_estimate(make, *scene, loaded.scene.job.settings, 0);
   for (int i = 0; i < 16; i += 4) integrator->iterate(i, *scene);
@@ -248,8 +252,16 @@ TEST(Together, TheErrorIsThatOfTheSum) {
   EXPECT_EQ(errors({{}, {.rest = 5}}), one);
 }
 
+TEST(Together, NobodyWaitsForAMachineThatIsStuck) {
+  EXPECT_EQ(led({{.is_stuck = true}}).images, slow_twin().images);
+  EXPECT_EQ(led({{.is_stuck = true}, {}}).images, slow_twin().images);
+}
+
+TEST(Together, GoesOnBeyondTheEnd) {
+  EXPECT_EQ(led({{}}, {.end = 20, .known_end = 12}).images, led({}, {.end = 20}).images);
+}
+
 TEST(Together, AnEndThatIsWantedDoesNotWaitForOthers) {
-  // The leader renders two blocks ahead; then only the other machine's block is missing.
   EXPECT_THROW(led({{.is_stuck = true}}, {.end = 1'000'000, .end_wanted = [] { return true; }}), Cancelled);
 }
 
