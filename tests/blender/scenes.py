@@ -181,7 +181,50 @@ def moving():
     sky((.6, .7, .9, 1), 0.5)
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving)
+def painted():
+    """Colours of corners and of vertices, and holes by their alpha; a picture that lies by a second UV map."""
+    empty(camera=(0, -2, 9), target=(0, 0, 0), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.3, .3, .3, 1))))
+    corners = [(1, .1, .1, 1), (.1, 1, .1, 1), (.1, .1, 1, .3), (.9, .9, .2, .6)]
+    for kind, domain, x in (("BYTE_COLOR", "CORNER", -2.3), ("FLOAT_COLOR", "POINT", 0)):
+        sheet = plane(2, material(domain, vertex_paint))
+        sheet.location = (x, 0, 1)
+        sheet.data.color_attributes.new("other", kind, domain)
+        paint = sheet.data.color_attributes.new("paint", kind, domain)
+        for each, colour in zip(paint.data, corners):
+            each.color = colour
+    wall = plane(2, material("second map", second_map))
+    wall.location = (2.3, 0, 1)
+    turned = wall.data.uv_layers.new(name="turned")
+    for each, place in zip(turned.data, ((1, 0), (1, 2), (-1, 0), (-1, 2))):
+        each.uv = place
+    lamp("AREA", (0, -2, 5), 300, size=2)
+    sky((1, 1, 1, 1), 0.6)
+
+
+def vertex_paint(tree):
+    attribute = tree.nodes.new("ShaderNodeVertexColor")
+    attribute.layer_name = "paint"
+    hole, shader = tree.nodes.new("ShaderNodeBsdfTransparent"), tree.nodes.new("ShaderNodeMixShader")
+    paint = bsdf(tree, "Diffuse")
+    tree.links.new(attribute.outputs["Color"], paint.inputs["Color"])
+    tree.links.new(attribute.outputs["Alpha"], shader.inputs[0])
+    tree.links.new(hole.outputs[0], shader.inputs[1])
+    tree.links.new(paint.outputs[0], shader.inputs[2])
+    return shader
+
+
+def second_map(tree):
+    picture = texture(tree, image("stripes", lambda x, y: (x, (y > .5) * 0.8, 0.2 + 0 * x), 64, 64))
+    coordinates = tree.nodes.new("ShaderNodeUVMap")
+    coordinates.uv_map = "turned"
+    tree.links.new(coordinates.outputs[0], picture.inputs["Vector"])
+    paint = bsdf(tree, "Diffuse")
+    tree.links.new(picture.outputs["Color"], paint.inputs["Color"])
+    return paint
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted)
 
 
 # What they are made of.

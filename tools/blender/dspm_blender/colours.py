@@ -1,9 +1,11 @@
 """Nodes that compute colours and numbers, evaluated on the pixels of their pictures: what is left is one picture."""
+import bpy
 import numpy as np
 
 from .colour_math import blended, computed, hue_shifted
 from .fields import Field, Place, grey, luminance, together
 from .image_fields import image_field, is_missing, missing
+from . import layers
 from .links import LinkedSocket
 
 
@@ -26,7 +28,10 @@ class Colours:
 
     def inputs(self, source, *names):
         """Values of the node's inputs on one grid, and how to put a result back."""
-        values, leader = together([self.of(source.input(name)) for name in names], self.notes, self.named(source.node))
+        entering = [self.of(source.input(name)) for name in names]
+        if any(field.of_vertices for field in entering):
+            self.notes.add(f"{self.named(source.node)}: colours of vertices are computed as white")
+        values, leader = together(entering, self.notes, self.named(source.node))
         return values, leader.with_values
 
     def named(self, node):
@@ -65,25 +70,40 @@ def picture(colours, source):
     return field.with_values(grey(field.values[..., 3])) if source.socket.name == "Alpha" else field
 
 
+def of_vertices(colours, source):
+    """A Color Attribute, or an Attribute that is one."""
+    node = source.node
+    name = node.layer_name if node.bl_idname == "ShaderNodeVertexColor" else node.attribute_name
+    output = "Alpha" if source.socket.name == "Alpha" else "Color"
+    if source.socket.name not in {"Color", "Alpha"} or (name and not any(
+            name in getattr(mesh, "color_attributes", ()) for mesh in bpy.data.meshes)):
+        return unknown(colours, source)
+    return Field(np.ones((1, 1, 4), dtype=np.float32), Place(), of_vertices=output)
+
+
 def placement(colours, source):
     node = source.node
     if node.projection != "FLAT":
         colours.notes.add(f"{colours.named(node)}: {node.projection.lower()} projection; texture coordinates stand in")
     wrap = {"EXTEND": "clamp", "CLIP": "black"}.get(node.extension, "repeat")
-    scale, offset = mapping(colours, source.input("Vector").source())
-    return Place(scale, offset, wrap, "point" if node.interpolation == "Closest" else "bilinear")
+    scale, offset, uv_set = mapping(colours, source.input("Vector").source())
+    return Place(scale, offset, wrap, "point" if node.interpolation == "Closest" else "bilinear", uv_set)
 
 
 def mapping(colours, source):
-    """(scale, offset) of texture coordinates."""
-    if source is None or source.node.bl_idname == "ShaderNodeUVMap" or (
-            source.node.bl_idname == "ShaderNodeTexCoord" and source.socket.name == "UV"):
-        return (1.0, 1.0), (0.0, 0.0)
+    """(scale, offset, set) of texture coordinates."""
+    if source is None or (source.node.bl_idname == "ShaderNodeTexCoord" and source.socket.name == "UV"):
+        return (1.0, 1.0), (0.0, 0.0), 1
     node = source.node
+    if node.bl_idname == "ShaderNodeUVMap":
+        uv_set = layers.uv_set(node.uv_map, bpy.data.meshes)
+        if uv_set is None:
+            colours.notes.add(f"{colours.named(node)}: a mesh keeps two UV maps; the one for rendering stands in for {node.uv_map}")
+        return (1.0, 1.0), (0.0, 0.0), uv_set or 1
     if node.bl_idname != "ShaderNodeMapping":
         colours.notes.add(f"{colours.named(node)}: {source.socket.name} of {node.bl_label} places no pictures; UVs stand in")
-        return (1.0, 1.0), (0.0, 0.0)
-    inner_scale, inner_offset = mapping(colours, source.input("Vector").source())
+        return (1.0, 1.0), (0.0, 0.0), 1
+    inner_scale, inner_offset, uv_set = mapping(colours, source.input("Vector").source())
     move, turn, size = (colours.of(source.input(name)).mean().colour() for name in ("Location", "Rotation", "Scale"))
     if any(abs(angle) > 1e-6 for angle in turn):
         colours.notes.add(f"{colours.named(node)}: pictures are not turned")
@@ -93,7 +113,7 @@ def mapping(colours, source):
     if node.vector_type in {"VECTOR", "NORMAL"}:
         move = (0.0, 0.0)
     scale = tuple(a * b for a, b in zip(inner_scale, size))
-    return scale, tuple(a * b + c for a, b, c in zip(inner_offset, size, move))
+    return scale, tuple(a * b + c for a, b, c in zip(inner_offset, size, move)), uv_set
 
 
 def value(colours, source):
@@ -195,7 +215,8 @@ def opaque(values, colour):
 
 
 NODES = {
-    "ShaderNodeRGB": value, "ShaderNodeValue": value, "ShaderNodeTexImage": picture, "ShaderNodeMixRGB": mix_colours,
+    "ShaderNodeRGB": value, "ShaderNodeValue": value, "ShaderNodeTexImage": picture,
+    "ShaderNodeVertexColor": of_vertices, "ShaderNodeAttribute": of_vertices, "ShaderNodeMixRGB": mix_colours,
     "ShaderNodeMix": mix, "ShaderNodeMath": arithmetic, "ShaderNodeGamma": gamma, "ShaderNodeBrightContrast": brightness,
     "ShaderNodeInvert": invert, "ShaderNodeHueSaturation": hue, "ShaderNodeValToRGB": ramp, "ShaderNodeRGBCurve": curves,
     "ShaderNodeSeparateColor": channel, "ShaderNodeSeparateRGB": channel, "ShaderNodeSeparateXYZ": channel,

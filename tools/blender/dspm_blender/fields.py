@@ -12,6 +12,7 @@ class Place:
     offset: tuple = (0.0, 0.0)
     wrap: str = "repeat"
     filter: str = "bilinear"
+    uv_set: int = 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,6 +21,7 @@ class Field:
     values: np.ndarray
     place: Place | None = None
     image: Any = None  # whose colours these are, unchanged
+    of_vertices: str = ""  # they are what the vertices have instead, their colour or alpha; `values` stand in
 
     @staticmethod
     def of(*numbers):
@@ -40,7 +42,7 @@ class Field:
         return self if self.is_constant() else Field(self.values.reshape(-1, 4).mean(axis=0))
 
     def with_values(self, values):
-        return replace(self, values=values, image=None)
+        return replace(self, values=values, image=None, of_vertices="")
 
 
 def luminance(rgb):
@@ -65,11 +67,15 @@ def together(fields, notes=None, whose=""):
 
 
 def product(*fields):
-    values, leader = together(fields)
+    """One field unchanged, if the others are one."""
+    factors = [field for field in fields if not is_one(field)]
+    if len(factors) < 2:
+        return factors[0] if factors else fields[0]
+    values, leader = together(factors)
     result = values[0]
     for each in values[1:]:
         result = result * each
-    return fields[0] if all(is_one(field) for field in fields[1:]) else leader.with_values(result)
+    return leader.with_values(result)
 
 
 def total(a, b):

@@ -32,7 +32,7 @@ class Geometry:
         if arrays.connections != self.connections or arrays.normals == "CORNER":
             self.parts = arrays.parts()
         for slot, (corners, triangles) in self.parts.items():
-            write_ply(self._path(slot, f".{frame:04}"), triangles, *arrays.vertices(corners))
+            write_ply(self._path(slot, f".{frame:04}"), triangles, **arrays.vertices(corners))
         self.written.append(frame)
 
     def finish(self):

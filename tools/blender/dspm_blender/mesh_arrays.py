@@ -3,6 +3,8 @@ import hashlib
 
 import numpy as np
 
+from . import layers
+
 
 def column(collection, name, width, kind):
     values = np.empty(len(collection) * width, dtype=kind)
@@ -26,11 +28,21 @@ class MeshArrays:
         self.corner_points = column(mesh.loops, "vertex_index", 1, np.int32)
         self.materials = column(mesh.polygons, "material_index", 1, np.int32)
         self.normals = normals_domain(mesh)
-        layer = next((layer for layer in mesh.uv_layers if layer.active_render), None)
-        self.uvs = column(layer.data, "uv", 2, np.float32) if layer else None
-        self.connections = digest(self.corner_points, self.materials, self.normals.encode(),
-                                  *([self.uvs] if layer else []))
+        self.uvs, self.second_uvs = (column(layer.data, "uv", 2, np.float32) if layer else None
+                                     for layer in (layers.shown_uvs(mesh), layers.second_uvs(mesh)))
+        self.colours = self._colours(layers.colours(mesh))
+        self.connections = digest(self.corner_points, self.materials, self.normals.encode(), *self._looks())
         self.digest = digest(self.points, self.connections)
+
+    def _colours(self, attribute):
+        """Linear, with alpha, of corners."""
+        if attribute is None:
+            return None
+        colours = column(attribute.data, "color", 4, np.float32)
+        return colours[self.corner_points] if attribute.domain == "POINT" else colours
+
+    def _looks(self):
+        return [each for each in (self.uvs, self.second_uvs, self.colours) if each is not None]
 
     def parts(self):
         """{material's slot: (corners that become PLY's vertices, triangles of these)}. As long as `connections` are the
@@ -38,7 +50,7 @@ class MeshArrays:
         self.mesh.calc_loop_triangles()
         triangles = column(self.mesh.loop_triangles, "loops", 3, np.int32)
         slots = self.materials[column(self.mesh.loop_triangles, "polygon_index", 1, np.int32)]
-        looks = [] if self.uvs is None else [self.uvs]
+        looks = self._looks()
         if self.normals == "CORNER":
             looks.append(self.corner_normals())
         return {int(slot): self._part(triangles[slots == slot], looks) for slot in np.unique(slots)}
@@ -55,11 +67,13 @@ class MeshArrays:
         return corners[first], of_corner[number[triangles]]
 
     def vertices(self, corners):
-        """(points, normals or None if faces are flat, texture coordinates or None) at corners."""
+        """{what `write_ply` takes: values at corners}; flat faces have no normals."""
         points = self.corner_points[corners]
         normals = {"FACE": lambda: None, "CORNER": lambda: self.corner_normals()[corners],
                    "POINT": lambda: column(self.mesh.vertices, "normal", 3, np.float32)[points]}[self.normals]()
-        return self.points[points], normals, None if self.uvs is None else self.uvs[corners]
+        at_corners = {name: None if values is None else values[corners] for name, values in
+                      (("uvs", self.uvs), ("second_uvs", self.second_uvs), ("colours", self.colours))}
+        return {"points": self.points[points], "normals": normals, **at_corners}
 
     def corner_normals(self):
         if hasattr(self.mesh, "corner_normals"):

@@ -2,11 +2,15 @@
 import numpy as np
 
 
-def write_ply(path, triangles, points, normals=None, uvs=None):
-    """Rows of `points`, `normals` and `uvs` belong together; `triangles` are rows of three of their numbers."""
-    names = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals is not None else []) + (["u", "v"] if uvs is not None else [])
-    columns = [points] + [each for each in (normals, uvs) if each is not None]
-    vertices = np.ascontiguousarray(np.hstack(columns), dtype="<f4")
+PROPERTIES = {"points": ("x", "y", "z"), "normals": ("nx", "ny", "nz"), "uvs": ("u", "v"), "second_uvs": ("u2", "v2"),
+              "colours": ("red", "green", "blue", "alpha")}
+
+
+def write_ply(path, triangles, **columns):
+    """Of `columns`, named as PROPERTIES, rows belong together, None is left out; `triangles` are rows of three of their numbers."""
+    columns = {kind: values for kind, values in columns.items() if values is not None}
+    names = [name for kind in columns for name in PROPERTIES[kind]]
+    vertices = np.ascontiguousarray(np.hstack(list(columns.values())), dtype="<f4")
     faces = np.empty(len(triangles), dtype=[("count", "u1"), ("corners", "<i4", 3)])
     faces["count"] = 3
     faces["corners"] = triangles

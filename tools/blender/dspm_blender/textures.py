@@ -44,7 +44,7 @@ class Textures:
         return self._written(field.values[..., :3], wanted), "linear"
 
     def _texture(self, kind, field, wanted):
-        whose = (field.image.name_full, field.place) if field.image else id(field)
+        whose = field.of_vertices or ((field.image.name_full, field.place) if field.image else id(field))
         if (kind, whose) not in self.names:
             name = self._new(wanted)
             self.names[kind, whose] = (name, field)  # the field is kept, and so its id
@@ -52,15 +52,23 @@ class Textures:
         return self.names[kind, whose][0]
 
     def _directive(self, kind, field, wanted):
+        if field.of_vertices:
+            return self._of_vertices(kind, field, wanted)
         # dspm takes the alpha of a picture for a number, so numbers have a picture of their own.
         file, encoding = self.picture(field, wanted) if kind == "spectrum" else (
             self._written(luminance(field.values), wanted), "linear")
         place = field.place
         params = {"string filename": file, "string encoding": encoding, "string wrap": place.wrap, "string filter": place.filter}
+        if place.uv_set != 1:
+            params["integer uvset"] = place.uv_set
         for name, value, default in zip(("uscale", "vscale", "udelta", "vdelta"), place.scale + place.offset, (1, 1, 0, 0)):
             if value != default:
                 params[f"float {name}"] = value
         return Directive("Texture", wanted, kind, "imagemap").with_params(params)
+
+    def _of_vertices(self, kind, field, wanted):
+        channel = "alpha" if field.of_vertices == "Alpha" else "green"
+        return Directive("Texture", wanted, kind, "vertexcolor").with_params({"string channel": channel} if kind == "float" else {})
 
     def _new(self, wanted):
         """A name for a texture or a file that is not taken."""
