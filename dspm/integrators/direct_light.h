@@ -130,6 +130,16 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
   }
 }
 
+/// To be called as the path sets out for its next vertex: memory that sample_direct_light() will wait for there comes
+/// meanwhile. Pictures of skies are too large for caches, and each sample looks elsewhere.
+inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
+  if (scene.infinite_lights.empty()) return;
+  const Vec2 u = path.random.pair(path.bounces + 1, kLightPoint);
+  for (const int index : scene.infinite_lights)
+    scene.lights[static_cast<std::size_t>(index)].states.for_each(
+        path.frames, [&](FrameSet, const Light& light) { light.prefetch(u); });
+}
+
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
 /// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the

@@ -43,7 +43,7 @@ class PixelTracer {
 
   void trace(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
-        scene_, render_, x, y, iteration, [&](const CameraPath& path) { branches_.push(path); },
+        scene_, render_, x, y, iteration, [&](const CameraPath& path) { set_out(path); },
         [&](const CameraPath& path) { reject(path, path.frames, {SceneElement::Kind::camera}); });
     branches_.follow(*this);
     branches_.count_path();
@@ -112,7 +112,12 @@ class PixelTracer {
     path.indirect = !limits_.indirect && !sample->specular;
     if (!is_black(path.throughput) &&
         survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))
-      branches_.push(path);
+      set_out(path);
+  }
+
+  void set_out(const CameraPath& path) {
+    if (path.bounces < limits_.max_depth && !path.indirect) prefetch_direct_light(scene_, path);
+    branches_.push(path);
   }
 
   /// `giver`: its source, the light if it is finite; else the one to blame.

@@ -81,6 +81,14 @@ EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   return {direction_in(x, y, {rest_x, rest_y}), radiance(x, y), row_probability * column_probability / solid_angle(y)};
 }
 
+void EnvironmentMap::prefetch(Vec2 u) const {
+  constexpr std::size_t kPixelsOfLine = 64 / sizeof(Pixel);
+  const int y = rows_.choose(u.y).index;
+  const auto points = cutpoints_of_row(y);
+  const Pixel* const first = &row(y)[points[cutpoint_of(u.x, points.size())]];
+  __builtin_prefetch(first), __builtin_prefetch(first + kPixelsOfLine);
+}
+
 Vec2 EnvironmentMap::sample_numbers(const Vec3& direction) const {
   auto [x, y, rest] = pixel_at(direction);
   if (mapping_ == SphereMapping::equirectangular) {

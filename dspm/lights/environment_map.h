@@ -32,6 +32,8 @@ class EnvironmentMap {
   float pdf_w(const Vec3& direction) const;
   /// Only if the map is not black.
   Sample sample(Vec2 u) const;
+  /// Brings what sample(u) will read into the cache.
+  void prefetch(Vec2 u) const;
   /// The u for which sample(u) has that direction.
   Vec2 sample_numbers(const Vec3& direction) const;
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b);

@@ -71,6 +71,8 @@ class Infinite final : public Light {
     return Illumination{s.direction, kInfinity, s.radiance, s.pdf_w};
   }
 
+  void prefetch(Vec2 u) const override { map_.prefetch(u); }
+
   bool is_infinite() const override { return true; }
   Rgb escaped(const Ray& ray) const override { return scale_ * map_.radiance(space_.to_light(ray.direction)); }
 

@@ -75,6 +75,8 @@ class Light {
   }
   /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
+  /// Tells that illuminate() will soon be called with this u, for lights that wait for memory then.
+  virtual void prefetch(Vec2 /*u*/) const {}
 
   /// This light over `other`, if they differ only by that colour, whatever the place and direction: photons of both
   /// then start alike. Nullopt if they do not, or if it is not known.
