@@ -49,5 +49,5 @@ set(toolkit_headers
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h materials/relief.h
   math/frame_lanes.h
-  shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
+  shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

@@ -10,6 +10,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
+#include "dspm/shapes/curvature.h"
 
 namespace dspm {
 
@@ -18,7 +19,9 @@ struct CameraPath : PathState {
   int pixel = 0;     // within the crop
   float length = 0;  // of the segments so far, in world units
   float width = 0;   // in pixel spacings: of what it stands for
-  Vec3 from = {};    // where the next segment starts: the last surface's point
+  // What curved mirrors and lenses have added to the spacing where the next segment starts, and add to it per length.
+  float more_spacing = 0, more_spread = 0;
+  Vec3 from = {};  // where the next segment starts: the last surface's point
   // Of its direction, by solid angle; 0 from the camera and off specular lobes: no shadow ray competes.
   float pdf_w = 0;
   Vec3 from_ng = {};      // the normal there, if it has left a hit point
@@ -30,7 +33,30 @@ struct CameraPath : PathState {
   void arrive(const Scene& scene, const Vertex& vertex) {
     if (bounces == 0) caught = scene.is_catcher(vertex.hit.shape);
   }
-  float diameter(float segment) const { return width * camera->pixel_spacing(length + segment); }
+  /// To be called when the path has passed through its segment.
+  void travel(float segment) { length += segment, more_spacing += more_spread * segment; }
+  /// To be called when it goes on along that sample.
+  void leave(const Vertex& vertex, const BsdfSample& sample) {
+    from = vertex.point.p, pdf_w = sample.specular ? 0 : sample.pdf_w;
+    if (sample.specular && width > 0 && !vertex.point.turns) spread(vertex, sample);
+  }
+  float diameter(float segment) const {
+    return width * std::abs(camera->pixel_spacing(length + segment) + more_spacing + more_spread * segment);
+  }
+
+ private:
+  /// How fast neighbouring rays part from now on: in the plane across that of the two directions, which a disk stands for
+  /// here, n_i spread_i - n_o spread_o = (n_o cos_o + n_i cos_i) curvature spacing, with signed cosines. [Coddington; as
+  /// Igehy 1999, Tracing Ray Differentials, (15) and (17), for that plane]
+  void spread(const Vertex& vertex, const BsdfSample& sample) {
+    const float eta = 1 / std::sqrt(sample.eta_scale), n_dot_o = dot(vertex.point.ns, vertex.wo);
+    const float power = n_dot_o + eta * dot(vertex.point.ns, sample.wi);
+    if (eta == 1 && power == 0) return;
+    const float own = camera->pixel_spacing(1) - camera->pixel_spacing(0);
+    const float bent = power * mean_curvature(vertex.shape, vertex.hit.primitive, vertex.hit.uv) *
+                       (camera->pixel_spacing(length) + more_spacing);
+    more_spread = (own + more_spread + bent) / eta - own;
+  }
 };
 
 /// As in pbrt, n paths through a pixel stand for 1 / sqrt(n) of its width each, but for an eighth at least. As nobody

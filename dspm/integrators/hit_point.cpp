@@ -100,7 +100,7 @@ class HitPointTracer {
     arriving.arrive(scene_, vertex);
     if (!path.indirect || path.looks) see_emission(arriving, vertex);
     if ((path.indirect && !settings_.go_on) || path.bounces >= settings_.max_depth) return;
-    arriving.length += vertex.hit.t, arriving.frames = vertex.frames, arriving.looks = false;
+    arriving.travel(vertex.hit.t), arriving.frames = vertex.frames, arriving.looks = false;
     if (vertex.differs()) return scatter_together(arriving, vertex);
     for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {
       arriving.frames = frames;
@@ -228,7 +228,7 @@ class HitPointTracer {
               std::span<const FrameFactor> factors) {
     CameraPath& branch = branches_.push(path);
     extend_ray(branch, vertex, sample);
-    branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
+    branch.leave(vertex, sample);
     if (!survives(branch, path, vertex, factors)) branches_.drop();
   }
 

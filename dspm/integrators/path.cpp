@@ -65,7 +65,7 @@ class PixelTracer {
       if (path.bounces >= limits_.max_depth || path.indirect) return;
       add_direct_light(path, vertex, frames, bsdf);
       CameraPath branch = path;
-      branch.frames = frames, branch.length += vertex.hit.t;
+      branch.frames = frames, branch.travel(vertex.hit.t);
       scatter(branch, vertex, bsdf);
     });
   }
@@ -107,8 +107,7 @@ class PixelTracer {
     extend(path, vertex, *sample);
     if (!is_finite(path.ray) || !is_finite(path.throughput))
       return reject(path, path.frames, vertex.material_element());
-    path.from = vertex.point.p;
-    path.pdf_w = sample->specular ? 0 : sample->pdf_w;
+    path.leave(vertex, *sample);
     path.indirect = !limits_.indirect && !sample->specular;
     if (!is_black(path.throughput) &&
         survives(path, roulette_chance(path.throughput, path.eta_scale, bounce), path.random.number(bounce, kRoulette)))

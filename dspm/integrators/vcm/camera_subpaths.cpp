@@ -83,7 +83,7 @@ class CameraSubpathTracer {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng));
     if (!(cosine > 0)) return;
     CameraSubpath here = path;
-    here.frames = vertex.frames, here.length += vertex.hit.t;
+    here.frames = vertex.frames, here.travel(vertex.hit.t);
     here.arrive(scene_, vertex);
     here.weights = vertex.point.turns ? SubpathWeights{}
                    : path.bounces > 0 ? path.weights.arrived(vertex.hit.t * vertex.hit.t, cosine, path.walk.is_inside())
@@ -197,7 +197,7 @@ class CameraSubpathTracer {
     const BsdfSample& sample = scattering.sample;
     CameraSubpath& branch = branches_.push(path);
     extend_ray(branch, vertex, sample);
-    branch.from = vertex.point.p, branch.pdf_w = sample.specular ? 0 : sample.pdf_w;
+    branch.leave(vertex, sample);
     const float cosine = std::abs(dot(sample.wi, vertex.point.ng));
     branch.weights = sample.specular ? path.weights.mirrored(cosine)
                                      : path.weights.camera_scattered(ways_at(vertex), sample.pdf_w,
