@@ -281,9 +281,76 @@ TEST(V3, ShapesOfRevolutionBecomeMeshes) {
   }
 }
 
+/// A quarter of a circle around the z axis from (1, 0) to (0, 1), which weights of 1, 1/sqrt(2), 1 make exact [Piegl and
+/// Tiller 1997, The NURBS Book, 7.3], times a line from z = 0 to 2: a cylinder of radius 1.
+TEST(V3, NurbsBecomeMeshes) {
+  const std::string knots = R"("integer nu" 3 "integer uorder" 3 "float uknots" [0 0 0 1 1 1] )"
+                            R"("integer nv" 2 "integer vorder" 2 "float vknots" [0 0 4 4] )",
+                    quarter = R"("float Pw" [1 0 0 1  .70710678 .70710678 0 .70710678  0 1 0 1
+                                             1 0 2 1  .70710678 .70710678 1.41421356 .70710678  0 1 2 1])";
+  const auto params = [&](const std::string& shape) {
+    Parsed parsed = parse("Film \"image\" WorldBegin Shape \"nurbs\" " + shape, {}, "a.pbrt");
+    EXPECT_EQ(parsed.diagnostics.error_count(), 0) << parsed.messages();
+    EXPECT_EQ(parsed.scene.shapes.at(0).type, "trianglemesh");
+    return parsed.scene.shapes.at(0).params;
+  };
+  const ParamList whole = params(knots + quarter);
+  const std::vector<float> p = floats(whole, "P"), n = floats(whole, "N"), uv = floats(whole, "uv");
+  ASSERT_EQ(p.size(), n.size());
+  ASSERT_EQ(2 * p.size(), 3 * uv.size());
+  for (std::size_t i = 0, j = 0; i < p.size(); i += 3, j += 2) {
+    EXPECT_NEAR(std::hypot(p[i], p[i + 1]), 1, 1e-5f);
+    EXPECT_NEAR(p[i + 2], uv[j + 1] / 2, 1e-5f);  // v from 0 to 4
+    EXPECT_NEAR(n[i], p[i], 1e-4f);               // dp/du leads around, dp/dv up: outward
+    EXPECT_NEAR(n[i + 1], p[i + 1], 1e-4f);
+    EXPECT_NEAR(n[i + 2], 0, 1e-5f);
+  }
+  // A part of it, from its middle: at u = 1/2 the quarter is at 45 degrees.
+  const std::vector<float> part = floats(params(knots + quarter + R"( "float u0" .5 "float v1" 2)"), "P");
+  EXPECT_NEAR(part[0], std::sqrt(.5f), 1e-5f);
+  EXPECT_NEAR(part[part.size() - 3], 0, 1e-5f);
+  EXPECT_NEAR(part[part.size() - 1], 1, 1e-5f);
+}
+
+/// Without weights, and of two spans: a uniform quadratic B-spline is at the middle of its second and third control
+/// point where both spans meet, and follows the line between them there.
+TEST(V3, NurbsOfSeveralSpans) {
+  const Parsed parsed = parse(R"(Film "image" WorldBegin Shape "nurbs"
+"integer nu" 4 "integer uorder" 3 "float uknots" [0 1 2 3 4 5 6] "integer nv" 2 "integer vorder" 2 "float vknots" [0 0 1 1]
+"point P" [0 0 0  1 0 1  3 0 2  4 0 0   0 1 0  1 1 1  3 1 2  4 1 0])",
+                              {}, "a.pbrt");
+  ASSERT_EQ(parsed.diagnostics.error_count(), 0) << parsed.messages();
+  const ParamList& params = parsed.scene.shapes.at(0).params;
+  const std::vector<float> p = floats(params, "P"), n = floats(params, "N"), uv = floats(params, "uv");
+  bool met = false;
+  for (std::size_t i = 0, j = 0; i < p.size(); i += 3, j += 2) {
+    if (uv[j] != 3) continue;
+    met = true;
+    EXPECT_NEAR(p[i], 2, 1e-5f);
+    EXPECT_NEAR(p[i + 2], 1.5f, 1e-5f);
+    EXPECT_NEAR(n[i] * 2 + n[i + 2], 0, 1e-5f);  // across (2, 0, 1)
+  }
+  EXPECT_TRUE(met);
+}
+
+TEST(V3, NurbsWithoutASurfaceAreErrors) {
+  const std::string good = R"("integer nu" 2 "integer uorder" 2 "float uknots" [0 0 1 1] )",
+                    points = R"("point P" [0 0 0 1 0 0 0 1 0 1 1 0])";
+  for (const auto& [v, message] : std::vector<std::pair<std::string, std::string>>{
+           {R"("integer nv" 2 "float vknots" [0 0 1 1] )", "needs \"vorder\" from 2 to \"nv\""},
+           {R"("integer nv" 2 "integer vorder" 3 "float vknots" [0 0 0 1 1] )", "needs \"vorder\" from 2 to \"nv\""},
+           {R"("integer nv" 2 "integer vorder" 2 "float vknots" [0 0 1] )", "needs nv + vorder values \"vknots\""},
+           {R"("integer nv" 2 "integer vorder" 2 "float vknots" [0 1 0 1] )", "\"vknots\" must ascend"},
+           {R"("integer nv" 2 "integer vorder" 2 "float vknots" [0 0 0 0] )", "\"vknots\" must ascend"},
+           {R"("integer nv" 3 "integer vorder" 2 "float vknots" [0 0 1 2 2] )", "needs nu * nv points"}}) {
+    const Parsed parsed = parse("Film \"image\" WorldBegin\nShape \"nurbs\" " + good + v + points, {}, "a.pbrt");
+    EXPECT_NE(parsed.messages().find(message), std::string::npos) << parsed.messages();
+    EXPECT_NE(parsed.messages().find("a.pbrt:2:1: error"), std::string::npos) << parsed.messages();
+  }
+}
+
 TEST(V3, WhatHasNoCounterpartIsAnError) {
-  for (const char* text :
-       {R"(Material "fourier")", R"(MakeNamedMaterial "a" "string type" "fourier")", R"(Shape "nurbs")"}) {
+  for (const char* text : {R"(Material "fourier")", R"(MakeNamedMaterial "a" "string type" "fourier")"}) {
     const Parsed strict = parse(std::string("Film \"image\" WorldBegin\n") + text, {}, "a.pbrt");
     ASSERT_EQ(strict.diagnostics.error_count(), 1) << text;
     EXPECT_NE(strict.messages().find("cannot be translated"), std::string::npos) << strict.messages();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/lang/v3/kinds.h"
+#include "dspm/lang/v3/nurbs.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 
@@ -24,11 +25,12 @@ constexpr Rule kShapes[] = {
 /// A mesh of nu by nv points over the unit square, row by row, in place of the shape.
 struct Grid {
   std::vector<float> points, normals;  // no normals, or one for each point
+  std::vector<float> uvs;              // one for each point, or else those of the unit square
 };
 template <class Add>
 void become_grid(Edit& edit, int nu, int nv, Add&& add) {
   Grid grid;
-  std::vector<float> uv;
+  std::vector<float> square;
   std::vector<int> indices;
   for (int y = 0; y < nv; ++y)
     for (int x = 0; x < nu; ++x) {
@@ -36,14 +38,14 @@ void become_grid(Edit& edit, int nu, int nv, Add&& add) {
                   v = static_cast<float>(y) / static_cast<float>(nv - 1);
       const int at = x + y * nu;
       add(grid, u, v);
-      uv.insert(uv.end(), {u, v});
+      square.insert(square.end(), {u, v});
       if (x + 1 < nu && y + 1 < nv) indices.insert(indices.end(), {at, at + 1, at + 1 + nu, at, at + 1 + nu, at + nu});
     }
   edit.set_type("trianglemesh");
   edit.set(ParamType::integer, "indices", std::move(indices));
   edit.set(ParamType::point3, "P", std::move(grid.points));
   if (!grid.normals.empty()) edit.set(ParamType::normal, "N", std::move(grid.normals));
-  edit.set(ParamType::point2, "uv", std::move(uv));
+  edit.set(ParamType::point2, "uv", std::move(grid.uvs.empty() ? square : grid.uvs));
 }
 
 float take_number(Edit& edit, std::string_view name, float fallback) {
@@ -120,15 +122,70 @@ void heightfield(Edit& edit) {
   });
 }
 
-constexpr std::pair<std::string_view, void (*)(Edit&)> kMeshes[] = {
-    {"heightfield", heightfield}, {"cone", cone}, {"paraboloid", paraboloid}, {"hyperboloid", hyperboloid}};
+std::vector<float> take_numbers(Edit& edit, std::string_view name) {
+  const auto param = edit.take(name);
+  return param ? numbers_of(*param) : std::vector<float>{};
+}
+
+/// One direction of a nurbs shape: `axis` is "u" or "v".
+KnotVector take_knots(Edit& edit, const std::string& axis) {
+  KnotVector k{take_integer(edit, "n" + axis), take_integer(edit, axis + "order"), take_numbers(edit, axis + "knots")};
+  constexpr int kMost = 16;  // the work is its cube
+  if (k.order < 2 || k.order > std::min(k.count, kMost))
+    throw SyntaxError(edit.where(),
+                      "a nurbs shape needs \"" + axis + "order\" from 2 to \"n" + axis + "\", at most 16");
+  if (k.knots.size() != static_cast<std::size_t>(k.count) + static_cast<std::size_t>(k.order))
+    throw SyntaxError(edit.where(),
+                      "a nurbs shape needs n" + axis + " + " + axis + "order values \"" + axis + "knots\"");
+  if (!std::is_sorted(k.knots.begin(), k.knots.end()) || !(k.first() < k.last()))
+    throw SyntaxError(edit.where(), "the values \"" + axis + "knots\" must ascend");
+  return k;
+}
+
+/// Control points with weights: v3's "Pw" has x, y and z already times w.
+std::vector<float> take_control_points(Edit& edit, std::size_t count) {
+  const std::vector<float> plain = take_numbers(edit, "P");
+  std::vector<float> weighted = take_numbers(edit, "Pw");
+  if (weighted.empty())
+    for (std::size_t i = 0; i + 2 < plain.size(); i += 3)
+      weighted.insert(weighted.end(), {plain[i], plain[i + 1], plain[i + 2], 1});
+  if (weighted.size() != 4 * count)
+    throw SyntaxError(edit.where(), "a nurbs shape needs nu * nv points \"P\", or four times as many numbers \"Pw\"");
+  for (std::size_t i = 3; i < weighted.size(); i += 4)
+    if (!(weighted[i] > 0)) throw SyntaxError(edit.where(), "the weights of \"Pw\" must be above 0");
+  return weighted;
+}
+
+void nurbs(Edit& edit) {
+  const KnotVector u = take_knots(edit, "u"), v = take_knots(edit, "v");
+  const NurbsSurface surface(
+      u, v, take_control_points(edit, static_cast<std::size_t>(u.count) * static_cast<std::size_t>(v.count)));
+  const auto part = [&](const KnotVector& k, const char* begin, const char* end) {
+    return std::pair(std::clamp(take_number(edit, begin, k.first()), k.first(), k.last()),
+                     std::clamp(take_number(edit, end, k.last()), k.first(), k.last()));
+  };
+  const std::pair<float, float> us = part(u, "u0", "u1"), vs = part(v, "v0", "v1");
+  const auto points = [](const KnotVector& k) { return std::clamp(16 * (k.count - k.order + 1), 32, 512) + 1; };
+  become_grid(edit, points(u), points(v), [&](Grid& grid, float along, float across) {
+    const Vec2 uv{std::lerp(us.first, us.second, along), std::lerp(vs.first, vs.second, across)};
+    const SplinePoint at = surface.at(uv.x, uv.y);
+    const Vec3 n = cross(at.by_u, at.by_v), unit = length(n) > 0 ? normalize(n) : Vec3{};
+    grid.points.insert(grid.points.end(), {at.p.x, at.p.y, at.p.z});
+    grid.normals.insert(grid.normals.end(), {unit.x, unit.y, unit.z});
+    grid.uvs.insert(grid.uvs.end(), {uv.x, uv.y});
+  });
+}
+
+constexpr std::pair<std::string_view, void (*)(Edit&)> kMeshes[] = {{"heightfield", heightfield},
+                                                                    {"cone", cone},
+                                                                    {"paraboloid", paraboloid},
+                                                                    {"hyperboloid", hyperboloid},
+                                                                    {"nurbs", nurbs}};
 
 }  // namespace
 
 void translate_shape(Edit& edit) {
   const std::string from = edit.type();
-  if (from == "nurbs")
-    throw NoCounterpart(edit.directive(), "shape", from, "pbrt-v4 has no such shape; a mesh must take its place");
   for (const auto& [name, translate] : kMeshes)
     if (from == name) return translate(edit);
   const auto* rule =
