@@ -178,7 +178,8 @@ std::string ply_of(const Primitive& p) {
       for (const char* name : names) header += fmt::format("property float {}\n", name);
   };
   declare(p.positions, {"x", "y", "z"}), declare(p.normals, {"nx", "ny", "nz"}), declare(p.uvs, {"u", "v"});
-  declare(p.tangents, {"tx", "ty", "tz"}), declare(p.uvs2, {"u2", "v2"}), declare(p.colours, {"red", "green", "blue"});
+  declare(p.tangents, {"tx", "ty", "tz", "tw"}), declare(p.uvs2, {"u2", "v2"}),
+      declare(p.colours, {"red", "green", "blue"});
   if (p.has_opacities()) declare(p.colours, {"alpha"});
   header += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", p.faces.size());
 
@@ -192,7 +193,7 @@ std::string ply_of(const Primitive& p) {
       const float uv[2] = {numbers[i][0], 1 - numbers[i][1]};
       append(bytes, uv, sizeof uv);
     };
-    write(p.positions, 3), write(p.normals, 3), write_uv(p.uvs), write(p.tangents, 3), write_uv(p.uvs2);
+    write(p.positions, 3), write(p.normals, 3), write_uv(p.uvs), write(p.tangents, 4), write_uv(p.uvs2);
     write(p.colours, p.colours.width);
   }
   for (const auto& face : p.faces) {

@@ -134,7 +134,7 @@ class Splitter {
 
 MeshData displaced(const TriangleMesh& mesh, const Displacing& how) {
   MeshData result = mesh.data();
-  result.tangents.clear();
+  result.tangents.clear(), result.turned.clear();
   if (result.uvs.empty()) throw std::runtime_error("a mesh to be displaced must have texture coordinates");
   if (result.normals.empty()) result.normals = normals_of(result, places_of(result));
   Splitter(result, how).split_all();

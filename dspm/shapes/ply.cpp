@@ -93,6 +93,7 @@ enum Slot {
   kTx,
   kTy,
   kTz,
+  kTw,
   kU2,
   kV2,
   kRed,
@@ -105,10 +106,10 @@ enum Slot {
 
 Slot slot_of(const PlyProperty& property) {
   static constexpr std::pair<std::string_view, Slot> table[] = {
-      {"x", kX},         {"y", kY},         {"z", kZ},         {"nx", kNx},     {"ny", kNy},       {"nz", kNz},
-      {"u", kU},         {"v", kV},         {"s", kU},         {"t", kV},       {"texture_u", kU}, {"texture_v", kV},
-      {"texture_s", kU}, {"texture_t", kV}, {"tx", kTx},       {"ty", kTy},     {"tz", kTz},       {"u2", kU2},
-      {"v2", kV2},       {"red", kRed},     {"green", kGreen}, {"blue", kBlue}, {"alpha", kAlpha}};
+      {"x", kX},         {"y", kY},         {"z", kZ},     {"nx", kNx},       {"ny", kNy},       {"nz", kNz},
+      {"u", kU},         {"v", kV},         {"s", kU},     {"t", kV},         {"texture_u", kU}, {"texture_v", kV},
+      {"texture_s", kU}, {"texture_t", kV}, {"tx", kTx},   {"ty", kTy},       {"tz", kTz},       {"tw", kTw},
+      {"u2", kU2},       {"v2", kV2},       {"red", kRed}, {"green", kGreen}, {"blue", kBlue},   {"alpha", kAlpha}};
   for (const auto& [name, slot] : table)
     if (name == property.name && !property.is_list) return slot;
   return kNone;
@@ -152,12 +153,13 @@ class BodyReader {
     if (!has({kX, kY, kZ})) throw std::runtime_error("vertices have no x, y, z");
     has_normals_ = has({kNx, kNy, kNz});
     has_uvs_ = has({kU, kV});
-    has_tangents_ = has({kTx, kTy, kTz}), has_second_uvs_ = has({kU2, kV2});
+    has_tangents_ = has({kTx, kTy, kTz}), has_signs_ = has_tangents_ && has({kTw}), has_second_uvs_ = has({kU2, kV2});
     has_colours_ = has({kRed, kGreen, kBlue}), has_opacities_ = has({kAlpha});
     mesh_.vertices.reserve(room);
     mesh_.normals.reserve(has_normals_ ? room : 0);
     mesh_.uvs.reserve(has_uvs_ ? room : 0);
     mesh_.tangents.reserve(has_tangents_ ? room : 0);
+    mesh_.turned.reserve(has_signs_ ? room : 0);
     mesh_.second_uvs.reserve(has_second_uvs_ ? room : 0);
     mesh_.colours.reserve(has_colours_ ? room : 0);
   }
@@ -191,6 +193,7 @@ class BodyReader {
     if (has_normals_) mesh_.normals.push_back({value[kNx], value[kNy], value[kNz]});
     if (has_uvs_) mesh_.uvs.push_back({value[kU], value[kV]});
     if (has_tangents_) mesh_.tangents.push_back({value[kTx], value[kTy], value[kTz]});
+    if (has_signs_) mesh_.turned.push_back(value[kTw] < 0);
     if (has_second_uvs_) mesh_.second_uvs.push_back({value[kU2], value[kV2]});
     if (has_colours_)
       mesh_.colours.push_back({value[kRed], value[kGreen], value[kBlue], has_opacities_ ? value[kAlpha] : 1});
@@ -226,7 +229,7 @@ class BodyReader {
   const PlyHeader& header_;
   Numbers numbers_;
   std::vector<Slot> slots_;  // of the vertices' properties
-  bool has_normals_ = false, has_uvs_ = false, has_tangents_ = false, has_second_uvs_ = false;
+  bool has_normals_ = false, has_uvs_ = false, has_tangents_ = false, has_signs_ = false, has_second_uvs_ = false;
   bool has_colours_ = false, has_opacities_ = false;
   Polygons polygons_;
   MeshData mesh_;

@@ -38,6 +38,8 @@ std::optional<std::string> fault_of(const MeshData& data) {
     return fmt::format("{} texture coordinates for {} vertices", data.uvs.size(), count);
   if (!data.tangents.empty() && data.tangents.size() != count)
     return fmt::format("{} tangents for {} vertices", data.tangents.size(), count);
+  if (!data.turned.empty() && data.turned.size() != data.tangents.size())
+    return fmt::format("{} signs for {} tangents", data.turned.size(), data.tangents.size());
   if (!data.second_uvs.empty() && data.second_uvs.size() != count)
     return fmt::format("{} second texture coordinates for {} vertices", data.second_uvs.size(), count);
   if (!data.colours.empty() && data.colours.size() != count)
@@ -68,8 +70,10 @@ TriangleMesh TriangleMesh::transformed(const Transform& to_world) const {
   for (Vec3& p : world.vertices) p = to_world.point(p);
   for (Vec3& n : world.normals) n = to_world.normal(n);
   for (Vec3& t : world.tangents) t = to_world.vector(t);
-  if (to_world.swaps_handedness())
+  if (to_world.swaps_handedness()) {
     for (Face& f : world.faces) std::swap(f[1], f[2]);
+    world.turned.flip();
+  }
   return TriangleMesh(std::move(world));
 }
 
@@ -77,7 +81,8 @@ std::size_t TriangleMesh::memory() const {
   return sizeof *this +
          (data_.vertices.capacity() + data_.normals.capacity() + data_.tangents.capacity()) * sizeof(Vec3) +
          (data_.uvs.capacity() + data_.second_uvs.capacity()) * sizeof(Vec2) +
-         data_.colours.capacity() * sizeof data_.colours[0] + data_.faces.capacity() * sizeof(Face);
+         data_.colours.capacity() * sizeof data_.colours[0] + data_.turned.capacity() / 8 +
+         data_.faces.capacity() * sizeof(Face);
 }
 
 Bounds3 TriangleMesh::bounds(int primitive) const {
@@ -111,10 +116,7 @@ SurfacePoint TriangleMesh::surface_point(int primitive, Vec2 uv) const {
     s.uv = t[0] * b.x + t[1] * b.y + t[2] * b.z;
   }
   if (!data_.second_uvs.empty() || !data_.colours.empty()) s.vertices = {this, primitive, uv};
-  if (!data_.tangents.empty()) {
-    const Vec3 given = at_point(data_.tangents, primitive, b);
-    if (is_finite(given) && length2(cross(s.ns, given)) > 0) s.dpdu = given;
-  }
+  if (!data_.tangents.empty()) take_given_tangent(s, primitive, b);
   return s;
 }
 
@@ -164,6 +166,16 @@ void TriangleMesh::set_tangents(SurfacePoint& point, int face, const std::array<
   const bool usable = std::abs(determinant) > 1e-9f && is_finite(dpdu) && length2(cross(point.ng, dpdu)) > 0;
   point.dpdu = usable ? dpdu : Basis::around(point.ng).x;
   if (usable && is_finite(dpdv)) point.dpdv = dpdv;
+}
+
+/// It is a direction, so the derivative keeps its length; which way v runs may be given as well.
+void TriangleMesh::take_given_tangent(SurfacePoint& point, int face, const Vec3& barycentrics) const {
+  const Vec3 given = at_point(data_.tangents, face, barycentrics), across = cross(point.ns, given);
+  if (!is_finite(given) || !(length2(across) > 0)) return;
+  point.dpdu = given * (length(point.dpdu) / length(given));
+  if (data_.turned.empty()) return;
+  const bool turned = data_.turned[static_cast<std::size_t>(index(face, 0))];
+  if ((dot(across, point.dpdv) < 0) != turned) point.dpdv = -point.dpdv;
 }
 
 Vec3 TriangleMesh::shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const {

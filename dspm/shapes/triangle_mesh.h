@@ -25,6 +25,7 @@ struct MeshData {
   std::vector<Vec2> uvs;      // one per vertex, or none
   std::vector<Face> faces;
   std::vector<Vec3> tangents = {};                 // along u, one per vertex, any length, or none
+  std::vector<bool> turned = {};                   // whether v runs against cross(n, tangent); one per vertex, or none
   std::vector<Vec2> second_uvs = {};               // one per vertex, or none
   std::vector<std::array<float, 4>> colours = {};  // likewise: linear red, green, blue, and opacity
 };
@@ -69,6 +70,7 @@ class TriangleMesh final : public Shape, public VertexData {
   std::array<Vec2, 3> corner_uvs(int face) const;
   std::array<Vec2, 3> corners_of(const std::vector<Vec2>& uvs, int face) const;
   void set_tangents(SurfacePoint& point, int face, const std::array<Vec2, 3>& uvs) const;
+  void take_given_tangent(SurfacePoint& point, int face, const Vec3& barycentrics) const;
   Vec3 at_point(const std::vector<Vec3>& of_vertices, int face, const Vec3& barycentrics) const;
   Vec3 shading_normal(int face, const Vec3& barycentrics, const Vec3& ng) const;
 

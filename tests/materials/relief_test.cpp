@@ -23,15 +23,27 @@ class Field final : public FloatTexture {
   Value value_;
 };
 
-template <class Value>
-std::shared_ptr<const Relief> bump(Value value) {
-  TextureSet textures;
-  textures.add<float>("height", std::make_shared<Field<Value>>(value));
+/// Of the texture "a".
+std::shared_ptr<const Relief> relief_of(const std::string& parameter, const TextureSet& textures) {
   ImageCache images;
-  const ParamList list{{{ParamType::texture, "displacement", {}, std::vector<std::string>{"height"}, {}, {}}}};
+  const ParamList list{{{ParamType::texture, parameter, {}, std::vector<std::string>{"a"}, {}, {}}}};
   Diagnostics diagnostics;
   ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
   return read_relief(reader, {textures, {}, images});
+}
+
+template <class Value>
+std::shared_ptr<const Relief> bump(Value value) {
+  TextureSet textures;
+  textures.add<float>("a", std::make_shared<Field<Value>>(value));
+  return relief_of("displacement", textures);
+}
+
+/// Of a texture, whose y is on the side to which v grows.
+std::shared_ptr<const Relief> normal_texture(const Rgb& everywhere) {
+  TextureSet textures;
+  textures.add<Rgb>("a", std::make_shared<ConstantTexture<Rgb>>(everywhere));
+  return relief_of("normaltexture", textures);
 }
 
 std::shared_ptr<const Relief> normal_map(const Rgb& everywhere, float scale = 1) {
@@ -91,6 +103,27 @@ TEST(NormalMap, LeansAlongTheTangents) {
   expect_near(square.normal(*normal_map({0.5f, 0.2f, 0.9f}), 0, {0.3f, 0.2f}), across * -0.6f + up * 0.8f, 1e-6f);
 }
 
+// Where u or v runs the other way, the picture is mirrored, and so are the normals that it shows.
+TEST(NormalMap, MirroredCoordinatesMirrorNormals) {
+  const auto lean_u = normal_texture({0.8f, 0.5f, 0.9f}), lean_v = normal_texture({0.5f, 0.8f, 0.9f});
+  for (const float u : {1.f, -1.f})
+    for (const float v : {1.f, -1.f})
+      for (const char* placed : {"", "Scale -1 1 1 "}) {
+        const std::string low_u = u > 0 ? "0 " : "1 ", high_u = u > 0 ? "1 " : "0 ", low_v = v > 0 ? "0 " : "1 ",
+                          high_v = v > 0 ? "1 " : "0 ";
+        const Placed square(std::string(placed) +
+                            R"(Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [0 0 0 2 0 0 2 0 2 0 0 2]
+                               "point2 uv" [)" +
+                            low_u + low_v + high_u + low_v + high_u + high_v + low_u + high_v + "]");
+        const Vec3 up = square.shape().surface_point(0, {0.3f, 0.2f}).ng, along_u{*placed ? -u : u, 0, 0},
+                   along_v{0, 0, v};
+        for (const int triangle : {0, 1}) {
+          expect_near(square.normal(*lean_u, triangle, {0.3f, 0.2f}), along_u * 0.6f + up * 0.8f, 1e-6f);
+          expect_near(square.normal(*lean_v, triangle, {0.3f, 0.2f}), along_v * 0.6f + up * 0.8f, 1e-6f);
+        }
+      }
+}
+
 TEST(NormalMap, StaysAboveTheSurface) {
   const Placed square(kSquare);
   const Vec3 n = square.normal(*normal_map({1, 0.5f, 0.1f}), 0, {0.3f, 0.2f});
@@ -113,12 +146,8 @@ TEST(Bump, ARampTiltsThePlane) {
 
 TEST(Bump, AHeightThatIsTheSameEverywhereIsNone) {
   TextureSet textures;
-  textures.add<float>("height", std::make_shared<ConstantTexture<float>>(0.5f));
-  ImageCache images;
-  const ParamList list{{{ParamType::texture, "displacement", {}, std::vector<std::string>{"height"}, {}, {}}}};
-  Diagnostics diagnostics;
-  ParamReader reader(list, "material \"diffuse\"", {}, diagnostics);
-  EXPECT_EQ(read_relief(reader, {textures, {}, images}), nullptr);
+  textures.add<float>("a", std::make_shared<ConstantTexture<float>>(0.5f));
+  EXPECT_EQ(relief_of("displacement", textures), nullptr);
 }
 
 // A sphere raised by h = 0.2 sin(3 y): the normal of r(y) = 1 + h is n - grad h / r, the gradient along the unit sphere.

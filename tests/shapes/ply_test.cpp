@@ -175,9 +175,10 @@ TEST(Ply, ColoursTangentsAndSecondTextureCoordinates) {
     const std::string colour = " " + red + " 0 0 " + red + " ";
     return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty " +
            type + " red\nproperty " + type + " green\nproperty " + type + " blue\nproperty " + type +
-           " alpha\nproperty float u2\nproperty float v2\nproperty float tx\nproperty float ty\nproperty float tz\n"
+           " alpha\nproperty float u2\nproperty float v2\nproperty float tx\nproperty float ty\nproperty float "
+           "tz\nproperty float tw\n"
            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0" +
-           colour + "1 2 3 4 5\n1 0 0" + colour + "1 2 3 4 5\n0 1 0" + colour + "6 7 3 4 5\n3 0 1 2\n";
+           colour + "1 2 3 4 5 1\n1 0 0" + colour + "1 2 3 4 5 -1\n0 1 0" + colour + "6 7 3 4 5 1\n3 0 1 2\n";
   };
   const MeshData whole = read_ply(triangle("uchar", "188"));
   ASSERT_EQ(whole.colours.size(), 3u);
@@ -188,6 +189,7 @@ TEST(Ply, ColoursTangentsAndSecondTextureCoordinates) {
   EXPECT_EQ(whole.second_uvs[2], (Vec2{6, 7}));
   ASSERT_EQ(whole.tangents.size(), 3u);
   EXPECT_EQ(whole.tangents[0], (Vec3{3, 4, 5}));
+  EXPECT_EQ(whole.turned, (std::vector<bool>{false, true, false}));
   EXPECT_EQ(read_ply(triangle("float", "0.25")).colours[2][0], 0.25f);
   EXPECT_NEAR(read_ply(triangle("ushort", "48316")).colours[2][0], 0.503f, 1e-3f);
 }

@@ -56,6 +56,25 @@ TEST(Tangents, AreDerivativesByTextureCoordinates) {
   }
 }
 
+// A tangent of a file is a direction; its sign says to which side v runs, whatever the texture coordinates say.
+TEST(Tangents, OfFilesTurnThoseOfTextureCoordinates) {
+  MeshData data{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {}, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}};
+  data.tangents.assign(3, {5, 5, 0});
+  for (const bool turned : {false, true}) {
+    data.turned.assign(3, turned);
+    const TriangleMesh mesh(data);
+    const SurfacePoint here = mesh.surface_point(0, {0.2f, 0.2f});
+    const float half = std::sqrt(2.f);  // of dpdu's length of 2
+    EXPECT_LT(length(here.dpdu - Vec3{half, half, 0}), 1e-6f);
+    EXPECT_EQ(here.dpdv, (Vec3{0, turned ? -2.f : 2.f, 0}));
+    const SurfacePoint mirrored = mesh.transformed(Transform(Matrix4::scale(-1, 1, 1))).surface_point(0, {0.2f, 0.2f});
+    EXPECT_LT(length(mirrored.dpdu - Vec3{-half, half, 0}), 1e-6f);
+    EXPECT_EQ(mirrored.dpdv, here.dpdv);
+  }
+  data.turned.pop_back();
+  EXPECT_EQ(fault_of(data), "2 signs for 3 tangents");
+}
+
 TEST(Tangents, AreNeverZeroAndUnknownWhereTextureCoordinatesAreDegenerate) {
   const auto sphere = make_shape("sphere", {{"radius", 2}});
   const auto disk = make_shape("disk", {{"radius", 2}});
