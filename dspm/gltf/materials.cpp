@@ -1,5 +1,5 @@
 // [glTF 2.0, 3.9 and appendix B; KHR_materials_anisotropy, _clearcoat, _diffuse_transmission, _emissive_strength, _ior,
-// _sheen, _specular, _transmission, _unlit, _volume; KHR_texture_transform; EXT_texture_webp]
+// _iridescence, _sheen, _specular, _transmission, _unlit, _volume; KHR_texture_transform; EXT_texture_webp]
 #include "dspm/gltf/materials.h"
 
 #include <algorithm>
@@ -112,6 +112,13 @@ class MaterialTranslator {
       material().texture(parameter, map);
   }
 
+  void normals(const std::string& of, const Value& info) {
+    const std::string map = picture(info, of + "s", "", "linear");
+    if (map.empty()) return;
+    material().texture((of + "texture").c_str(), map);
+    material().number((of + "scale").c_str(), info["scale"].number(1), 1);
+  }
+
   /// A colour, times a picture, times the colours of the vertices.
   void colour(const char* parameter, Triple factor, const Value& info, bool of_vertices = false) {
     for (double& value : factor) value = std::clamp(value, 0.0, 1.0);
@@ -160,10 +167,7 @@ class MaterialTranslator {
     colour("basecolor", {factor[0], factor[1], factor[2]}, pbr["baseColorTexture"], true);
     number("metallic", pbr["metallicFactor"].number(1), rough, "blue");
     number("roughness", facets().roughness, rough, "green");
-    if (const std::string map = picture(material_["normalTexture"], "normals", "", "linear"); !map.empty()) {
-      material().texture("normaltexture", map);
-      material().number("normalscale", material_["normalTexture"]["scale"].number(1), 1);
-    }
+    normals("normal", material_["normalTexture"]);
     if (material_.extension("KHR_materials_pbrSpecularGlossiness").exists())
       note("KHR_materials_pbrSpecularGlossiness is left out: the material's metallic-roughness part is used");
   }
@@ -175,7 +179,8 @@ class MaterialTranslator {
     const double eta = material_.extension("KHR_materials_ior")["ior"].number(1.5);
     if (eta != 0 || !material_.extension("KHR_materials_ior").exists())
       material().number("eta", std::max(eta, 1.0), 1.5);
-    if (material_.extension("KHR_materials_dispersion").exists()) note("KHR_materials_dispersion is left out");
+    if (material_.extension("KHR_materials_dispersion").exists())
+      note("KHR_materials_dispersion is left out: dspm renders red, green and blue with one index of refraction");
     if (beyond.exists()) {
       number("diffusetransmission", beyond["diffuseTransmissionFactor"].number(0), beyond["diffuseTransmissionTexture"],
              "alpha");
@@ -201,8 +206,7 @@ class MaterialTranslator {
     if (coat.exists()) {
       number("coat", coat["clearcoatFactor"].number(0), coat["clearcoatTexture"], "red");
       number("coatroughness", coat["clearcoatRoughnessFactor"].number(0), coat["clearcoatRoughnessTexture"], "green");
-      if (coat["clearcoatNormalTexture"].exists() && !material_["normalTexture"].exists())
-        note("normal maps of a clear coat alone are left out");
+      normals("coatnormal", coat["clearcoatNormalTexture"]);
     }
     const Value sheen = material_.extension("KHR_materials_sheen");
     if (sheen.exists()) {
@@ -223,7 +227,23 @@ class MaterialTranslator {
                            add("anisotropyrotation", "float", "angle", std::move(angle.parameters)));
       }
     }
-    if (material_.extension("KHR_materials_iridescence").exists()) note("KHR_materials_iridescence is left out");
+    film();
+  }
+
+  /// A picture's channel leads from the least thickness to the greatest.
+  void film() {
+    const Value film = material_.extension("KHR_materials_iridescence");
+    if (!film.exists()) return;
+    number("iridescence", film["iridescenceFactor"].number(0), film["iridescenceTexture"], "red");
+    material().number("iridescenceeta", std::max(1.0, film["iridescenceIor"].number(1.3)), 1.3);
+    const double least = film["iridescenceThicknessMinimum"].number(100),
+                 most = film["iridescenceThicknessMaximum"].number(400);
+    const std::string map = picture(film["iridescenceThicknessTexture"], "thickness share", "green", "linear");
+    if (map.empty()) return material().number("iridescencethickness", most, 400);
+    Statement between;
+    between.number("tex1", least, INFINITY), between.number("tex2", most, INFINITY);
+    between.texture("amount", map);
+    material().texture("iridescencethickness", add("thickness", "float", "mix", std::move(between.parameters)));
   }
 
   void emission() {

@@ -136,7 +136,7 @@ void for_each_relief(const Vertex& vertex, Fn&& fn) {
   if (all.size() == 1 && all[0].ns == vertex.point.ns) return static_cast<void>(fn(vertex));
   for (const Bent& bent : all) {
     Vertex shown = vertex;
-    shown.frames = bent.frames, shown.point.ns = bent.ns;
+    shown.frames = bent.frames, shown.point.ns = bent.ns, shown.point.smooth_ns = vertex.point.ns;
     fn(static_cast<const Vertex&>(shown));
   }
 }

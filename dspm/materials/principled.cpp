@@ -17,6 +17,11 @@
 //   specularcolor         spectrum texture    1      of that, straight on; at grazing angles it is white
 //   coat                  float texture       0      share of the surface under a clear coat of index 1.5
 //   coatroughness         float texture       0      as roughness
+//   coatnormaltexture     texture         none    colours of normals for the coat, as the material's normaltexture
+//   coatnormalscale       float           1       times the slopes of those normals
+//   iridescence           float texture   0       share of the surface under a thin film, whose colours are interference
+//   iridescencethickness  float texture   400     of the film, in nanometres
+//   iridescenceeta        float           1.3     its index of refraction, at least 1
 //   sheen                 spectrum texture    0      colour of fibres that reflect at grazing angles
 //   sheenroughness        float texture       0.5    as roughness
 //   attenuationcolor      spectrum            1      of white light after attenuationdistance in a body of glass
@@ -41,15 +46,20 @@
 // Alpha makes holes for camera paths, shadow rays and photons, times the alpha of the shape, and emission makes each
 // shape of the material an area light, which nothing above it dims; a shape's AreaLightSource takes its place. A `mix`
 // has both by the share of its part.
-// Not there: subsurface scattering, iridescence, a relief of the coat alone.
+// A thin film lies between coat and base, and changes what facets of the base mirror (thin_film.h); the ground gets
+// what the film leaves of its brightest colour, and frosted glass loses up to a third of white at roughness 1. The coat
+// follows the shape, whatever the normal map of the base, unless it has normals of its own. A mirror whose normal leans
+// so far that the camera would see it mirror the surface itself is bent until it does not (tilt.h).
+// Not there: subsurface scattering; dispersion, as dspm renders in RGB.
 // [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_anisotropy, _clearcoat, _diffuse_transmission,
-// _emissive_strength, _ior, _sheen, _specular, _transmission, _volume;
+// _emissive_strength, _ior, _iridescence, _sheen, _specular, _transmission, _volume;
 // Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF]
 #include <algorithm>
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/material.h"
+#include "dspm/materials/normal_map.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/principled_bsdf.h"
 #include "dspm/materials/principled_tables.h"
@@ -105,6 +115,13 @@ class PrincipledMaterial final : public Material {
     specular_colour_ = read.colour("specularcolor", 1, "of that, straight on; at grazing angles it is white");
     coat_ = read.share("coat", 0, "share of the surface under a clear coat of index 1.5");
     coat_roughness_ = read.share("coatroughness", 0, "as roughness");
+    coat_relief_ = read_coat_relief(reader, context);
+    iridescence_ = read.share("iridescence", 0, "share of the surface under a thin film");
+    film_nm_ = texture_of(reader.number_or_texture("iridescencethickness", 400, "nanometres", "of that film"),
+                          context.textures, reader.diagnostics());
+    film_eta_ = reader.number("iridescenceeta", 1.3f, "", "the film's index of refraction");
+    if (!(film_eta_ >= 1))
+      reader.error("iridescenceeta", "parameter \"iridescenceeta\" of " + reader.subject() + " must be at least 1");
     sheen_ = read.colour("sheen", 0, "of fibres that reflect at grazing angles");
     sheen_roughness_ = read.share("sheenroughness", 0.5f, "as roughness");
     absorption_ = read_absorption(reader);
@@ -118,7 +135,7 @@ class PrincipledMaterial final : public Material {
   }
 
   /// After the parameters have been checked.
-  void make_tables() { tables_ = principled_tables(eta_, thin_); }
+  void make_tables() { tables_ = std::make_shared<const PrincipledTables>(principled_tables(eta_, thin_, film_eta_)); }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
@@ -136,7 +153,10 @@ class PrincipledMaterial final : public Material {
                               number(coat_),
                               square(number(coat_roughness_)),
                               clamped_albedo(sheen_->evaluate(at)),
-                              square(number(sheen_roughness_))};
+                              square(number(sheen_roughness_)),
+                              coat_normal(point),
+                              number(iridescence_),
+                              std::max(0.f, film_nm_->evaluate(at))};
     return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), *tables_, look);
   }
   bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
@@ -152,11 +172,21 @@ class PrincipledMaterial final : public Material {
     return ShadingFrame(turned);
   }
 
+  Vec3 coat_normal(const SurfacePoint& point) const {
+    SurfacePoint smooth = point;
+    if (length2(point.smooth_ns) > 0) smooth.ns = point.smooth_ns;
+    if (!coat_relief_) return smooth.ns;
+    const Vec3 n = normalize(coat_relief_->leaning(smooth));
+    return is_finite(n) && dot(n, point.ng) > 0 ? n : smooth.ns;
+  }
+
   TexturePtr<Rgb> base_, beyond_colour_, specular_colour_, sheen_;
+  std::shared_ptr<const NormalMap> coat_relief_;
+  TexturePtr<float> iridescence_, film_nm_;
   TexturePtr<float> metallic_, transmission_, beyond_, roughness_, anisotropy_, rotation_, specular_, coat_,
       coat_roughness_, sheen_roughness_;
   bool thin_;
-  float eta_;
+  float eta_, film_eta_;
   Rgb absorption_;
   std::shared_ptr<const PrincipledTables> tables_;
 };

@@ -14,7 +14,10 @@ namespace dspm {
 
 Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables, const PrincipledLook& look)
     : tables_(&tables),
-      frame_(frame),
+      ns_(frame.ns()),
+      ng_(frame.ng()),
+      tangent_(frame.x()),
+      coat_normal_(frame.local(look.coat_normal, 1)),
       base_(look.base),
       sheen_(look.sheen),
       specular_colour_(look.specular_colour),
@@ -28,54 +31,64 @@ Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables
       coat_(look.coat),
       coat_alpha_(look.coat_alpha),
       sheen_alpha_(look.sheen_alpha),
+      film_(look.film),
+      film_thickness_(look.film_nm / kMostFilmNm),
       diffuse_norm_(0) {
-  diffuse_norm_ = SmallNumber(PrincipledLayers(*this, 1).diffuse_norm());
+  diffuse_norm_ = SmallNumber(PrincipledLayers(*this).diffuse_norm());
 }
 
-LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*this, 1).lobes(least_alpha); }
+LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*this).lobes(least_alpha); }
 
 Rgb Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
-  const LocalPair w(frame_, wo, wi);
+  const ShadingFrame frame = this->frame();
+  const LocalPair w(frame, wo, wi);
   if (!w.valid) return {};
-  return PrincipledLayers(*this, w.side).f(w.wo, w.wi, transport, lobes);
+  return PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
 }
 
-float Principled::pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const {
-  const LocalPair w(frame_, wo, wi);
+float Principled::pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
+  const ShadingFrame frame = this->frame();
+  const LocalPair w(frame, wo, wi);
   if (!w.valid) return 0;
-  const PrincipledLayers layers(*this, w.side);
-  return layers.density(w.wo, w.wi, layers.chances(w.wo.z, lobes));
+  const PrincipledLayers layers(*this, frame, w.side);
+  return layers.density(w.wo, w.wi, transport, layers.chances(w.wo, transport, lobes));
 }
 
 std::optional<BsdfSample> Principled::sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const {
-  const float side = frame_.side(wo);
-  const Vec3 o = frame_.local(wo, side);
+  const ShadingFrame frame = this->frame();
+  const float side = frame.side(wo);
+  const Vec3 o = frame.local(wo, side);
   if (o.z <= 0) return std::nullopt;
-  const PrincipledLayers layers(*this, side);
-  const PrincipledChances chances = layers.chances(o.z, lobes);
-  const auto drawn = layers.draw(o, u, chances);
+  const PrincipledLayers layers(*this, frame, side);
+  const PrincipledChances chances = layers.chances(o, transport, lobes);
+  const auto drawn = layers.draw(o, u, transport, chances);
   if (!drawn) return std::nullopt;
-  const std::optional<Vec3> wi = frame_.leave(drawn->i, side);
+  const std::optional<Vec3> wi = frame.leave(drawn->i, side);
   if (!wi) return std::nullopt;
   const float scale = drawn->refracted ? transport_scale(transport, layers.eta()) : 1;
   if (drawn->specular) return BsdfSample{*wi, drawn->weight * scale, 0, true, scale};
-  const float pdf_w = layers.density(o, drawn->i, chances);
+  const float pdf_w = layers.density(o, drawn->i, transport, chances);
   if (!(pdf_w > 0)) return std::nullopt;
   const Rgb f = layers.f(o, drawn->i, transport, lobes);
   return BsdfSample{*wi, f * (std::abs(drawn->i.z) / pdf_w), pdf_w, false, scale};
 }
 
 float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
-  const float side = frame_.side(wo);
-  const PrincipledLayers layers(*this, side);
-  return layers.chances(std::max(0.f, frame_.local(wo, side).z), layers.lobes(0)).of(lobes);
+  const ShadingFrame frame = this->frame();
+  const float side = frame.side(wo);
+  const PrincipledLayers layers(*this, frame, side);
+  Vec3 o = frame.local(wo, side);
+  o.z = std::max(0.f, o.z);
+  return layers.chances(o, Transport::flux, layers.lobes(0)).of(lobes);
 }
 
 bool Principled::differs_in_base_from(const Principled& o) const {
-  return tables_ == o.tables_ && frame_ == o.frame_ && sheen_ == o.sheen_ && metallic_ == o.metallic_ &&
-         specular_ == o.specular_ && specular_colour_ == o.specular_colour_ && transmission_ == o.transmission_ &&
-         beyond_ == o.beyond_ && (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ &&
-         alpha_y_ == o.alpha_y_ && coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
+  return *tables_ == *o.tables_ && ns_ == o.ns_ && ng_ == o.ng_ && tangent_ == o.tangent_ &&
+         coat_normal_ == o.coat_normal_ && film_ == o.film_ && film_thickness_ == o.film_thickness_ &&
+         sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ &&
+         specular_colour_ == o.specular_colour_ && transmission_ == o.transmission_ && beyond_ == o.beyond_ &&
+         (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ && alpha_y_ == o.alpha_y_ &&
+         coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
 }
 
 std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const {
@@ -84,7 +97,7 @@ std::optional<Rgb> Principled::ratio_to(const Bsdf& other, LobeSet lobes) const 
   if (!differs_in_base_from(o)) return std::nullopt;
   if (base_ == o.base_) return Rgb(1);
   const LobeSet known = lobes & this->lobes(0);
-  const bool one_colour = known == kThrough || (known == kDiffuse && PrincipledLayers(*this, 1).only_diffuse());
+  const bool one_colour = known == kThrough || (known == kDiffuse && PrincipledLayers(*this).only_diffuse());
   if (!one_colour) return std::nullopt;
   const auto of_base = ratio(base_, o.base_);
   if (!of_base || known == kDiffuse || tables_->thin) return of_base;

@@ -22,7 +22,11 @@ struct PrincipledLook {
   float coat, coat_alpha;
   Rgb sheen;
   float sheen_alpha;
+  Vec3 coat_normal;     // in the world, on the side of ng
+  float film, film_nm;  // share of the surface under a thin film, and its thickness
 };
+
+inline constexpr float kMostFilmNm = 10'000;  // beyond, it has no colours
 
 class PrincipledLayers;
 
@@ -50,11 +54,15 @@ class Principled final : public Bsdf {
   /// Whether the other differs in the base colour only.
   bool differs_in_base_from(const Principled& other) const;
 
+  ShadingFrame frame() const { return {ns_, ng_, tangent_}; }
+
   const PrincipledTables* tables_;
-  ShadingFrame frame_;
+  Vec3 ns_, ng_;
+  SmallDirection tangent_, coat_normal_;  // that of the coat in the frame
   SmallRgb base_, sheen_, specular_colour_, beyond_colour_;
   SmallNumber metallic_, specular_, transmission_, beyond_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
-  SmallNumber diffuse_norm_;  // 2 times the integral over the cosine of what reaches the diffuse base
+  SmallNumber film_, film_thickness_;  // of kMostFilmNm
+  SmallNumber diffuse_norm_;           // 2 times the integral over the cosine of what reaches the diffuse base
 };
 
 }  // namespace dspm

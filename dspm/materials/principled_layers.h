@@ -12,6 +12,8 @@
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/principled_bsdf.h"
 #include "dspm/materials/sheen.h"
+#include "dspm/materials/thin_film.h"
+#include "dspm/materials/tilt.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -33,7 +35,9 @@ struct PrincipledChances {
 
 class PrincipledLayers {
  public:
-  PrincipledLayers(const Principled& at, float side);
+  PrincipledLayers(const Principled& at, const ShadingFrame& frame, float side);
+  /// From outside, for what does not depend on directions.
+  explicit PrincipledLayers(const Principled& at) : PrincipledLayers(at, at.frame(), 1) {}
 
   LobeSet lobes(float least_alpha) const;
   /// Whether the diffuse lobe is the base alone.
@@ -43,9 +47,9 @@ class PrincipledLayers {
 
   Rgb f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
   /// Of sampling `lobes`; zero for those that do not exist.
-  PrincipledChances chances(float cos_o, LobeSet lobes) const;
+  PrincipledChances chances(const Vec3& o, Transport transport, LobeSet lobes) const;
   /// By solid angle.
-  float density(const Vec3& o, const Vec3& i, const PrincipledChances& chances) const;
+  float density(const Vec3& o, const Vec3& i, Transport transport, const PrincipledChances& chances) const;
 
   struct Drawn {
     Vec3 i;
@@ -53,41 +57,68 @@ class PrincipledLayers {
     Rgb weight = {};  // if it is; without the factor of refraction on radiance
     bool refracted = false;
   };
-  std::optional<Drawn> draw(const Vec3& o, const Vec3& u, const PrincipledChances& chances) const;
+  std::optional<Drawn> draw(const Vec3& o, const Vec3& u, Transport transport, const PrincipledChances& chances) const;
 
   /// See Principled::diffuse_norm_.
   float diffuse_norm() const;
 
  private:
+  /// How the lobes that mirror lean.
+  struct Tilts {
+    Tilt facets, coat;
+  };
+  Tilts as_they_are() const { return {{}, Tilt(coat_normal_)}; }
+  /// From the camera's side: bent where what they mirror of `camera` would go below the surface.
+  Tilts as_seen(const Vec3& camera) const;
+  /// Those by which wi is sampled: light does not know yet who will see it.
+  Tilts to_sample(const Vec3& o, Transport transport) const {
+    return transport == Transport::radiance ? as_seen(o) : as_they_are();
+  }
+  /// Of a direction, which may lie below: to the surface's normal, and to the coat's or, if that is the less, the
+  /// surface's. Where the coat is seen from behind, it mirrors nothing.
+  struct Cosines {
+    float base, coat;
+  };
+  static Cosines cosines(const Vec3& w, const Tilts& tilts);
+
   /// Of glass.
   const AlbedoTable& all_by_facets() const { return thin_ ? tables_.common.metal : boundary().reflected_or_refracted; }
   float albedo(const AlbedoTable& table, float cos) const;
   float made_up(const AlbedoTable& table, float cos_o, float cos_i) const;
+  float made_up_by_glass(float cos_o, float cos_i) const;
   const BoundaryAlbedos& boundary() const { return outside_ ? tables_.boundary->outside : tables_.boundary->inside; }
   float left_by_sheen(float cos) const;
   float left_by_coat(float cos) const;
-  float left_by_both(float cos) const { return left_by_sheen(cos) * left_by_coat(cos); }
+  float left_by_both(const Cosines& w) const { return left_by_sheen(w.base) * left_by_coat(w.coat); }
   /// For light that is mirrored below both: the lesser share, so that f is reciprocal and gains nothing.
-  float left_by_both(float cos_o, float cos_i) const { return std::min(left_by_both(cos_o), left_by_both(cos_i)); }
-  float over_glass(float cos_o, float cos_i) const { return outside_ ? left_by_both(cos_o, cos_i) : 1; }
-  float left_to_ground(float cos) const;
+  float left_by_both(const Cosines& o, const Cosines& i) const { return std::min(left_by_both(o), left_by_both(i)); }
+  float over_glass(const Cosines& o, const Cosines& i) const { return outside_ ? left_by_both(o, i) : 1; }
+  float left_to_ground(const Cosines& w) const;
 
   float mirrored_by_coat(float cos) const;
   float mirrored_by_dielectric(float cos) const;  // its directional albedo
-  Rgb mirrored_by_facet(float cos, float cos_o, float cos_i) const;
-  Rgb through_facet(float cos_facet, float cos_o, float cos_i) const;
-  Rgb through(const Vec3& o, const Vec3& i, Transport transport) const;
-  Rgb ground(float cos_o, float cos_i) const;
-  Rgb diffuse(const Vec3& o, const Vec3& i) const;
-  PrincipledChances weights(float cos_o) const;
+  /// A facet's reflectance, by kind.
+  Rgb metal_facet(float cos) const;
+  Rgb mean_by_metal() const;
+  Rgb dielectric_facet(float cos) const;
+  Rgb glass_facet(float cos) const;
+  Rgb mirrored_by_facet(float cos, const Cosines& o, const Cosines& i) const;
+  Rgb through_facet(float cos_facet, const Cosines& o, const Cosines& i) const;
+  Rgb through(const Vec3& o, const Vec3& i, const Tilts& tilts, Transport transport) const;
+  Rgb ground(const Cosines& o, const Cosines& i, bool beyond) const;
+  Rgb diffuse(const Vec3& o, const Vec3& i, const Tilts& tilts) const;
+  PrincipledChances weights(const Cosines& o) const;
   float density_through(const Vec3& o, const Vec3& i) const;
-  std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, float chance) const;
+  std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, const Tilts& tilts, Transport transport,
+                                     float chance) const;
   std::optional<Drawn> draw_through(const Vec3& o, const Vec3& u, float chance) const;
   std::optional<Drawn> draw_diffuse(const Vec3& u, float of_lobe, float beyond) const;
-  std::optional<Drawn> draw_coat(const Vec3& o, const Vec3& u, float chance) const;
+  std::optional<Drawn> draw_coat(const Vec3& o, const Vec3& u, const Tilts& tilts, Transport transport,
+                                 float chance) const;
 
   const PrincipledTables& tables_;
   bool thin_, outside_;
+  Vec3 up_, coat_normal_;  // in the frame, on this side: the geometric normal, and the coat's
   Rgb base_, sheen_, specular_colour_, beyond_colour_;
   float metal_, glass_, opaque_;     // shares of the base
   float beyond_;                     // share of the ground's light
@@ -96,6 +127,8 @@ class PrincipledLayers {
   bool smooth_, smooth_coat_, is_isotropic_;
   float alpha_, coat_alpha_, sheen_alpha_;  // alpha_: the mean of both
   float sheen_weight_, diffuse_norm_;
+  float under_film_;  // share
+  std::optional<ThinFilm> film_;
 };
 
 }  // namespace dspm

@@ -17,15 +17,17 @@ float weight_in_choice(float brightness) {
   return brightness >= 1 / 4.f ? 1 : brightness >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
 }
 
+float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
+
 }  // namespace
 
 /// Colours count in steps or not at all: frames of different colours then choose alike.
-PrincipledChances PrincipledLayers::weights(float cos_o) const {
-  const float left = left_by_both(cos_o), over_glass = outside_ ? left : 1;
+PrincipledChances PrincipledLayers::weights(const Cosines& o) const {
+  const float cos_o = o.base, left = left_by_both(o), over_glass = outside_ ? left : 1;
   const float metal = metal_ == 0 || smooth_ ? 1 : albedo(tables_.common.metal, cos_o);
   const float dielectric = mirrored_by_dielectric(cos_o);
   float glass_mirrored = 0, glass = 1;
-  if (glass_ > 0 && smooth_) glass_mirrored = fresnel_dielectric(cos_o, eta());
+  if (glass_ > 0 && smooth_) glass_mirrored = film_ ? mean(glass_facet(cos_o)) : fresnel_dielectric(cos_o, eta());
   if (glass_ > 0 && !smooth_) {
     glass = albedo(all_by_facets(), cos_o);
     glass_mirrored = std::min(glass, albedo(boundary().reflected, cos_o));
@@ -38,14 +40,14 @@ PrincipledChances PrincipledLayers::weights(float cos_o) const {
   const float diffuse = ground + beyond + made_up + of_sheen;
   return {{(metal_ * metal + opaque_ * dielectric) * left + glass_ * glass_mirrored * over_glass,
            glass_ * (glass - glass_mirrored) * over_glass, diffuse,
-           covered_ * mirrored_by_coat(cos_o) * left_by_sheen(cos_o)},
+           covered_ * mirrored_by_coat(o.coat) * left_by_sheen(cos_o)},
           diffuse > 0 ? beyond / diffuse : beyond_};
 }
 
-PrincipledChances PrincipledLayers::chances(float cos_o, LobeSet lobes) const {
+PrincipledChances PrincipledLayers::chances(const Vec3& o, Transport transport, LobeSet lobes) const {
   constexpr float kLeast = 1e-4f;  // no lobe that exists is left out where the tables round it to nothing
   const LobeSet known = lobes & this->lobes(0);
-  PrincipledChances chances = weights(cos_o);
+  PrincipledChances chances = weights(cosines(o, to_sample(o, transport)));
   float sum = 0;
   for (int lobe = 0; lobe < 4; ++lobe) {
     float& chance = chances.chance[static_cast<std::size_t>(lobe)];
@@ -56,25 +58,31 @@ PrincipledChances PrincipledLayers::chances(float cos_o, LobeSet lobes) const {
   return chances;
 }
 
-float PrincipledLayers::density(const Vec3& o, const Vec3& i, const PrincipledChances& chances) const {
+float PrincipledLayers::density(const Vec3& o, const Vec3& i, Transport transport,
+                                const PrincipledChances& chances) const {
   if (i.z < 0) {
     const float diffuse = chances[2] * chances.beyond * -i.z / kPi;
     return diffuse + (smooth_ || chances[1] == 0 ? 0 : chances[1] * density_through(o, i));
   }
-  const Vec3 m = normalize(o + i);
   float sum = chances[2] * (1 - chances.beyond) * i.z / kPi;
-  if (!smooth_ && chances[0] > 0) sum += chances[0] * facets_.reflection_density(o, m);
-  if (!smooth_coat_ && chances[3] > 0) sum += chances[3] * coat_facets_.reflection_density(o, m);
+  const Tilts tilts = to_sample(o, transport);
+  if (!smooth_ && chances[0] > 0)
+    if (const Tilt::Pair w = tilts.facets.pair(o, i, transport); w.above)
+      sum += chances[0] * facets_.reflection_density(w.o, w.m);
+  if (!smooth_coat_ && chances[3] > 0)
+    if (const Tilt::Pair w = tilts.coat.pair(o, i, transport); w.above)
+      sum += chances[3] * coat_facets_.reflection_density(w.o, w.m);
   return sum;
 }
 
-std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw(const Vec3& o, const Vec3& u,
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw(const Vec3& o, const Vec3& u, Transport transport,
                                                               const PrincipledChances& chances) const {
+  const Tilts tilts = to_sample(o, transport);
   // Reflections first: then coupled frames whose lobes differ part as little as possible.
   float below = chances[3];
-  if (u.z < below) return draw_coat(o, u, chances[3]);
+  if (u.z < below) return draw_coat(o, u, tilts, transport, chances[3]);
   below += chances[0];
-  if (u.z < below) return draw_specular(o, u, chances[0]);
+  if (u.z < below) return draw_specular(o, u, tilts, transport, chances[0]);
   below += chances[1];
   if (u.z < below) return draw_through(o, u, chances[1]);
   if (chances[2] == 0) return std::nullopt;
@@ -89,20 +97,31 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_diffuse(const Vec3
   return Drawn{of_lobe < 1 - beyond ? i : other_side(i), false};
 }
 
-std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_coat(const Vec3& o, const Vec3& u, float chance) const {
-  if (smooth_coat_)
-    return Drawn{{-o.x, -o.y, o.z},
-                 true,
-                 Rgb(covered_ * left_by_sheen(o.z) * coat_ * fresnel_dielectric(o.z, kCoatEta) / chance)};
-  const Vec3 i = reflect(o, coat_facets_.sample_visible(o, u.x, u.y));
-  return i.z > 0 ? std::optional(Drawn{i, false}) : std::nullopt;
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_coat(const Vec3& o, const Vec3& u, const Tilts& tilts,
+                                                                   Transport transport, float chance) const {
+  const Vec3 seen = tilts.coat.seen(o);
+  if (seen.z <= 0) return std::nullopt;
+  const Vec3 m = smooth_coat_ ? Vec3{0, 0, 1} : coat_facets_.sample_visible(seen, u.x, u.y);
+  const Vec3 mirrored = smooth_coat_ ? Vec3{-seen.x, -seen.y, seen.z} : reflect(seen, m);
+  const Vec3 i = tilts.coat.back(mirrored);
+  if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
+  if (!smooth_coat_) return Drawn{i, false};
+  const float passed = covered_ * std::min(left_by_sheen(o.z), left_by_sheen(i.z)) * coat_;
+  return Drawn{i, true,
+               Rgb(passed * fresnel_dielectric(seen.z, kCoatEta) * tilts.coat.mirror_factor(o, i, transport) / chance)};
 }
 
-std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec3& o, const Vec3& u,
-                                                                       float chance) const {
-  if (smooth_) return Drawn{{-o.x, -o.y, o.z}, true, mirrored_by_facet(o.z, o.z, o.z) / chance};
-  const Vec3 i = reflect(o, facets_.sample_visible(o, u.x, u.y));
-  return i.z > 0 ? std::optional(Drawn{i, false}) : std::nullopt;
+std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec3& o, const Vec3& u, const Tilts& tilts,
+                                                                       Transport transport, float chance) const {
+  const Vec3 seen = tilts.facets.seen(o);
+  if (seen.z <= 0) return std::nullopt;
+  const Vec3 mirrored =
+      smooth_ ? Vec3{-seen.x, -seen.y, seen.z} : reflect(seen, facets_.sample_visible(seen, u.x, u.y));
+  const Vec3 i = tilts.facets.back(mirrored);
+  if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
+  if (!smooth_) return Drawn{i, false};
+  const Rgb f = mirrored_by_facet(seen.z, cosines(o, tilts), cosines(i, tilts));
+  return Drawn{i, true, f * (tilts.facets.mirror_factor(o, i, transport) / chance)};
 }
 
 std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_through(const Vec3& o, const Vec3& u,
@@ -110,8 +129,9 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_through(const Vec3
   const Vec3 m = smooth_ ? Vec3{0, 0, 1} : facets_.sample_visible(o, u.x, u.y);
   const auto i = thin_ ? std::optional(other_side(reflect(o, m))) : refract(o, m, eta());
   if (!i || i->z >= 0) return std::nullopt;
-  if (smooth_) return Drawn{*i, true, through_facet(o.z, o.z, i->z) / chance, !thin_};
-  return Drawn{*i, false, {}, !thin_};
+  if (!smooth_) return Drawn{*i, false, {}, !thin_};
+  const Tilts tilts = as_they_are();
+  return Drawn{*i, true, through_facet(o.z, cosines(o, tilts), cosines(*i, tilts)) / chance, !thin_};
 }
 
 }  // namespace dspm

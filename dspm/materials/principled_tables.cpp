@@ -4,6 +4,7 @@
 
 #include "dspm/materials/facet_albedo.h"
 #include "dspm/materials/sheen.h"
+#include "dspm/materials/thin_film.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -36,11 +37,8 @@ const CommonAlbedos& common_albedos() {
 
 }  // namespace
 
-std::shared_ptr<const PrincipledTables> principled_tables(float eta, bool thin) {
-  static MadeOnce<PrincipledTables> of_bodies, of_walls;
-  return (thin ? of_walls : of_bodies).of(eta, [&](float index) {
-    return PrincipledTables{index, thin, boundary_tables(index), common_albedos()};
-  });
+PrincipledTables principled_tables(float eta, bool thin, float film_eta) {
+  return {eta, thin, film_eta, ThinFilm::most_gain(film_eta, eta), boundary_tables(eta), common_albedos()};
 }
 
 }  // namespace dspm

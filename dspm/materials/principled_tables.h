@@ -19,13 +19,19 @@ inline constexpr float kCoatEta = 1.5f;
 
 /// What all points of a material share.
 struct PrincipledTables {
-  float eta;  // index of refraction inside over outside
-  bool thin;  // a wall without a body
+  float eta;        // index of refraction inside over outside
+  bool thin;        // a wall without a body
+  float film_eta;   // index of refraction of a thin film
+  float film_gain;  // what such a film adds to what the dielectric mirrors, at most
   std::shared_ptr<const BoundaryTables> boundary;
   const CommonAlbedos& common;
+
+  friend bool operator==(const PrincipledTables& a, const PrincipledTables& b) {
+    return a.eta == b.eta && a.thin == b.thin && a.film_eta == b.film_eta;
+  }
 };
 
-/// Made once for each index, as long as somebody holds it; for many threads.
-std::shared_ptr<const PrincipledTables> principled_tables(float eta, bool thin);
+/// What takes time is made once for each index, as long as somebody holds it; for many threads.
+PrincipledTables principled_tables(float eta, bool thin, float film_eta);
 
 }  // namespace dspm

@@ -17,31 +17,12 @@
 #include <filesystem>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/normal_map.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
 namespace {
-
-class NormalMap final : public Relief {
- public:
-  NormalMap(TexturePtr<Rgb> picture, float scale, bool by_v)
-      : picture_(std::move(picture)), scale_(scale), by_v_(by_v) {}
-
-  Vec3 normal(const SurfacePoint& point, const PlacedShape&, int, Vec2) const override {
-    const Rgb c = picture_->evaluate(texture_point(point));
-    const Vec3 n{scale_ * (2 * c.r - 1), scale_ * (2 * c.g - 1), 2 * c.b - 1};
-    if (n.x == 0 && n.y == 0 && n.z > 0) return point.ns;
-    Basis basis = Basis::around(point.ns, point.dpdu);
-    if (by_v_ && dot(basis.y, point.dpdv) < 0) basis.y = -basis.y;  // mirrored coordinates, or a mirrored world
-    return basis.to_world(n);
-  }
-
- private:
-  TexturePtr<Rgb> picture_;
-  float scale_;
-  bool by_v_;
-};
 
 /// How the surface changes along one of the primitive's parameters.
 struct Tangent {

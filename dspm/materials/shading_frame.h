@@ -12,11 +12,15 @@ namespace dspm {
 
 class ShadingFrame {
  public:
-  explicit ShadingFrame(const SurfacePoint& point)
-      : x_(Basis::around(point.ns, point.dpdu).x), z_(point.ns), ng_(point.ng) {}
+  explicit ShadingFrame(const SurfacePoint& point) : ShadingFrame(point.ns, point.ng, point.dpdu) {}
+  ShadingFrame(const Vec3& ns, const Vec3& ng, const Vec3& tangent)
+      : x_(Basis::around(ns, tangent).x), z_(ns), ng_(ng) {}
 
   /// +1 outside, -1 inside, by the geometric normal.
   float side(const Vec3& w) const { return dot(w, ng_) > 0 ? 1.f : -1.f; }
+  const Vec3& x() const { return x_; }
+  const Vec3& ns() const { return z_; }
+  const Vec3& ng() const { return ng_; }
   /// In the shading frame, which is mirrored if `side` is -1.
   Vec3 local(const Vec3& w, float side) const { return {dot(w, x_), dot(w, cross(z_, x_)), side * dot(w, z_)}; }
   Vec3 world(const Vec3& w, float side) const { return x_ * w.x + cross(z_, x_) * w.y + z_ * (side * w.z); }

@@ -1,4 +1,4 @@
-// Numbers in [0, 1] in two bytes each, more exact the smaller they are: a Bsdf has little room.
+// Numbers in [0, 1] in two bytes each, more exact the smaller they are, and directions in four: a Bsdf has little room.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 
@@ -29,6 +30,28 @@ struct SmallRgb {
   explicit SmallRgb(const Rgb& c) : r(c.r), g(c.g), b(c.b) {}
   operator Rgb() const { return {r, g, b}; }
   friend bool operator==(const SmallRgb& a, const SmallRgb& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+};
+
+/// A unit vector, to 5e-5, on an octahedron whose lower half is folded out; those of the axes are exact.
+class SmallDirection {
+ public:
+  explicit SmallDirection(const Vec3& d) {
+    const float sum = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+    const float x = d.x / sum, y = d.y / sum;
+    x_ = whole(d.z < 0 ? fold(x, y) : x), y_ = whole(d.z < 0 ? fold(y, x) : y);
+  }
+  operator Vec3() const {
+    const float x = static_cast<float>(x_) / kMost, y = static_cast<float>(y_) / kMost;
+    const float z = 1 - std::abs(x) - std::abs(y);
+    return normalize(z < 0 ? Vec3{fold(x, y), fold(y, x), z} : Vec3{x, y, z});
+  }
+  friend bool operator==(SmallDirection a, SmallDirection b) { return a.x_ == b.x_ && a.y_ == b.y_; }
+
+ private:
+  static constexpr float kMost = 32767;
+  static std::int16_t whole(float x) { return static_cast<std::int16_t>(std::lround(x * kMost)); }
+  static float fold(float a, float b) { return std::copysign(1 - std::abs(b), a); }
+  std::int16_t x_, y_;
 };
 
 }  // namespace dspm

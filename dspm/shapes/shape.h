@@ -36,6 +36,8 @@ struct SurfacePoint {
   Vec3 dpdv{};   // derivative of p by uv.y; zero if a shape does not know it: lookups by uv are then not filtered
   // The footprint, which texture lookups average over: the axes of an ellipse in the surface; zero for a point.
   Vec3 dpdx{}, dpdy{};
+  // The shading normal without the material's relief; zero: there is none. A coat may lie smoothly over a rough base.
+  Vec3 smooth_ns{};
   // The surface turns to each ray, as a curve does, so ng belongs to the ray that met it here, and there is no area on
   // which photons could be counted.
   bool turns = false;

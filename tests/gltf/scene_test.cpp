@@ -181,6 +181,33 @@ TEST(GltfScene, StretchesFacetsAsGltfDoes) {
   EXPECT_NEAR(alpha * aspect, 0.25, 1e-5);
 }
 
+TEST(GltfScene, FilmsCoatsAndWhatIsNotThere) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  put_file(directory / "a.png", "");
+  put_file(
+      directory / "a.gltf",
+      file.text(fmt::format(
+          R"("extensionsRequired":["KHR_materials_iridescence"],"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],)"
+          R"("textures":[{{"source":0}}],"images":[{{"uri":"a.png"}}],"materials":[{{"extensions":{{)"
+          R"("KHR_materials_iridescence":{{"iridescenceFactor":0.5,"iridescenceIor":1.6,)"
+          R"("iridescenceThicknessMinimum":50,"iridescenceThicknessTexture":{{"index":0}}}},)"
+          R"("KHR_materials_clearcoat":{{"clearcoatFactor":1,"clearcoatNormalTexture":{{"index":0,"scale":0.7}}}},)"
+          R"("KHR_materials_dispersion":{{"dispersion":1}}}}}}])",
+          square.primitive(R"(,"material":0)"))));
+  const gltf::Translation translation = gltf::translate(directory / "a.gltf", "a", {});
+  for (const char* part :
+       {"\"float iridescence\" 0.5", "\"float iridescenceeta\" 1.6", "\"texture iridescencethickness\"",
+        "\"mix\" \"float tex1\" 50 \"float tex2\" 400 \"texture amount\"", "\"texture coatnormaltexture\"",
+        "\"float coatnormalscale\" 0.7"})
+    EXPECT_NE(translation.text.find(part), std::string::npos) << part << " in " << translation.text;
+  const auto names_it = [](const std::string& note) {
+    return note.find("KHR_materials_dispersion") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(translation.notes.begin(), translation.notes.end(), names_it), 1);
+}
+
 /// The world of a whole file, with its meshes.
 TEST(GltfScene, MakesAWorld) {
   TemporaryDirectory directory;

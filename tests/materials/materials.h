@@ -71,6 +71,14 @@ inline std::vector<Named> principled_materials() {
                             number("roughness", 0.4f), rgb("specularcolor", {0.9f, 0.3f, 0})}));
   all.push_back(of("brushed at an angle", {number("metallic", 1), number("roughness", 0.6f), number("anisotropy", 0.8f),
                                            number("anisotropyrotation", 30)}));
+  all.push_back(of("anodised metal", {number("metallic", 1), number("roughness", 0.5f), number("iridescence", 1),
+                                      number("iridescenceeta", 1.9f), number("iridescencethickness", 230)}));
+  all.push_back(of("soap bubble", {number("transmission", 1), number("roughness", 0), flag("thin", true),
+                                   number("iridescence", 1), number("iridescencethickness", 350)}));
+  all.push_back(of("coated lens", {number("transmission", 1), number("roughness", 0.4f), number("iridescence", 0.8f),
+                                   number("iridescenceeta", 1.7f), number("iridescencethickness", 150)}));
+  all.push_back(of("beetle", {number("roughness", 0.5f), number("iridescence", 1), number("iridescenceeta", 2),
+                              number("iridescencethickness", 300), number("coat", 0.5f)}));
   all.push_back(of("everything", {number("metallic", 0.3f), number("transmission", 0.4f), number("roughness", 0.5f),
                                   number("coat", 0.6f), number("coatroughness", 0.3f), rgb("sheen", Rgb(0.3f)),
                                   number("specular", 0.7f), number("eta", 1.7f), number("diffusetransmission", 0.3f)}));

@@ -47,6 +47,88 @@ TEST(Principled, WhiteLosesNothing) {
   }
 }
 
+TEST(Principled, FilmsOnWhiteLoseLittle) {
+  const std::vector<Param> film{number("iridescence", 1), number("iridescenceeta", 1.8f),
+                                number("iridescencethickness", 280)};
+  const auto under_film = [&](std::vector<Param> params, double loss, const std::string& what) {
+    params.insert(params.end(), film.begin(), film.end());
+    expect_white(std::move(params), loss, what);
+  };
+  for (const float roughness : {0.f, 0.3f, 1.f}) {
+    const Param rough = number("roughness", roughness);
+    under_film({rough, number("metallic", 1)}, 0.01, "metal");
+    under_film({rough, number("transmission", 1)}, roughness < 1 ? 0.1 : 0.35, "glass");
+    under_film({rough, number("transmission", 1), flag("thin", true)}, 0.03, "pane");
+    under_film({rough}, 0.2, "opaque");  // the ground gets what the brightest colour of any film leaves
+  }
+}
+
+/// The surface of a normal map that leans by `degrees`.
+SurfacePoint leaning(float degrees) {
+  SurfacePoint point = surface(direction(std::cos(degrees * kPi / 180), 0.4f));
+  point.smooth_ns = {0, 0, 1};
+  return point;
+}
+
+// Seen straight on, a mirror that leans by more than 45 degrees would show the surface itself.
+TEST(Principled, SteepMirrorsAreNotBlack) {
+  for (const float roughness : {0.f, 0.5f}) {
+    const auto metal =
+        make("principled", {number("metallic", 1), rgb("basecolor", Rgb(1)), number("roughness", roughness)});
+    for (const float degrees : {30.f, 46.f, 60.f, 80.f}) {
+      BsdfSlot slot;
+      const Bsdf& bsdf = metal->bsdf(leaning(degrees), slot);
+      const PathRandom random(11, Stream::setup, 0, 0);
+      const float albedo = test::albedo(bsdf, {0, 0, 1}, Transport::radiance, random, 20'000).mean.r;
+      EXPECT_GE(albedo, roughness == 0 ? 0.999f : 0.6f) << roughness << " " << degrees;
+      EXPECT_LE(albedo, 1.01f) << roughness << " " << degrees;
+      const auto drawn = bsdf.sample({0, 0, 1}, {0.5f, 0.5f, 0}, Transport::radiance, 1);
+      if (roughness > 0) continue;
+      ASSERT_TRUE(drawn && drawn->specular);
+      const float expected = degrees < 45 ? std::cos(2 * degrees * kPi / 180) : 0.005f;
+      EXPECT_NEAR(drawn->wi.z, expected, 1e-3f) << degrees;
+      EXPECT_NEAR(drawn->wi.y, drawn->wi.x * std::tan(0.4f), 1e-3f) << degrees;  // to the side it leans to
+    }
+  }
+}
+
+// Varnish runs smoothly over the relief of the wood.
+TEST(Principled, CoatsFollowTheShape) {
+  const auto varnish = make("principled", {number("coat", 1), number("specular", 0), rgb("basecolor", Rgb(0.5f))});
+  BsdfSlot slot;
+  const Bsdf& bsdf = varnish->bsdf(leaning(20), slot);
+  for (const Vec3& wo : {direction(1, 0), direction(0.6f, 2)}) {
+    const auto drawn = bsdf.sample(wo, {0.5f, 0.5f, 0}, Transport::radiance, 8);
+    ASSERT_TRUE(drawn && drawn->specular);
+    EXPECT_NEAR(length(drawn->wi - Vec3{-wo.x, -wo.y, wo.z}), 0, 3e-4f);
+    EXPECT_NEAR(drawn->weight.g, fresnel_dielectric(wo.z, 1.5f), 1e-4f);
+    const auto back = bsdf.sample(drawn->wi, {0.5f, 0.5f, 0}, Transport::flux, 8);
+    ASSERT_TRUE(back);
+    // Veach's correction for shading normals, which integrators apply, makes them the same.
+    const Vec3 ns = leaning(20).ns;
+    EXPECT_NEAR(back->weight.g * dot(drawn->wi, ns) / dot(wo, ns), drawn->weight.g, 1e-4f);
+  }
+}
+
+TEST(Principled, LeaningLobesAreSampledAsTheyAre) {
+  const auto metal = make("principled", {number("metallic", 1), number("roughness", 0.6f), number("coat", 0.5f),
+                                         number("coatroughness", 0.5f)});
+  BsdfSlot slot;
+  const Bsdf& bsdf = metal->bsdf(leaning(55), slot);
+  const PathRandom random(5, Stream::setup, 15, 0);
+  for (const Transport transport : {Transport::radiance, Transport::flux})
+    for (int n = 0; n < 500; ++n) {
+      const Vec3 wo = direction(0.3f + 0.001f * static_cast<float>(n), 0.5f);
+      const auto drawn = bsdf.sample(wo, three_numbers(random, n), transport, bsdf.all_lobes());
+      if (!drawn) continue;
+      EXPECT_NEAR(bsdf.pdf_w(wo, drawn->wi, transport, bsdf.all_lobes()) / drawn->pdf_w, 1, 1e-3f);
+      const Rgb f = bsdf.evaluate(wo, drawn->wi, transport, bsdf.all_lobes());
+      const Transport other = transport == Transport::radiance ? Transport::flux : Transport::radiance;
+      const Rgb exchanged = bsdf.evaluate(drawn->wi, wo, other, bsdf.all_lobes());
+      EXPECT_NEAR(exchanged.g, f.g, 1e-3f * f.g + 1e-6f);
+    }
+}
+
 // The tables are of isotropic facets: what brushed metal loses is known to a few per cent only.
 TEST(Principled, BrushedMetalLosesLittle) {
   for (const float roughness : {0.2f, 0.6f, 1.f})

@@ -1,0 +1,32 @@
+// Normals of a texture's colours: 2 rgb - 1, whose z is along the shape's own.
+#pragma once
+
+#include <memory>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/material.h"
+#include "dspm/materials/relief.h"
+#include "dspm/math/vec.h"
+#include "dspm/params/params.h"
+#include "dspm/textures/texture.h"
+
+namespace dspm {
+
+class NormalMap final : public Relief {
+ public:
+  /// `by_v`: y is on the side to which v grows, else across the tangent of u.
+  NormalMap(TexturePtr<Rgb> picture, float scale, bool by_v);
+  Vec3 normal(const SurfacePoint& point, const PlacedShape&, int, Vec2) const override { return leaning(point); }
+  /// Around the point's shading normal; of any length.
+  Vec3 leaning(const SurfacePoint& point) const;
+
+ private:
+  TexturePtr<Rgb> picture_;
+  float scale_;
+  bool by_v_;
+};
+
+/// Of a material's coat; null: it follows the shape.
+std::shared_ptr<const NormalMap> read_coat_relief(ParamReader& reader, const MaterialContext& context);
+
+}  // namespace dspm
