@@ -3,7 +3,6 @@
 #include <time.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <thread>
 
@@ -72,9 +71,9 @@ void LivePage::step_begins(const std::string& step) {
 
 void LivePage::iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook) {
   progress_ = progress, outlook_ = outlook;
-  // After the first iterations, pictures change most; what was never seen, somebody waits for.
-  const bool doubled = progress.iterations <= 4 && std::has_single_bit(static_cast<unsigned>(progress.iterations));
-  show_pictures(exhibit, doubled || pictures_.is_due() ? Gallery::kNewer : 0);
+  // What was never seen, somebody waits for; after four iterations the noise has halved.
+  const bool is_telling = progress.iterations == 1 || progress.iterations == 4;
+  show_pictures(exhibit, is_telling || pictures_.is_due() ? Gallery::kNewer : 0);
   show_state("rendering");
 }
 

@@ -1,6 +1,7 @@
 // How often something may interrupt the render, so that it takes no more than a small share of the time.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 namespace dspm {
@@ -11,9 +12,10 @@ class Ration {
   explicit Ration(double share) : share_(share) {}
 
   bool is_due(Clock::time_point now = Clock::now()) const { return now >= next_; }
-  /// It took from `begin` to `end`; it is due again once that is its share of the time.
+  /// It took from `begin` to `end`; it is due again once that is its share of the time. What it took before it was due
+  /// adds to the wait.
   void took(Clock::time_point begin, Clock::time_point end = Clock::now()) {
-    next_ = end + std::chrono::duration_cast<Clock::duration>((end - begin) * (1 / share_ - 1));
+    next_ = std::max(next_, begin) + std::chrono::duration_cast<Clock::duration>((end - begin) / share_);
   }
   void reset() { next_ = {}; }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What viewers cost a render: the processor time of taking pictures and of the threads that serve them, as a share of the
 run's, and when the first pictures of all frames come. Time on the processor is counted, so a busy machine does not matter.
-usage: cost.py dspm scene [iterations [runs [viewers]]]"""
+usage: cost.py dspm scene [iterations [runs [viewers [halvings [frames]]]]]; of so many frames, each halved so often"""
 import json, os, pathlib, re, statistics, subprocess, sys, tempfile, threading, time, urllib.request
 
 
@@ -40,7 +40,7 @@ def run():
                 if not frames:
                     continue
                 wishes = "".join(f"{f} radiance {halvings} {seen.get((f, halvings), 0)} {seen.get((f, halvings), 0)}\n"
-                                 for f in range(frames))
+                                 for f in range(min(frames, few)))
                 body = urllib.request.urlopen(url + "pictures", f"{viewer}\n{wishes}".encode()).read()
                 figures["bytes"] += len(body)
                 while body:
@@ -49,7 +49,7 @@ def run():
                     seen[int(words[0]), int(words[2])] = int(words[3])
                     body = body[int(words[-1]):]
                     figures["pictures"] += 1
-                if "first" not in figures and len({f for f, _ in seen}) == frames:
+                if "first" not in figures and len({f for f, _ in seen}) == min(frames, few):
                     figures["first"] = time.monotonic() - begin
         threading.Thread(target=watch, daemon=True).start()
         for viewer in range(viewers):
@@ -63,8 +63,7 @@ def run():
 
 
 dspm, scene = sys.argv[1:3]
-iterations, runs, viewers = (int(v) for v in (sys.argv[3:6] + ["32", "3", "1"][len(sys.argv) - 3:]))
-halvings = 0
+iterations, runs, viewers, halvings, few = (int(v) for v in sys.argv[3:] + ["32", "3", "1", "0", "1000"][len(sys.argv) - 3:])
 shares = []
 for _ in range(runs):
     f = run()
