@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <queue>
+#include <vector>
+
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
 
 constexpr std::size_t kLeastRecords = 24;  // of a box that is halved
+constexpr std::size_t kMany = 1 << 12;     // records that are worth several threads
+constexpr std::size_t kAtOnce = 64;        // boxes that are halved, by as many threads
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
@@ -28,50 +32,69 @@ struct Box {
 };
 
 struct Split {
-  double gain;
-  int box, side;
+  double gain = 0;
+  int box = 0, side = 0;
   friend bool operator<(const Split& a, const Split& b) { return a.gain != b.gain ? a.gain < b.gain : a.box > b.box; }
 };
 
 /// Looks two levels ahead: a box whose halves are alike may hold all it has along their border.
-std::optional<Split> best_split(const Box& box, int number) {
-  if (box.records.size() < kLeastRecords) return {};
-  Split best{0, number, 0};
-  for (int side = 0; side < 4; ++side) {
-    const float low = box.box.low[EmissionBox::slot(side)], size = box.box.size[EmissionBox::slot(side)];
-    if (size <= kSmallestSide) continue;
-    std::array<double, 4> quarters{};
-    for (const EmissionRecord& record : box.records) {
-      const float place = 4 * (record.numbers[EmissionBox::slot(side)] - low) / size;
-      quarters[static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3))] += record.value;
-    }
-    double divided = 0;
-    for (const double quarter : quarters) divided += deviation(quarter, box.box.volume() / 4);
-    if (const double gain = box.deviation() - divided; gain > best.gain) best = {gain, number, side};
+double gain(const Box& box, int side) {
+  const float low = box.box.low[EmissionBox::slot(side)], size = box.box.size[EmissionBox::slot(side)];
+  if (size <= kSmallestSide) return 0;
+  std::array<double, 4> quarters{};
+  for (const EmissionRecord& record : box.records) {
+    const float place = 4 * (record.numbers[EmissionBox::slot(side)] - low) / size;
+    quarters[static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3))] += record.value;
   }
-  return best.gain > 0 ? std::optional(best) : std::nullopt;
+  double divided = 0;
+  for (const double quarter : quarters) divided += deviation(quarter, box.box.volume() / 4);
+  return box.deviation() - divided;
+}
+
+/// No gain: it stays whole.
+Split best_split(const Box& box, int number) {
+  Split best{0, number, 0};
+  if (box.records.size() < kLeastRecords) return best;
+  std::array<double, 4> gains{};
+  parallel_for(4, box.records.size() < kMany ? 4 : 1,
+               [&](std::int64_t side) { gains[static_cast<std::size_t>(side)] = gain(box, static_cast<int>(side)); });
+  for (int side = 0; side < 4; ++side)
+    if (const double gain = gains[static_cast<std::size_t>(side)]; gain > best.gain) best = {gain, number, side};
+  return best;
 }
 
 class Trees {
  public:
   Trees(std::span<EmissionRecord> records, std::span<const float> usual) : usual_(usual) {
-    std::sort(records.begin(), records.end(), [](const EmissionRecord& a, const EmissionRecord& b) {
-      return a.light != b.light ? a.light < b.light : a.numbers < b.numbers;
-    });
+    const auto by_light = [](const EmissionRecord& a, const EmissionRecord& b) { return a.light < b.light; };
+    if (!std::is_sorted(records.begin(), records.end(), by_light))
+      std::stable_sort(records.begin(), records.end(), by_light);
+    boxes_.resize(usual.size());
     for (std::size_t light = 0, begin = 0; light < usual.size(); ++light) {
       std::size_t end = begin;
       while (end < records.size() && records[end].light == static_cast<int>(light)) ++end;
-      add({{}, records.subspan(begin, end - begin)});
+      boxes_[light].records = records.subspan(begin, end - begin);
       begin = end;
     }
+    splits_of_new_.resize(usual.size());
+    parallel_for(static_cast<std::int64_t>(usual.size()), 1, [&](std::int64_t light) { weigh(0, light); });
+    queue_splits();
   }
 
-  /// First where the variance falls most.
+  /// First where the variance falls most. That also puts the nodes that are visited most next to one another.
   void divide() {
-    for (std::size_t cells = boxes_.size(); !splits_.empty() && cells < EmissionGuide::kMostCells; ++cells) {
-      const Split split = splits_.top();
-      splits_.pop();
-      divide(split);
+    for (std::size_t cells = boxes_.size(); !splits_.empty() && cells < EmissionGuide::kMostCells;) {
+      const std::size_t most = std::min(kAtOnce, EmissionGuide::kMostCells - cells);
+      std::vector<Split> wave;
+      for (; !splits_.empty() && wave.size() < most; splits_.pop()) wave.push_back(splits_.top());
+      const std::size_t first = boxes_.size();
+      boxes_.resize(first + 2 * wave.size()), splits_of_new_.resize(2 * wave.size());
+      parallel_for(static_cast<std::int64_t>(wave.size()), 1, [&](std::int64_t i) {
+        halve(wave[static_cast<std::size_t>(i)], first + 2 * static_cast<std::size_t>(i));
+        weigh(first, 2 * i), weigh(first, 2 * i + 1);
+      });
+      queue_splits();
+      cells += wave.size();
     }
   }
 
@@ -87,22 +110,26 @@ class Trees {
   }
 
  private:
-  void add(Box box) {
-    for (const EmissionRecord& record : box.records) box.value += record.value;
-    if (const auto split = best_split(box, static_cast<int>(boxes_.size()))) splits_.push(*split);
-    boxes_.push_back(box);
+  /// A new box, of those from `first` on.
+  void weigh(std::size_t first, std::int64_t number) {
+    const std::size_t at = first + static_cast<std::size_t>(number);
+    for (const EmissionRecord& record : boxes_[at].records) boxes_[at].value += record.value;
+    splits_of_new_[static_cast<std::size_t>(number)] = best_split(boxes_[at], static_cast<int>(at));
   }
 
-  void divide(const Split& split) {
+  void queue_splits() {
+    for (const Split& split : splits_of_new_)
+      if (split.gain > 0) splits_.push(split);
+  }
+
+  void halve(const Split& split, std::size_t child) {
     Box& box = boxes_[static_cast<std::size_t>(split.box)];
-    box.first_child = static_cast<int>(boxes_.size()), box.side = split.side;
-    const EmissionBox whole = box.box;
-    const std::span<EmissionRecord> records = box.records;
-    const auto middle = std::partition(records.begin(), records.end(), [&](const EmissionRecord& record) {
-      return record.numbers[EmissionBox::slot(split.side)] < whole.middle(split.side);
+    box.first_child = static_cast<int>(child), box.side = split.side;
+    const auto middle = std::partition(box.records.begin(), box.records.end(), [&](const EmissionRecord& record) {
+      return record.numbers[EmissionBox::slot(split.side)] < box.box.middle(split.side);
     });
-    add({whole.half(split.side, false), {records.begin(), middle}});
-    add({whole.half(split.side, true), {middle, records.end()}});
+    boxes_[child].box = box.box.half(split.side, false), boxes_[child].records = {box.records.begin(), middle};
+    boxes_[child + 1].box = box.box.half(split.side, true), boxes_[child + 1].records = {middle, box.records.end()};
   }
 
   /// Draws climb from their cells, as paths next to those that were found matter, too. Sets `drawn` of the box and all
@@ -130,6 +157,7 @@ class Trees {
 
   std::span<const float> usual_;
   std::vector<Box> boxes_;  // first those of all numbers, by light
+  std::vector<Split> splits_of_new_;
   std::priority_queue<Split> splits_;
   double drawn_ = 0;  // by all boxes
 };

@@ -20,7 +20,7 @@ namespace dspm {
 namespace {
 
 // A round of pilot paths is a tenth of an iteration, within bounds.
-constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13;
+constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13, kPathsPerTrace = 1 << 5;
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kPilotPixels = 16384;
 
@@ -45,6 +45,7 @@ class Learner {
         paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
         pixels_(render, kPilotPixels) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
+    photon_.paths_per_trace = kPathsPerTrace;
     photon_.direct = nullptr;
     for (const LightChoice& choice : sample.light_choices) choices_ += !choice.frames.empty();
     HitPointSettings camera = hit_point;
@@ -188,27 +189,30 @@ class Learner {
     std::vector<std::vector<EmissionRecord>> records(scene_.light_choices.size());
     std::size_t count = 0;
     for (const PilotRound& round : rounds) {
-      std::vector<double> mixtures(round.found.size());
-      parallel_for(static_cast<std::int64_t>(mixtures.size()), 1 << 8, [&](std::int64_t i) {
-        for (const PilotRound& other : rounds)
-          mixtures[static_cast<std::size_t>(i)] += density(other.guides, round.found[static_cast<std::size_t>(i)]);
+      std::vector<double> values(round.found.size());
+      parallel_for(static_cast<std::int64_t>(values.size()), 1 << 8, [&](std::int64_t i) {
+        const FoundPath& path = round.found[static_cast<std::size_t>(i)];
+        double mixture = 0;
+        for (const PilotRound& other : rounds) mixture += density(other.guides, path);
+        const auto own = static_cast<double>(path.start.density), wanted = favour(path.start.light);
+        values[static_cast<std::size_t>(i)] = path.squares * own * own / mixture * wanted * wanted;
       });
-      for (std::size_t i = 0; i < mixtures.size(); ++i) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
         const FoundPath& path = round.found[i];
-        const EmissionStart& start = path.start;
-        const auto own = static_cast<double>(start.density), wanted = favour(start.light);
-        records[path.choice].push_back(
-            {start.light, start.numbers, path.squares * own * own / mixtures[i] * wanted * wanted});
+        records[path.choice].push_back({path.start.light, path.start.numbers, values[i]});
       }
-      count += mixtures.size();
+      count += values.size();
     }
-    // The records, once more by light and box, and the trees.
+    // The paths, the records, both once more while they grow or are sorted by light, and the trees.
     bytes_ =
         std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
-                             count * (2 * sizeof(FoundPath) + sizeof(EmissionRecord)) + records.size() * kTreeBytes);
+                             count * 2 * (sizeof(FoundPath) + sizeof(EmissionRecord)) + records.size() * kTreeBytes);
     EmissionGuides guides;
-    for (std::size_t choice = 0; choice < records.size(); ++choice)
-      guides.of_choice.push_back(guide_from(records[choice], scene_.light_choices[choice].probability));
+    guides.of_choice.resize(records.size());
+    parallel_for(static_cast<std::int64_t>(records.size()), 1, [&](std::int64_t i) {
+      const auto choice = static_cast<std::size_t>(i);
+      guides.of_choice[choice] = guide_from(records[choice], scene_.light_choices[choice].probability);
+    });
     return guides;
   }
 

@@ -9,6 +9,7 @@
 #include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/visible_points.h"
 #include "dspm/math/frames.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr double kPilotPixels = 4096;
 constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
 constexpr std::int64_t kLeastPhotons = 1 << 14, kMostPhotons = 1 << 15;  // of each kind: a tenth of an iteration
+constexpr std::int64_t kPathsPerTrace = 1 << 8;
 constexpr double kLater = 0.55;      // of the initial radius: that after 64 iterations
 constexpr double kMostOfWork = 0.8;  // to the same variance, or photons bring it all
 constexpr double kWorkOfPhoton = 2;  // of a photon's segment, with the map and its gathers, over that of a camera ray
@@ -44,6 +46,7 @@ class Pilot {
     hit_point_.sample_direct = hit_point_.share_paths = photon_.share_paths = true;
     hit_point_.direct = &rays_;
     photon_.stream = Stream::pilot, photon_.guides = &guides, photon_.direct = nullptr, photon_.keep_ends = false;
+    photon_.paths_per_trace = kPathsPerTrace;
   }
 
   bool paths_pay() {
@@ -83,12 +86,20 @@ class Pilot {
   Sums gathered(const Seen& seen, unsigned kinds) {
     Sums sums(seen.light.size());
     const VisiblePoints points(seen.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
-    for_each_photon(kinds, [&](const Photon& photon) {
+    struct Found {
+      float radiance;
+      FrameSet frames;
+      int pixel;
+    };
+    std::vector<std::vector<Found>> found(trace_of(kinds).size());
+    for_each_photon(kinds, [&](std::size_t trace, const Photon& photon) {
       points.for_each_gathering(photon, [&](float radiance, FrameSet frames, const HitPoint& hit) {
-        if (hit.indirect)
-          add(sums, hit.pixel, frames, static_cast<double>(radiance) / static_cast<double>(pilot_photons_));
+        if (hit.indirect) found[trace].push_back({radiance, frames, hit.pixel});
       });
     });
+    for (const std::vector<Found>& of_trace : found)
+      for (const Found& each : of_trace)
+        add(sums, each.pixel, each.frames, static_cast<double>(each.radiance) / static_cast<double>(pilot_photons_));
     return sums;
   }
 
@@ -96,13 +107,14 @@ class Pilot {
   /// their number and to the area that they are gathered from.
   double variance_by_photons(const Seen& seen, const Sums& weights) {
     const VisiblePoints points(seen.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
-    double squares = 0;
-    for_each_photon(kDiffusePhotons, [&](const Photon& photon) {
+    Sums of_traces(trace_of(kDiffusePhotons).size());
+    for_each_photon(kDiffusePhotons, [&](std::size_t trace, const Photon& photon) {
       points.for_each_gathering(photon, [&](float radiance, FrameSet frames, const HitPoint& hit) {
         const double square = static_cast<double>(radiance) * static_cast<double>(radiance);
-        frames.for_each([&](Frame f) { squares += square * weights[index(hit.pixel, f)]; });
+        frames.for_each([&](Frame f) { of_traces[trace] += square * weights[index(hit.pixel, f)]; });
       });
     });
+    const double squares = std::accumulate(of_traces.begin(), of_traces.end(), 0.0);
     const double narrower = static_cast<double>(scale()) / kLater;
     return squares / static_cast<double>(pilot_photons_) / photons_ * narrower * narrower;
   }
@@ -114,10 +126,13 @@ class Pilot {
     return sum / static_cast<double>(pilot_photons_);
   }
 
+  /// fn(number of its trace, photon), in order within a trace; traces on all threads.
   template <class Fn>
   void for_each_photon(unsigned kinds, Fn&& fn) {
-    for (const PhotonTrace& trace : trace_of(kinds))
-      for (const Photon& photon : trace.photons) fn(photon);
+    const std::vector<PhotonTrace>& traces = trace_of(kinds);
+    parallel_for(static_cast<std::int64_t>(traces.size()), 1, [&](std::int64_t t) {
+      for (const Photon& photon : traces[static_cast<std::size_t>(t)].photons) fn(static_cast<std::size_t>(t), photon);
+    });
   }
 
   const std::vector<PhotonTrace>& trace_of(unsigned kinds) {

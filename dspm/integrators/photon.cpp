@@ -13,8 +13,6 @@
 namespace dspm {
 namespace {
 
-constexpr std::int64_t kPathsPerChunk = 2048;
-
 struct PhotonPath : PathState {
   unsigned kind = kDirectPhotons;
   int start = 0;         // index into the starts of this path
@@ -279,9 +277,9 @@ void clear(PhotonTrace& trace, const StrandTable& of_lights) {
 std::vector<PhotonTrace> trace_photons(const Scene& scene, const PhotonSettings& settings, std::uint64_t iteration,
                                        std::int64_t first, std::int64_t end, std::vector<PhotonTrace> reuse) {
   const PhotonStarts starts(scene, settings.share_paths);
-  reuse.resize(static_cast<std::size_t>(chunk_count(end - first, kPathsPerChunk)));
-  parallel_chunks(end - first, kPathsPerChunk, [&](std::int64_t chunk, std::int64_t chunk_end) {
-    PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / kPathsPerChunk)];
+  reuse.resize(static_cast<std::size_t>(chunk_count(end - first, settings.paths_per_trace)));
+  parallel_chunks(end - first, settings.paths_per_trace, [&](std::int64_t chunk, std::int64_t chunk_end) {
+    PhotonTrace& trace = reuse[static_cast<std::size_t>(chunk / settings.paths_per_trace)];
     clear(trace, starts.strands());
     PhotonTracer tracer(scene, settings, starts, trace);
     for (std::int64_t i = first + chunk; i < first + chunk_end; ++i)

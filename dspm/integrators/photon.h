@@ -45,6 +45,7 @@ struct PhotonSettings {
   const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool keep_ends = false;                 // the traces say which photons are of which path
+  std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
 };
 
 /// The results of a range of photon paths.
