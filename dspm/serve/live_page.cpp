@@ -103,6 +103,7 @@ void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
     batch.clear();
   };
   for (const Wish& wish : wishes) {
+    if (is_restarting()) return;  // whoever looks has edited the scene
     if (std::optional<Taken> taken = take_one(exhibit, wish)) batch.push_back(std::move(*taken));
     if (static_cast<int>(batch.size()) >= thread_count()) finish_batch();
   }

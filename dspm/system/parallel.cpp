@@ -60,10 +60,16 @@ class LoopOrder {
 
 }  // namespace
 
-// The control raises or lowers the total number of threads; the arena limits how many of them a loop gets.
+// The control raises or lowers the total number of threads; the arena limits how many of them a loop gets. It has a place
+// for a second thread with a loop of its own, which reads an edited scene while the first one renders: it would have to
+// wait for the end of the first one's loop otherwise.
 struct ThreadLimit::Arena {
-  explicit Arena(int threads)
-      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+  static constexpr int kLoops = 2;
+  explicit Arena(int count)
+      : threads(count),
+        control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
+        arena(count + kLoops - 1, kLoops) {}
+  int threads;
   tbb::global_control control;
   tbb::task_arena arena;
 };
@@ -77,8 +83,7 @@ ThreadLimit::ThreadLimit(int threads)
 ThreadLimit::~ThreadLimit() { innermost_limit = outer_; }
 
 int thread_count() {
-  return innermost_limit != nullptr ? innermost_limit->arena_->arena.max_concurrency()
-                                    : tbb::this_task_arena::max_concurrency();
+  return innermost_limit != nullptr ? innermost_limit->arena_->threads : tbb::this_task_arena::max_concurrency();
 }
 
 void detail::run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context) {

@@ -94,6 +94,26 @@ TEST(Parallel, ThreadsRunAtTheSameTime) {
   EXPECT_EQ(arrived, 2);
 }
 
+/// Whose loops are not done yet: a scene that is read while another one is rendered.
+TEST(Parallel, ASecondThreadsLoopDoesNotWaitForTheFirstOnes) {
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    std::atomic<bool> has_begun = false, is_done = false;
+    std::thread second([&] {
+      while (!has_begun) std::this_thread::yield();
+      parallel_for(100, 1, [](std::int64_t) {});
+      is_done = true;
+    });
+    parallel_for(8, 1, [&](std::int64_t) {
+      has_begun = true;
+      const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (!is_done && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    });
+    EXPECT_TRUE(is_done);
+    second.join();
+  }
+}
+
 TEST(Parallel, ExceptionsComeOutAndTheNextLoopWorks) {
   for (const int threads : {1, 2}) {
     const ThreadLimit limit(threads);
