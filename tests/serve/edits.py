@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""How soon an edit is seen: replaces a word in a file of the scene, again and again, and says after how long the page had
+begun anew and had coarse pictures of all frames. It waits between edits for that many seconds, each time anew at random
+by up to half more or less, so that they meet the render in different steps; "during" is the step that they met.
+usage: edits.py dspm scene file old new [edits [seconds]]     with {} in `new` for the number of the edit, as in
+       edits.py build/release/dspm scenes/horse.dsc scenes/horse/setting.dsc '"float eta" 1.5' '"float eta" 1.5{}'
+The file gets its old text back."""
+import json, pathlib, random, re, statistics, subprocess, sys, tempfile, threading, time, urllib.request
+
+
+def watch():
+    """Notes when the page says which state."""
+    for line in urllib.request.urlopen(url + "events"):
+        if line.startswith(b'data: {'):
+            states.append((time.monotonic(), json.loads(line[6:])))
+
+
+def look():
+    """Asks for all frames at half of the size, as a page with all of them does, and notes when coarse ones come."""
+    seen = {}
+    while not ended.is_set():
+        wishes = "".join(f"{f} radiance 1 {seen.get(f, 0)} {seen.get(f, 0)}\n" for f in range(frames))
+        try:
+            body = urllib.request.urlopen(url + "pictures", f"1\n{wishes}".encode()).read()
+        except OSError:
+            return  # the run has ended
+        while body:
+            line, body = body.split(b"\n", 1)
+            words = line.split()
+            frame, body = int(words[0]), body[int(words[-1]):]
+            seen[frame] = int(words[3])
+            if words[9] == b"1":
+                coarse.append((time.monotonic(), frame))
+
+
+def edit(number):
+    """Saves the file; returns when the page had begun anew, and when it had pictures of all frames."""
+    during = states[-1][1]["step"]
+    run, begin = states[-1][1]["run"], time.monotonic()
+    path.write_text(text.replace(old, new.format(number)))
+    while True:
+        time.sleep(.01)
+        anew = next((at for at, state in list(states) if at > begin and state["run"] > run and state["coarse"]), None)
+        come = {}
+        for at, frame in list(coarse):
+            if anew and at > anew:
+                come.setdefault(frame, at)
+        if len(come) == frames:
+            return during, anew - begin, max(come.values()) - begin
+        if time.monotonic() > begin + 60:
+            sys.exit(f"edits.py: 60 seconds after edit {number} there were pictures of {len(come)} of {frames} frames")
+
+
+if len(sys.argv) < 6:
+    sys.exit(__doc__)
+dspm, scene, file, old, new = sys.argv[1:6]
+edits, seconds = int((sys.argv[6:] + ["8"])[0]), float((sys.argv[7:] + ["4"])[0])
+path = pathlib.Path(file)
+text = path.read_text()
+if old not in text:
+    sys.exit(f"edits.py: {file} does not hold {old}")
+states, coarse, ended = [], [], threading.Event()
+with tempfile.TemporaryDirectory() as folder:
+    process = subprocess.Popen([dspm, scene, "--serve", "0", "-o", f"{folder}/a.####.exr"], stderr=subprocess.PIPE, text=True)
+    try:
+        url = next(re.search(r"http://\S+", line)[0] for line in process.stderr if "page is at" in line)
+        threading.Thread(target=process.stderr.read, daemon=True).start()
+        while not (frames := len(json.load(urllib.request.urlopen(url + "run")).get("frames", []))):
+            time.sleep(.02)
+        for task in watch, look:
+            threading.Thread(target=task, daemon=True).start()
+        times = []
+        for number in range(edits):
+            time.sleep(seconds * random.uniform(.5, 1.5))
+            during, anew, all_frames = edit(number + 1)
+            times.append(all_frames)
+            print(f"during {during}: begun anew after {anew:.2f} s, pictures of all frames after {all_frames:.2f} s",
+                  flush=True)
+        print(f"median {statistics.median(times):.2f} s, longest {max(times):.2f} s")
+    finally:
+        path.write_text(text)
+        ended.set()
+        process.terminate()
+        process.wait()
