@@ -116,11 +116,11 @@ TEST_P(HiddenLight, OfASpotThroughAPane) { expect_radiance(kSpot, 0.03, {0.2, 0.
 INSTANTIATE_TEST_SUITE_P(
     Integrators, HiddenLight,
     ::testing::Values(
-        Case{R"("sppm" "integer photons" 40000 "float radius")", 8},
-        Case{R"("sppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 8},
-        Case{R"("dsppm" "integer photons" 40000 "float radius")", 8},
-        Case{R"("dsppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 8},
-        Case{R"("dsppm" "integer photons" 40000 "string direct" "sampled" "float radius")", 8},
+        Case{R"("sppm" "integer photons" 40000 "float radius")", 32},
+        Case{R"("sppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 32},
+        Case{R"("dsppm" "integer photons" 40000 "float radius")", 32},
+        Case{R"("dsppm" "integer photons" 40000 "string estimator" "hj09" "float radius")", 32},
+        Case{R"("dsppm" "integer photons" 40000 "string direct" "sampled" "float radius")", 32},
         Case{
             R"("photonmap" "integer photons" 1000 "integer causticphotons" 400000 "integer nearest" 0 "float causticradius")",
             1}));
@@ -180,7 +180,7 @@ TEST(HiddenLight, OnACoat) {
   const double r = fresnel(kToLight.z, 1.5);
   const double expected = 2 * kToLight.z * (1 - r) / (1 + r) * ggx_reflection(kToLight, kToCamera, 0.2, 1.5);
   TestScene scene(text);
-  EXPECT_NEAR(mean(scene.render(FileFrame(0), 16)) / expected, 1, 0.04);
+  EXPECT_NEAR(mean(scene.render(FileFrame(0), 64)) / expected, 1, 0.04);
 }
 
 // Light that paths find by themselves is not brought once more: by way of two glossy walls, and from a lamp behind a pane.
