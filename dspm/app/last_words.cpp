@@ -82,7 +82,7 @@ const char* what_was_thrown(const std::exception_ptr& exception) {
 void on_terminate() {
   const std::exception_ptr exception = std::current_exception();
   if (!exception) std::abort();
-  if (!first_to_speak()) _exit(1);
+  if (!first_to_speak()) end_suddenly(1);
   const LoadedModule* const module = module_that_threw();
   say_cause(what_was_thrown(exception));
   say_culprit(module);
@@ -92,7 +92,7 @@ void on_terminate() {
 
 void on_exit() {
   if (!rendering) return;
-  if (!first_to_speak()) _exit(1);
+  if (!first_to_speak()) end_suddenly(1);
   say_cause("exit() was called");
   say_culprit(module_on_stack());
   say_what_is_left();

@@ -57,6 +57,7 @@ AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(file_be
   if (fs::is_symlink(target_, ignored)) fail(ELOOP);
   temporary_ = temporary_name(target_);
   leftover_.emplace(temporary_);  // first: another thread may end the program suddenly, and it would miss the file
+  const LeftoverBegins begins;
   descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
 }

@@ -1,6 +1,7 @@
 #include "dspm/system/sudden_end.h"
 
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -46,7 +47,31 @@ Leftover::~Leftover() {
   slot_->taken = false;
 }
 
+namespace {
+
+std::atomic<bool> ends{false};
+std::atomic<int> beginning{0};
+
+/// Not for long: it may be the interrupted thread itself that creates one.
+void wait_for_beginning() {
+  constexpr timespec kMoment{0, 1'000'000};
+  for (int moment = 0; moment < 100 && beginning > 0; ++moment) nanosleep(&kMoment, nullptr);
+}
+
+}  // namespace
+
+LeftoverBegins::LeftoverBegins() {
+  ++beginning;
+  if (!ends) return;
+  --beginning;
+  for (;;) pause();
+}
+
+LeftoverBegins::~LeftoverBegins() { --beginning; }
+
 void remove_leftovers() {
+  ends = true;
+  wait_for_beginning();
   for (const Leftover::Slot& slot : Leftover::Slot::all)
     if (slot.ready && slot.program != 0) kill(slot.program, SIGKILL);
   for (const Leftover::Slot& slot : Leftover::Slot::all)

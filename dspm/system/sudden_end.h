@@ -7,7 +7,8 @@
 
 namespace dspm {
 
-/// Removes the files and kills the programs of all Leftovers. For signal handlers.
+/// Removes the files and kills the programs of all Leftovers, as the process is about to end: other threads make none any
+/// more. For signal handlers.
 void remove_leftovers();
 /// Does that, and ends the process with this exit code. For signal handlers.
 [[noreturn]] void end_suddenly(int code);
@@ -28,6 +29,16 @@ class Leftover {
   friend void remove_leftovers();
 
   Slot* slot_;  // null: no room
+};
+
+/// While it lives, the calling thread creates a Leftover's file: a sudden end by another thread waits for it.
+class LeftoverBegins {
+ public:
+  /// Does not return once the process ends.
+  LeftoverBegins();
+  ~LeftoverBegins();
+  LeftoverBegins(const LeftoverBegins&) = delete;
+  LeftoverBegins& operator=(const LeftoverBegins&) = delete;
 };
 
 }  // namespace dspm
