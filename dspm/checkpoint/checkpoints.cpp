@@ -135,9 +135,9 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
 }
 
 IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrator) {
-  schedule_.begin(writes() ? states_[kept_ + interval].iterations : 0);
   if (!writes()) return {.index = interval};
   const IntervalState& state = states_[kept_ + interval];
+  schedule_.begin(state.iterations);
   if (state.iterations == 0) return {.index = interval};
   last_->load(kept_ + interval, integrator);
   messages_.say(

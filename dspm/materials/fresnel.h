@@ -41,6 +41,12 @@ inline Rgb fresnel_conductor(float cos_i, const Rgb& eta, const Rgb& k) {
           fresnel_conductor(cos_i, eta.b, k.b)};
 }
 
+/// Close to the reflectance of a conductor that mirrors `straight` straight on. [Schlick 1994]
+inline Rgb fresnel_schlick(const Rgb& straight, float cos) {
+  const float c = 1 - cos, c2 = c * c;
+  return straight + (Rgb(1) - straight) * (c2 * c2 * c);
+}
+
 inline Vec3 reflect(const Vec3& w, const Vec3& n) { return n * (2 * dot(w, n)) - w; }
 
 /// The direction beyond the interface, of unit length; nullopt at total reflection. dot(w, n) >= 0.

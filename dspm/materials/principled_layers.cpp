@@ -10,12 +10,6 @@
 namespace dspm {
 namespace {
 
-/// [Schlick 1994]
-Rgb fresnel_schlick(const Rgb& straight, float cos) {
-  const float c = 1 - cos, c2 = c * c;
-  return straight + (Rgb(1) - straight) * (c2 * c2 * c);
-}
-
 /// What leaves metal facets after two or more reflections, of white metal's share of it. [Kulla and Conty 2017; Hill
 /// 2018]
 Rgb after_more_reflections(const Rgb& mean_fresnel, float mean_albedo) {
@@ -32,7 +26,7 @@ PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& fra
       thin_(tables_.thin),
       outside_(thin_ || side > 0),
       up_(frame.local(frame.ng() * side, side)),
-      coat_normal_(at.coat_normal_),
+      coat_normal_(at.coat_ > 0 ? Vec3(at.coat_normal_) : Vec3{0, 0, 1}),
       base_(at.base_),
       sheen_(at.sheen_),
       specular_colour_(at.specular_colour_),
@@ -60,7 +54,7 @@ PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& fra
 }
 
 PrincipledLayers::Tilts PrincipledLayers::as_seen(const Vec3& camera) const {
-  const Vec3 coat = coat_ > 0 ? lifted(coat_normal_, camera, up_) : Vec3{0, 0, 1};
+  const Vec3 coat = coat_ > 0 ? lifted(coat_normal_, camera, up_) : coat_normal_;
   return {Tilt(lifted({0, 0, 1}, camera, up_)), Tilt(coat)};
 }
 

@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kReflections = 3;  // r12 is at most a third for an index of 2, so the fourth counts 1% at most
 
-float by_schlick(float straight, float cos) {
-  const float c = 1 - cos, c2 = c * c;
-  return straight + (1 - straight) * c2 * c2 * c;
-}
-
 float smooth_step(float x) {
   x = std::clamp(x, 0.f, 1.f);
   return x * x * (3 - 2 * x);
@@ -48,14 +43,13 @@ Rgb ThinFilm::mirrored(const Rgb& inner, const Rgb& amplitude, float cos) const 
 }
 
 Rgb ThinFilm::over_metal(const Rgb& straight, float cos) const {
-  Rgb inner, amplitude;
+  Rgb amplitude;
   for (int c = 0; c < 3; ++c) {
     // Of the base in air it is s = (n - 1) / (n + 1), under the film (n - eta) / (n + eta).
     const float s = std::sqrt(std::clamp(straight[c], 0.f, 1.f)), n = 1 + s, film = eta_ * (1 - s);
     amplitude[c] = (n - film) / (n + film);
-    inner[c] = by_schlick(amplitude[c] * amplitude[c], cos_inside(cos));
   }
-  return mirrored(inner, amplitude, cos);
+  return mirrored(fresnel_schlick(amplitude * amplitude, cos_inside(cos)), amplitude, cos);
 }
 
 Rgb ThinFilm::over_dielectric(float eta_base, float cos) const {

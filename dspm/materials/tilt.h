@@ -26,8 +26,7 @@ class Tilt {
   /// Both directions as the lobe sees them, with the facet that mirrors one into the other.
   struct Pair {
     Vec3 o, i, m;
-    float
-        factor;  // times the lobe's f, or its delta's weight: light arrives at its surface by another cosine than ours
+    float factor;  // times the lobe's f: light arrives at its surface by another cosine than ours
     bool above;
   };
   Pair pair(const Vec3& o, const Vec3& i, Transport transport) const {

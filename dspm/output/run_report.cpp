@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "dspm/math/frames.h"
@@ -125,12 +126,14 @@ void write_traffic(JsonWriter& json, const Traffic& traffic) {
   json.end_object();
 }
 
+std::string count_line(std::string_view name, std::uint64_t count) {
+  return fmt::format("  {:<24}{:>16}\n", name, grouped(count));
+}
+
 std::string table_of(const Traffic& traffic) {
-  const auto line = [](const char* name, std::uint64_t value) {
-    return fmt::format("  {:<24}{:>16}\n", name, grouped(value));
-  };
-  return line("machines", static_cast<std::uint64_t>(traffic.machines)) + line("bytes between them", traffic.bytes) +
-         line("an iteration and frame", traffic.bytes_an_iteration_and_frame());
+  return count_line("machines", static_cast<std::uint64_t>(traffic.machines)) +
+         count_line("bytes between them", traffic.bytes) +
+         count_line("an iteration and frame", traffic.bytes_an_iteration_and_frame());
 }
 
 }  // namespace
@@ -181,9 +184,8 @@ std::string table_of(const Job& job, const RunReport& report) {
   for (const auto& [name, count] : shared_counts(s))
     text += fmt::format("  {:<24}{:>16}{:>18}{:>10.2f}\n", name, grouped(count.done), grouped(count.separate),
                         count.factor());
-  text += fmt::format("  {:<24}{:>16}\n", "photon tests", grouped(s.photon_tests));
-  for (const Counters::Entry& counter : s.counters)
-    text += fmt::format("  {:<24}{:>16}\n", counter.name, grouped(counter.value));
+  text += count_line("photon tests", s.photon_tests);
+  for (const Counters::Entry& counter : s.counters) text += count_line(counter.name, counter.value);
   if (report.traffic.machines > 0) text += table_of(report.traffic);
   text += table_of(s.emission);
   text += fmt::format("\n  {:<24}{:>16}{:>18}\n", "paths", "camera", "photon");

@@ -2,7 +2,9 @@
 """What viewers cost a render: the processor time of taking pictures and of the threads that serve them, as a share of the
 run's, and when the first pictures of all frames come. Time on the processor is counted, so a busy machine does not matter.
 usage: cost.py dspm scene [iterations [runs [viewers [halvings [frames]]]]]; of so many frames, each halved so often"""
-import json, os, pathlib, re, statistics, subprocess, sys, tempfile, threading, time, urllib.request
+import os, pathlib, re, statistics, sys, tempfile, threading, time, urllib.request
+
+import viewer
 
 
 def processor_seconds(process, named=None):
@@ -21,39 +23,26 @@ def processor_seconds(process, named=None):
 def run():
     with tempfile.TemporaryDirectory() as folder:
         begin = time.monotonic()
-        process = subprocess.Popen([dspm, scene, "--serve", "0", "--iterations", str(iterations), "-o", f"{folder}/a.####.exr"],
-                                   stderr=subprocess.PIPE, text=True)
-        url = next(re.search(r"http://\S+", line)[0] for line in process.stderr if "page is at" in line)
-        threading.Thread(target=process.stderr.read, daemon=True).start()
+        process, url = viewer.serve(dspm, scene, folder, "--iterations", str(iterations))
         done, figures = threading.Event(), {"bytes": 0, "pictures": 0}
 
         def watch():
-            for line in urllib.request.urlopen(url + "events"):
-                if line.startswith(b"data: {") and (state := json.loads(line[6:])).get("phase") == "done":
+            for state in viewer.states(url):
+                if state.get("phase") == "done":
                     figures["looking"] = state["looking"]
                     return done.set()
 
-        def look(viewer):
-            seen, frames = {}, None
+        def look(number):
+            seen, frames = {}, min(viewer.frame_count(url), few)
             while not done.is_set():
-                frames = frames or len(json.load(urllib.request.urlopen(url + "run")).get("frames", [])) or time.sleep(.02)
-                if not frames:
-                    continue
-                wishes = "".join(f"{f} radiance {halvings} {seen.get((f, halvings), 0)} {seen.get((f, halvings), 0)}\n"
-                                 for f in range(min(frames, few)))
-                body = urllib.request.urlopen(url + "pictures", f"{viewer}\n{wishes}".encode()).read()
-                figures["bytes"] += len(body)
-                while body:
-                    line, body = body.split(b"\n", 1)
-                    words = line.split()
-                    seen[int(words[0]), int(words[2])] = int(words[3])
-                    body = body[int(words[-1]):]
-                    figures["pictures"] += 1
-                if "first" not in figures and len({f for f, _ in seen}) == min(frames, few):
+                pictures, size = viewer.newer(url, number, frames, halvings, seen)
+                figures["bytes"] += size
+                figures["pictures"] += len(pictures)
+                if "first" not in figures and len(seen) == frames:
                     figures["first"] = time.monotonic() - begin
         threading.Thread(target=watch, daemon=True).start()
-        for viewer in range(viewers):
-            threading.Thread(target=look, args=(viewer + 1,), daemon=True).start()
+        for number in range(viewers):
+            threading.Thread(target=look, args=(number + 1,), daemon=True).start()
         done.wait()
         figures["seconds"] = time.monotonic() - begin
         figures["serving"], figures["all"] = processor_seconds(process.pid, "dspm page"), processor_seconds(process.pid)

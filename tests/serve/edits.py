@@ -5,32 +5,26 @@ by up to half more or less, so that they meet the render in different steps; "du
 usage: edits.py dspm scene file old new [edits [seconds]]     with {} in `new` for the number of the edit, as in
        edits.py build/release/dspm scenes/horse.dsc scenes/horse/setting.dsc '"float eta" 1.5' '"float eta" 1.5{}'
 The file gets its old text back."""
-import json, pathlib, random, re, statistics, subprocess, sys, tempfile, threading, time, urllib.request
+import pathlib, random, statistics, sys, tempfile, threading, time
+
+import viewer
 
 
 def watch():
     """Notes when the page says which state."""
-    for line in urllib.request.urlopen(url + "events"):
-        if line.startswith(b'data: {'):
-            states.append((time.monotonic(), json.loads(line[6:])))
+    for state in viewer.states(url):
+        states.append((time.monotonic(), state))
 
 
 def look():
     """Asks for all frames at half of the size, as a page with all of them does, and notes when coarse ones come."""
     seen = {}
     while not ended.is_set():
-        wishes = "".join(f"{f} radiance 1 {seen.get(f, 0)} {seen.get(f, 0)}\n" for f in range(frames))
         try:
-            body = urllib.request.urlopen(url + "pictures", f"1\n{wishes}".encode()).read()
+            pictures, _ = viewer.newer(url, 1, frames, 1, seen)
         except OSError:
             return  # the run has ended
-        while body:
-            line, body = body.split(b"\n", 1)
-            words = line.split()
-            frame, body = int(words[0]), body[int(words[-1]):]
-            seen[frame] = int(words[3])
-            if words[9] == b"1":
-                coarse.append((time.monotonic(), frame))
+        coarse.extend((time.monotonic(), frame) for frame, is_coarse in pictures if is_coarse)
 
 
 def edit(number):
@@ -61,12 +55,9 @@ if old not in text:
     sys.exit(f"edits.py: {file} does not hold {old}")
 states, coarse, ended = [], [], threading.Event()
 with tempfile.TemporaryDirectory() as folder:
-    process = subprocess.Popen([dspm, scene, "--serve", "0", "-o", f"{folder}/a.####.exr"], stderr=subprocess.PIPE, text=True)
+    process, url = viewer.serve(dspm, scene, folder)
     try:
-        url = next(re.search(r"http://\S+", line)[0] for line in process.stderr if "page is at" in line)
-        threading.Thread(target=process.stderr.read, daemon=True).start()
-        while not (frames := len(json.load(urllib.request.urlopen(url + "run")).get("frames", []))):
-            time.sleep(.02)
+        frames = viewer.frame_count(url)
         for task in watch, look:
             threading.Thread(target=task, daemon=True).start()
         times = []
