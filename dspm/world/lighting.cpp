@@ -56,7 +56,12 @@ class LightMaker {
     });
     auto light = finish(typed, fmt::format("light \"{}\"", typed.type), *plugin, states);
     if (!light) return light;
-    light->infinite = !light->states.states.empty() && light->states.states.front()->is_infinite();
+    const auto& made = light->states.states;
+    light->infinite = !made.empty() && made.front()->is_infinite();
+    if (std::any_of(made.begin(), made.end(),
+                    [&](const auto& state) { return state->is_infinite() != light->infinite; }))
+      diagnostics_.error(typed.where, light->name + " can be seen in the sky in some frames, and not in others",
+                         "an \"angle\" of 0.01 is as sharp as 0");
     light->is_delta = !light->infinite;
     light->short_name = own.name.empty() ? own.type : own.name;
     return light;

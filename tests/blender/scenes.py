@@ -81,7 +81,7 @@ def instances():
         piece.location = (2 * (i % 3 - 1), 2 * (i // 3 - 1), 0)
         piece.rotation_euler.z, piece.scale = i, (1, 1, 0.6 + 0.1 * i)
         bpy.context.scene.collection.objects.link(piece)
-    lamp("SUN", (0, 0, 5), 2, turn=(0.6, 0.3, 0), angle=0.0)
+    lamp("SUN", (0, 0, 5), 2, turn=(0.6, 0.3, 0), angle=math.radians(12))
     sky((.5, .6, .8, 1), 0.6)
 
 

@@ -58,6 +58,24 @@ Shape "disk" "float radius" 1.6)",
        0.6},
       [](double, double) { return 2 * 0.8 * plate_transmittance(0.8); }, By::photons);
 }
+// A sun that is a disk is found along the camera's paths as well: L T(cos) cos over its cone.
+TEST(Caustics, SoftSunThroughAPane) {
+  constexpr double kHalfAngle = 25 * kPiExactly / 180;
+  expect_irradiance({R"(
+LightSource "distant" "rgb L" [2 2 2] "point3 from" [0 0 1] "point3 to" [0 0 0] "float angle" 50
+Material "thindielectric" "float eta" 1.5
+Translate 0 0 .3
+Shape "disk" "float radius" 1.6)",
+                     0.6},
+                    [](double, double) {
+                      constexpr int kRings = 100;  // of equal share in sin^2
+                      double sum = 0;
+                      for (int i = 0; i < kRings; ++i)
+                        sum +=
+                            plate_transmittance(std::sqrt(1 - (i + 0.5) / kRings * std::pow(std::sin(kHalfAngle), 2)));
+                      return 2 * sum / kRings;
+                    });
+}
 TEST(Caustics, SunThroughAPlateOfGlass) {
   expect_irradiance(
       {R"(

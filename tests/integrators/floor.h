@@ -82,7 +82,7 @@ inline constexpr FloorIntegrator kFloorIntegrators[] = {
 enum class By { all, photons };  // photons alone find points and directions by way of glass and mirrors
 
 inline void expect_picture(const Floor& floor, const Image& expected, By by = By::all) {
-  constexpr int kComparisons = 160;  // all of them together fail right integrators with a chance of 1%
+  constexpr int kComparisons = 200;  // all of them together fail right integrators with a chance of 1%
   constexpr int kQuarters = 2;       // many seeds and few figures make a sharp t-test
   const Tiles exact = tiles_of({{expected}}, kQuarters);
   for (const FloorIntegrator& integrator : kFloorIntegrators) {

@@ -40,6 +40,36 @@ TEST(Irradiance, Distant) {
       [](double, double) { return 2 * 3 / std::sqrt(14); });
 }
 
+// A sun's disk is its own image turned by the same angle: in the open, the floor receives as much as without an angle.
+TEST(Irradiance, SoftSun) {
+  expect_irradiance({.world = R"(
+LightSource "distant" "rgb L" [2 2 2] "point3 from" [1 2 3] "point3 to" [0 0 0] "float angle" 40)",
+                     .photons = kMany},
+                    [](double, double) { return 2 * 3 / std::sqrt(14); });
+}
+
+// Behind an edge at x = 0 and the height h, a direction is open if w_x / w_z > -x / h. By the cosine, directions count
+// as much as their projection onto the floor, where the disk is one of radius sin a, and the edge an ellipse,
+// w_x^2 = (1 - w_y^2) t^2 / (1 + t^2), t = -x / h. The shadow's edge is 2 h tan a wide.
+TEST(Irradiance, SoftSunBehindAnEdge) {
+  constexpr double kHeight = 0.7, kHalfAngle = kPiExactly / 6;
+  expect_irradiance({.world = R"(
+LightSource "distant" "rgb L" [2 2 2] "point3 from" [0 0 1] "point3 to" [0 0 0] "float angle" 60
+Material "diffuse" "rgb reflectance" [0 0 0]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-2 -2 .7 0 -2 .7 0 2 .7 -2 2 .7])",
+                     .photons = kMany},
+                    [](double x, double) {
+                      constexpr int kRows = 100;
+                      const double t = -x / kHeight, sine = std::sin(kHalfAngle);
+                      double open = 0;
+                      for (int i = 0; i < kRows; ++i) {
+                        const double y = sine * ((i + 0.5) / kRows * 2 - 1), end = std::sqrt(sine * sine - y * y);
+                        open += end - std::clamp(t * std::sqrt((1 - y * y) / (1 + t * t)), -end, end);
+                      }
+                      return 2 / (kPiExactly * sine * sine) * open * 2 * sine / kRows;
+                    });
+}
+
 // The integral of cos over the hemisphere is pi.
 TEST(Irradiance, Infinite) {
   expect_irradiance({.world = R"(LightSource "infinite" "rgb L" [2 2 2])", .photons = kMany},

@@ -23,6 +23,7 @@ LightSource "infinite" "rgb L" [1 2 3]
 LightSource "point" "rgb I" [3 2 1] "point3 from" [0 0 2]
 LightSource "spot" "rgb I" [3 2 1] "point3 from" [1 0 2] "point3 to" [0 0 0] "float coneangle" 40
 LightSource "distant" "rgb L" [1 1 1] "point3 from" [1 2 3] "point3 to" [0 0 0]
+LightSource "distant" "rgb L" [1 1 1] "point3 from" [1 2 3] "point3 to" [0 0 0] "float angle" 20
 AttributeBegin
   Translate 0 1 2 Rotate 180 1 0 0 AreaLightSource "diffuse" "rgb L" [4 4 4] Shape "disk" "float radius" .3
 AttributeEnd

@@ -1,6 +1,7 @@
 // Parameters of the lights that have no shape: units, defaults and errors; and what does not need statistics.
 #include <gtest/gtest.h>
 
+#include "dspm/lights/sun_disk.h"
 #include "tests/lights/density.h"
 #include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
@@ -78,6 +79,31 @@ TEST(Distant, ShinesAlongFromTo) {
   EXPECT_EQ(l.distance, kInfinity);
   EXPECT_EQ(l.radiance, Rgb(9));
   EXPECT_NEAR(light->power().g, 9 * 4 * kPi, 1e-4f);
+}
+
+// The mean of 1 / pdf_w is the solid angle, and that of cos / pdf_w what a face gets.
+TEST(Distant, IsAsBrightAsADisk) {
+  for (const float angle : {kLeastSunAngle, 0.53f, 20.f, 180.f}) {
+    const auto light = make_light("distant", {rgb("L", {3, 2, 1}), number("angle", angle)}, {});
+    const double half = static_cast<double>(angle) * M_PI / 360,
+                 solid_angle = 4 * M_PI * std::pow(std::sin(half / 2), 2);
+    Sequence random(3);
+    double received = 0;
+    constexpr int kSamples = 100'000;
+    for (int i = 0; i < kSamples; ++i) {
+      const Illumination l = light->illuminate({}, random.pair()).value();
+      EXPECT_NEAR(l.pdf_w * solid_angle, 1, 1e-5) << angle;
+      received -= static_cast<double>(l.radiance.r * l.wi.z / l.pdf_w) / kSamples;
+      EXPECT_LT(std::asin(length(cross(l.wi, Vec3{0, 0, 1}))), half * 1.002) << angle;
+    }
+    EXPECT_NEAR(received, 3, 0.025) << angle;
+    const auto seen_at = [&](double share) {  // of the way to the rim
+      const auto a = static_cast<float>(half * share);
+      return light->escaped({{}, {std::sin(a), 0, -std::cos(a)}});
+    };
+    EXPECT_NEAR(seen_at(0.99).g * std::pow(std::sin(half), 2) * M_PI, 2, 1e-4) << angle;
+    EXPECT_EQ(seen_at(1.01), Rgb()) << angle;
+  }
 }
 
 TEST(Infinite, ConstantIsTheSameEverywhere) {
@@ -176,6 +202,10 @@ TEST(Lights, AreMultiplesOnlyOfLightsOfTheSamePlaceAndShape) {
   const auto sun = make_light("distant", {}, {});
   EXPECT_EQ(make_light("distant", {rgb("L", Rgb(4))}, {})->ratio_to(*sun), Rgb(4));
   EXPECT_FALSE(make_light("distant", {point("to", {0, 1, 1})}, {})->ratio_to(*sun));
+  const auto disk = make_light("distant", {number("angle", 2)}, {});
+  EXPECT_EQ(make_light("distant", {number("angle", 2), rgb("L", Rgb(4))}, {})->ratio_to(*disk), Rgb(4));
+  EXPECT_FALSE(make_light("distant", {number("angle", 3)}, {})->ratio_to(*disk));
+  EXPECT_FALSE(disk->ratio_to(*sun));
 
   LightContext turned;
   turned.to_world = Transform(Matrix4::rotate(90, 1, 0, 0));
@@ -192,6 +222,9 @@ TEST(Lights, RejectWhatMakesNoSense) {
   EXPECT_NE(errors("spot", {number("coneangle", 0)}), "");
   EXPECT_NE(errors("spot", {number("coneangle", 10), number("conedeltaangle", 11)}), "");
   EXPECT_NE(errors("distant", {point("from", {0, 0, 1})}), "");
+  for (const float angle : {-1.f, 0.005f, 181.f})
+    EXPECT_EQ(errors("distant", {number("angle", angle)}),
+              "parameter \"angle\" of plugin \"distant\" must be 0, or lie in 0.01..180\n");
   EXPECT_NE(errors("infinite", {text("filename", "/nowhere/at/all.exr")}), "");
   EXPECT_NE(errors("infinite", {text("mapping", "cubemap")}), "");
   EXPECT_NE(errors("infinite", {point("portal", {})}), "");

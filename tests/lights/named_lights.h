@@ -28,6 +28,16 @@ inline LightContext around_the_scene() {
 
 inline NamedLight sun() { return {"distant", make_light("distant", {rgb("L", kStrength)}, around_the_scene())}; }
 
+inline std::vector<NamedLight> sun_disks() {
+  std::vector<NamedLight> lights;
+  for (const float angle : {0.5f, 60.f, 180.f})
+    lights.push_back(
+        {"distant " + std::to_string(angle),
+         make_light("distant", {rgb("L", kStrength), point("from", {1, 2, 4}), point("to", {}), number("angle", angle)},
+                    around_the_scene())});
+  return lights;
+}
+
 inline std::vector<NamedLight> spots() {
   std::vector<NamedLight> lights;
   for (const auto& [angle, delta] : {std::pair{40.f, 0.f}, {40.f, 10.f}, {40.f, 40.f}, {120.f, 50.f}})
@@ -70,10 +80,11 @@ inline std::vector<NamedLight> images(const EnvironmentFile& file) {
   return lights;
 }
 
-/// Infinite lights of that image, and of one colour.
+/// Infinite lights of that image, of one colour, and of one colour in a cone.
 inline std::vector<NamedLight> skies(const EnvironmentFile& file) {
   std::vector<NamedLight> lights = images(file);
   lights.push_back({"infinite", make_light("infinite", {rgb("L", kStrength)}, around_the_scene())});
+  for (NamedLight& disk : sun_disks()) lights.push_back(std::move(disk));
   return lights;
 }
 

@@ -5,6 +5,7 @@
 
 #include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
+#include "tests/lights/named_lights.h"
 #include "tests/lights/random.h"
 
 namespace dspm {
@@ -157,12 +158,27 @@ TEST(Photons, OfASpotStartAsThoseOfAWiderOne) {
   }
 }
 
+TEST(Photons, OfASunStartAsThoseOfAWiderOne) {
+  const auto disk = [](float angle, const Rgb& irradiance) {
+    return make_light("distant",
+                      {rgb("L", irradiance), point("from", {1, 2, 4}), point("to", {}), number("angle", angle)},
+                      around_the_scene());
+  };
+  const auto wide = disk(50, {3, 2, 1}), narrow = disk(40, {1, 4, 2});
+  ASSERT_TRUE(narrow->starts_like(*wide));
+  EXPECT_FALSE(wide->starts_like(*narrow));
+  EXPECT_FALSE(disk(30, Rgb(1))->starts_like(*wide));  // less than half of it
+  const Receiver below{{0.2f, 0.1f, -2}, Basis::around({0, 0, 1}), 1};
+  expect_equal(flux_by_photons(*narrow, *wide, below, 200'000), flux_by_illumination(*narrow, below, 200'000), "sun");
+}
+
 TEST(Photons, AgreeWithIlluminationForDistantAndInfiniteLights) {
   LightContext context;
   context.scene_center = {.5f, .2f, -1.5f};
   context.scene_radius = 4;
   const auto sun = make_light("distant", {rgb("L", {3, 2, 1}), point("from", {1, 2, 4}), point("to", {})}, context);
   expect_photons_agree(*sun, kBelow, "distant");
+  for (const NamedLight& disk : sun_disks()) expect_photons_agree(*disk.light, kBelow, disk.name);
   const auto sky = make_light("infinite", {rgb("L", {3, 2, 1})}, context);
   expect_photons_agree(*sky, kBelow, "infinite");
   context.to_world = Transform(Matrix4::rotate(70, 1, 2, 3) * Matrix4::scale(-1, 1, 1));

@@ -79,6 +79,24 @@ std::vector<double> known_probabilities() {
   return probabilities;
 }
 
+// Whether rays can find a light is a fact of the light, not of a frame.
+TEST(LightChoice, ASunIsADiskInAllFramesOrInNone) {
+  const auto angles = [](const char* words) {
+    return std::string("Frames 4") + kBefore + "WorldBegin\nLightSource \"distant\" " + words + kWalls;
+  };
+  try {
+    const TestScene refused(angles(R"("float angle@1" 0 "float angle@4" 3)"));
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what()).find("an \"angle\" of 0.01 is as sharp as 0"), std::string::npos)
+        << error.what();
+  }
+  TestScene test(angles(R"("float angle@1" 0.01 "float angle@4" 3)"));
+  const auto scene = test.scene(test.all_frames());
+  EXPECT_EQ(scene->infinite_lights, std::vector{0});
+  EXPECT_FALSE(scene->lights[0].is_delta);
+}
+
 TEST(LightChoice, GoesByMeanPower) {
   TestScene test(all_lights());
   const std::vector<double> expected = known_probabilities();

@@ -2,7 +2,7 @@
 
 With P the power in W: a point or spot light has the intensity P / (4 pi), whatever the spot's cone; a point light with
 a radius r is a sphere of radiance P / (4 pi) / (pi r^2); an area light of area A has the radiance P / (4 A). A sun's strength is
-irradiance. tests/blender compares each of them with Cycles.
+irradiance, and its angle the diameter of its disk. tests/blender compares each of them with Cycles.
 """
 import math
 
@@ -14,6 +14,8 @@ from .colours import constant_colour
 from .directive import Directive, over_frames
 from .light_groups import light_group
 
+LEAST_ANGLE = 0.01  # degrees: of dspm's disks
+LEAST_SOFT = 1  # degrees: sharper shadows go without a note
 BLACK = 'Material "diffuse" "rgb reflectance" [0 0 0]'
 
 
@@ -36,12 +38,27 @@ class Light:
         self.shapes.append((frame, shape))
 
     def lines(self, all_frames, camera):
-        """A lamp that the camera is not to see is a hole if it would; else mirrors show it, as in Cycles."""
-        if self.hidden and (not self.mirrored or camera.shows(self.matrices)):
+        """A lamp that the camera is not to see is a hole if it would, and a sun a point; else mirrors show it, as in Cycles."""
+        if self.hidden and (not self.mirrored or camera.shows(self._extents())):
             for _, shape in self.shapes:
                 if shape:
                     shape.params["float alpha"] = 0.0
+            self._be_a_point()
+        elif any(light.params.get("float angle") for _, light in self.lights):
+            for _, light in self.lights:  # dspm's suns are disks in all frames or in none
+                light.params["float angle"] = max(light.params["float angle"], LEAST_ANGLE)
         return in_block(self.block, placed(self.name, self.matrices, all_frames, self._inside))
+
+    def _extents(self):
+        """What places the unit square or ball that is the lamp; a sun's disk is far away."""
+        angles = dict((frame, light.params.get("float angle")) for frame, light in self.lights)
+        return [(frame, matrix if angles[frame] is None else far_disk(matrix, angles[frame]))
+                for frame, matrix in self.matrices]
+
+    def _be_a_point(self):
+        angles = [light.params.pop("float angle", 0) for _, light in self.lights]
+        if max(angles) > LEAST_SOFT:
+            self.notes.add(f'light "{self.name}": the camera would see it, so it is a point in the sky, and its shadows are sharp')
 
     def _inside(self, frames):
         among = lambda states: [(frame, state) for frame, state in states if frame in frames]
@@ -69,10 +86,8 @@ class Light:
              "float conedeltaangle": cone - math.degrees(inner), "point3 to": (0, 0, -1)}), None
 
     def sun(self, light, matrix):
-        if light.angle > math.radians(1):
-            self.notes.add(f'light "{self.name}": a sun is a point in the sky, so its shadows are sharp')
         return unscaled(matrix), Directive("LightSource", "distant").with_params(
-            {"rgb L": self._colour(light, 1), "point3 to": (0, 0, -1)}), None
+            {"rgb L": self._colour(light, 1), "point3 to": (0, 0, -1), "float angle": math.degrees(light.angle)}), None
 
     def area(self, light, matrix):
         """It shines along -z."""
@@ -106,6 +121,13 @@ KINDS = {"POINT": Light.point, "SPOT": Light.spot, "SUN": Light.sun, "AREA": Lig
 
 def area_light(radiance):
     return Directive("AreaLightSource", "diffuse").with_params({"rgb L": radiance})
+
+
+def far_disk(matrix, degrees):
+    """Around a sun's disk."""
+    far = 1e5
+    size = 2 * far * math.tan(math.radians(min(degrees, 170)) / 2)
+    return matrix @ Matrix.Translation((0, 0, far)) @ Matrix.Diagonal((size, size, 1, 1))
 
 
 def times(colour, factor):
