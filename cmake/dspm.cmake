@@ -40,6 +40,13 @@ function(dspm_library name)
   set_property(GLOBAL APPEND PROPERTY dspm_uses ${ARG_USES})
 endfunction()
 
+# For code that is never hot: a third less time to build it.
+function(dspm_seldom_run target)
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # dspm_test(materials/chi2 LABEL statistical NEEDS materials): tests/materials/chi2_test.cpp becomes one ctest. DATA: it
 # tests nothing but DSPM_TEST_DATA, and counts as skipped where that is absent.
 function(dspm_test name)
