@@ -9,6 +9,7 @@
 
 #include "dspm/math/frames.h"
 #include "dspm/session/frame_intervals.h"
+#include "dspm/system/inner_files.h"
 #include "python/module.h"
 
 namespace dspm::python {
@@ -48,12 +49,19 @@ Resolution resolution_of(const std::variant<Size, Share>& asked) {
   return {.width = width, .height = height};
 }
 
+/// As long as the scene may read them again.
+struct WithFiles {
+  explicit WithFiles(std::map<std::filesystem::path, std::string> made) : files(std::move(made)) {}
+  FilesInMemory files;
+  std::shared_ptr<const LoadedScene> scene;
+};
+
 ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesystem::path>>& files,
                const std::map<std::string, Number>& define, const std::string& integrator,
                std::optional<int> iterations, std::optional<int> photons, std::optional<std::uint64_t> seed,
                const std::vector<int>& frames, const std::vector<std::string>& variations,
                const std::optional<std::variant<Size, Share>>& resolution, const std::vector<std::string>& outputs,
-               bool lenient) {
+               bool lenient, std::map<std::filesystem::path, std::string> made) {
   Choices choices;
   for (const auto& [name, value] : define) choices.defines.push_back(fmt::format("{}={}", name, text_of(value)));
   choices.integrator = integrator, choices.iterations = iterations, choices.photons = photons, choices.seed = seed;
@@ -69,7 +77,9 @@ ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesy
   KeptWarnings warnings;
   {
     const py::gil_scoped_release without_python;
-    scene.loaded = load_scene(names, choices, warnings.keeper());
+    const auto all = std::make_shared<WithFiles>(std::move(made));
+    all->scene = load_scene(names, choices, warnings.keeper());
+    scene.loaded = {all, all->scene.get()};
   }
   warnings.raise();
   return scene;
@@ -122,11 +132,14 @@ load() makes it. It does not change; load it again for other choices.)")
              py::arg("seed") = std::nullopt, py::arg("frames") = std::vector<int>(),
              py::arg("variations") = std::vector<std::string>(), py::arg("resolution") = std::nullopt,
              py::arg("outputs") = std::vector<std::string>(), py::arg("lenient") = false,
+             py::arg("made") = std::map<std::filesystem::path, std::string>(),
              R"(Reads a scene from a file, or from several that follow one another.
 
 The choices are those of the command line: define={"roughness": 0.1} sets what the scene calls $roughness; frames are
 numbers as in the scene, from 1 on; variations are patterns of names ("steel-*"); resolution is a share or (width, height);
 outputs are names as of --aov. Without them the scene decides.
+
+made={"room.dsc": text, "seat.ply": dspm.ply(vertices, faces)} are files in memory, in place of those on disk or beside them.
 
 Warnings go to Python's `warnings`. Raises SceneError with the errors of the scene, UsageError if a choice does not fit it.)");
 }

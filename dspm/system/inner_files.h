@@ -1,11 +1,14 @@
 // Files that lie inside others, as if those were folders: "shoe.glb/seat.ply". Whoever reads the outer file offers them;
-// read_bytes finds them, and they are made when they are read.
+// read_bytes finds them, and they are made when they are read. Files in memory are found likewise.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dspm {
 
@@ -16,5 +19,18 @@ void offer_inner_file(const std::filesystem::path& path, std::function<std::stri
 bool is_inner_file(const std::filesystem::path& path);
 /// Nullopt if nobody has offered it.
 std::optional<std::string> inner_file(const std::filesystem::path& path);
+
+/// Files that stand in place of those on disk, or beside them, as long as this lives. They count as read.
+class FilesInMemory {
+ public:
+  explicit FilesInMemory(std::map<std::filesystem::path, std::string> files);
+  ~FilesInMemory();
+  FilesInMemory(const FilesInMemory&) = delete;
+  FilesInMemory& operator=(const FilesInMemory&) = delete;
+
+ private:
+  struct Offer;
+  std::vector<Offer> offers_;
+};
 
 }  // namespace dspm

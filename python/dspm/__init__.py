@@ -10,6 +10,7 @@ docs/python.md in dspm's sources shows how to write an integrator with Query.
 
 from ._dspm import (LightSamples, Parts, Query, Radiance, Rays, Render, Scattered, Scene, SceneError, Surfaces, UsageError,
                     __version__, add, load, set_threads)
+from .ply import ply
 
 __all__ = ["LightSamples", "Parts", "Query", "Radiance", "Rays", "Render", "Scattered", "Scene", "SceneError", "Surfaces",
-           "UsageError", "__version__", "add", "load", "set_threads"]
+           "UsageError", "__version__", "add", "load", "ply", "set_threads"]

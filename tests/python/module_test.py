@@ -191,6 +191,25 @@ class Module(unittest.TestCase):
         dark = self.images(dspm.load(self.put(TINY), define={"grey": 0.1}))
         self.assertLess(dark[..., 0].mean(), 0.9 * grey[..., 0].mean())
 
+    def test_a_scene_of_arrays(self):
+        vertices = np.array([[-1, -1, 3], [1, -1, 3], [1, 1, 3], [-1, 1, 3]])
+        whole = {"normals": np.tile([0, 0, -1], (4, 1)), "uv": vertices[:, :2], "colours": [[.8, .4, .2]] * 4}
+        text = """Integrator "path" "integer iterations" 1
+            Camera "perspective" "float fov" 30 Film "rgb" "integer xresolution" 8 "integer yresolution" 8
+            WorldBegin LightSource "infinite" Texture "paint" "spectrum" "vertexcolor"
+            Material "diffuse" "texture reflectance" "paint" Shape "plymesh" "string filename" "square.ply" """
+        for faces in ([[0, 1, 2, 3]], [[0, 1, 2], [0, 2, 3]]):
+            made = {"made.dsc": text, "square.ply": dspm.ply(vertices, faces, **whole)}
+            self.assertFalse(pathlib.Path("made.dsc").exists())
+            image = self.images(dspm.load("made.dsc", made=made), 64)[0]
+            np.testing.assert_allclose(image.mean((0, 1)), [.8, .4, .2], rtol=0.02)
+        with self.assertRaisesRegex(dspm.SceneError, "made.dsc"):  # it was there as long as its scene
+            dspm.load("made.dsc")
+        with self.assertRaisesRegex(dspm.SceneError, r"made\.dsc:4:.*"):
+            dspm.load("made.dsc", made={"made.dsc": text})
+        with self.assertRaisesRegex(ValueError, r"uv: expected an array of shape \(4, 2\), not \(4, 3\)"):
+            dspm.ply(vertices, faces, uv=vertices)
+
     def test_iterations_are_followed_and_stopped(self):
         render, seen = dspm.Render(dspm.load(self.put(TINY))), []
         render.iterate(5, each=lambda r: seen.append(r.iterations) or len(seen) < 3)
