@@ -29,7 +29,9 @@ struct SmallRgb {
   SmallNumber r, g, b;
   explicit SmallRgb(const Rgb& c) : r(c.r), g(c.g), b(c.b) {}
   operator Rgb() const { return {r, g, b}; }
-  friend bool operator==(const SmallRgb& a, const SmallRgb& b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+  friend bool operator==(const SmallRgb& one, const SmallRgb& other) {
+    return one.r == other.r && one.g == other.g && one.b == other.b;
+  }
 };
 
 /// A unit vector, to 5e-5, on an octahedron whose lower half is folded out; those of the axes are exact.
