@@ -20,7 +20,7 @@ struct BoundaryTables {
   BoundaryAlbedos outside, inside;
 };
 
-/// For an index of refraction inside over outside; made once for each, as long as somebody holds it.
+/// For an index of refraction inside over outside; made once for each.
 std::shared_ptr<const BoundaryTables> boundary_tables(float eta);
 
 }  // namespace dspm

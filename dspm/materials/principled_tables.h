@@ -31,7 +31,7 @@ struct PrincipledTables {
   }
 };
 
-/// What takes time is made once for each index, as long as somebody holds it; for many threads.
+/// What takes time is made once for each index; for many threads.
 PrincipledTables principled_tables(float eta, bool thin, float film_eta);
 
 }  // namespace dspm
