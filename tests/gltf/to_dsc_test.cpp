@@ -1,6 +1,7 @@
-// What --to-dsc writes renders the same bits as the file itself.
+// What --to-dsc writes renders the same bits as the file itself; and pictures of glTF files whose answer is known.
 #include <gtest/gtest.h>
 
+#include "dspm/image/image.h"
 #include "tests/gltf/gltf_file.h"
 #include "tests/support/process.h"
 
@@ -94,6 +95,41 @@ TEST(ToDsc, SecondCoordinatesAndCameras) {
   const Outcome wrong = run(directory, {"first.gltf", "--camera", "side"});
   EXPECT_NE(wrong.code, 0);
   EXPECT_NE(wrong.err.find("it has no camera \"side\"; available: away, front"), std::string::npos) << wrong.err;
+}
+
+/// A square that fills the picture and shines by itself; from left to right its vertices' alpha goes from 0 to 1.
+std::string fading(const std::string& alpha_mode) {
+  GltfFile file;
+  const Square square(file);
+  const int colours = file.add_floats({1, .5f, 0, 0, 1, .5f, 0, 1, 1, .5f, 0, 1, 1, .5f, 0, 0}, "VEC4", 4);
+  return file.text(
+      fmt::format(R"("nodes":[{{"mesh":0}},{{"camera":0,"translation":[0,0,4]}}],"cameras":[{{"type":"orthographic",)"
+                  R"("orthographic":{{"xmag":1,"ymag":1,"znear":0.1,"zfar":9}}}}],"meshes":[{{"primitives":[)"
+                  R"({{"attributes":{{"POSITION":{},"COLOR_0":{}}},"indices":{},"material":0}}]}}],"materials":[)"
+                  R"({{{},"extensions":{{"KHR_materials_unlit":{{}}}}}}])",
+                  square.positions, colours, square.indices, alpha_mode));
+}
+
+// BLEND shows the share alpha of the surface, MASK all of it or nothing.
+TEST(GltfPicture, VerticesFade) {
+  TemporaryDirectory directory;
+  const auto image = [&](const std::string& alpha_mode) {
+    put_file(directory / "fading.gltf", fading(alpha_mode));
+    const Outcome outcome = run(directory, {"fading.gltf", "--studio", "off", "--integrator", "path", "--iterations",
+                                            "64", "--resolution", "16x16", "-o", "fading.pfm", "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_image(directory / "fading.pfm");
+  };
+  const Image blend = image(R"("alphaMode":"BLEND")"), mask = image(R"("alphaMode":"MASK","alphaCutoff":0.25)");
+  for (int x = 1; x < 15; ++x) {  // filters of the others reach beyond the square
+    Rgb sum, masked;
+    for (int y = 2; y < 14; ++y) sum += blend.at(x, y) / 12.f, masked += mask.at(x, y) / 12.f;
+    const float alpha = (static_cast<float>(x) + 0.5f) / 16;
+    EXPECT_NEAR(sum.r, alpha, 0.06f) << x;  // four standard deviations of 12 x 64 choices
+    EXPECT_NEAR(sum.g, alpha / 2, 0.03f) << x;
+    if (x == 3 || x == 4) continue;  // at the edge
+    EXPECT_NEAR(masked.g, x > 4 ? 0.5f : 0.f, 1e-4f) << x;
+  }
 }
 
 }  // namespace
