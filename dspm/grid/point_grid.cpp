@@ -12,7 +12,11 @@
 namespace dspm {
 namespace {
 
-constexpr std::int64_t kGrain = 1 << 14;
+/// Points for one thread at a time: few, so that many threads share small grids.
+std::int64_t grain(std::int64_t points) {
+  constexpr std::int64_t kLeast = 1 << 10, kMost = 1 << 14, kChunks = 64;
+  return std::clamp(points / kChunks, kLeast, kMost);
+}
 
 /// At least 0; NaN, which huge coordinates can cause, becomes 0.
 int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
@@ -61,9 +65,10 @@ void PointGrid::build(std::span<const Vec3> points, float cell_size) {
 
 void PointGrid::choose_cells(std::span<const Vec3> points, float cell_size) {
   const auto count = static_cast<std::int64_t>(points.size());
-  std::vector<Bounds3> bounds(static_cast<std::size_t>(chunk_count(count, kGrain)));
-  parallel_for(count, kGrain, [&](std::int64_t i) {
-    bounds[static_cast<std::size_t>(i / kGrain)].add(points[static_cast<std::size_t>(i)]);
+  const std::int64_t at_once = grain(count);
+  std::vector<Bounds3> bounds(static_cast<std::size_t>(chunk_count(count, at_once)));
+  parallel_for(count, at_once, [&](std::int64_t i) {
+    bounds[static_cast<std::size_t>(i / at_once)].add(points[static_cast<std::size_t>(i)]);
   });
   bounds_ = {};
   for (const Bounds3& b : bounds) bounds_.add(b);
@@ -79,16 +84,16 @@ void PointGrid::choose_cells(std::span<const Vec3> points, float cell_size) {
 }
 
 PointGrid::BucketBegins PointGrid::sort_into_buckets(std::span<const Vec3> points) {
-  const auto count = static_cast<std::int64_t>(points.size());
+  const auto count = static_cast<std::int64_t>(points.size()), at_once = grain(count);
   const auto for_each_point = [&](const auto& fn) {
-    parallel_for(count, kGrain, [&](std::int64_t i) {
+    parallel_for(count, at_once, [&](std::int64_t i) {
       const Cell c = cell_of(points[static_cast<std::size_t>(i)]);
       const auto cell = static_cast<std::uint32_t>(index_of(c.x, c.y, c.z));
-      fn(static_cast<std::size_t>(i / kGrain), cell >> bucket_shift_, Sorted{cell, static_cast<std::uint32_t>(i)});
+      fn(static_cast<std::size_t>(i / at_once), cell >> bucket_shift_, Sorted{cell, static_cast<std::uint32_t>(i)});
     });
   };
   // By chunk of points and bucket: the number of points, then the place of the next one.
-  std::vector<std::array<std::uint32_t, kBuckets>> places(static_cast<std::size_t>(chunk_count(count, kGrain)));
+  std::vector<std::array<std::uint32_t, kBuckets>> places(static_cast<std::size_t>(chunk_count(count, at_once)));
   for_each_point([&](std::size_t chunk, std::uint32_t bucket, Sorted) { ++places[chunk][bucket]; });
   BucketBegins begins;
   turn_into_places(places, begins);

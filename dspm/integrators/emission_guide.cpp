@@ -38,14 +38,16 @@ EmissionGuide::EmissionGuide(int lights, std::vector<Node> nodes) : nodes_(std::
   std::vector<EmissionBox> boxes(nodes_.size());
   std::vector<int> light(nodes_.size());
   for (int root = 0; root < lights; ++root) light[static_cast<std::size_t>(root)] = root;
+  steps_.reserve(nodes_.size()), cells_.reserve((nodes_.size() + static_cast<std::size_t>(lights)) / 2);
   double end = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
-    steps_.push_back({node.probability / boxes[i].volume(), node.first_child, boxes[i].middle(node.side), node.side});
     if (node.first_child < 0) {
       end += node.probability;
       cells_.push_back({light[i], boxes[i], end, static_cast<float>(node.probability / boxes[i].volume())});
+      steps_.push_back({cells_.back().density, 0});
     } else {
+      steps_.push_back({boxes[i].middle(node.side), static_cast<std::uint32_t>(4 * node.first_child + node.side)});
       for (const bool above : {false, true}) {
         const auto child = static_cast<std::size_t>(node.first_child + above);
         boxes[child] = boxes[i].half(node.side, above), light[child] = light[i];
@@ -75,12 +77,12 @@ float EmissionGuide::density(int light, const EmissionNumbers& numbers) const {
 // over half of it.
 double EmissionGuide::density(std::size_t node, const EmissionNumbers& numbers) const {
   for (;;) {
-    const Step& step = steps_[node];
-    if (step.first_child < 0) return step.density;
-    const auto child = static_cast<std::size_t>(step.first_child);
-    const float number = numbers[EmissionBox::slot(step.side)];
+    const Step step = steps_[node];
+    if (step.link == 0) return static_cast<double>(step.number);
+    const std::size_t child = step.link / 4;
+    const float number = numbers[step.link % 4];
     if (number == kAnyNumber) return (density(child, numbers) + density(child + 1, numbers)) / 2;
-    node = child + (number >= step.middle);
+    node = child + (number >= step.number);
   }
 }
 

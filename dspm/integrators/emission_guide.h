@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "dspm/math/ray.h"
@@ -81,12 +82,10 @@ class EmissionGuide {
     float density;
   };
 
-  /// A node as density() looks it up: every light sample asks.
+  /// A node as density() looks it up, small, as every light sample asks.
   struct Step {
-    double density;   // of a cell
-    int first_child;  // as the node's
-    float middle;     // where it is halved
-    int side;
+    float number = 0;        // where it is halved; a cell's density
+    std::uint32_t link = 0;  // 4 * first_child + side; 0 for a cell
   };
 
   double density(std::size_t node, const EmissionNumbers& numbers) const;

@@ -1,21 +1,27 @@
 #include "dspm/integrators/emission_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <queue>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
 #include <vector>
 
+#include "dspm/grid/buffer.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
 
 constexpr std::size_t kLeastRecords = 24;  // of a box that is halved
-constexpr std::size_t kMany = 1 << 12;     // records that are worth several threads
-constexpr std::size_t kAtOnce = 64;        // boxes that are halved, by as many threads
+constexpr std::size_t kAtOnce = 256;       // records that are worth no second thread
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
+
+using Records = std::span<EmissionRecord>;
 
 /// Photons drawn from boxes of volume v whose records add up to S have the least variance if each box gets a share of
 /// them in proportion to this; the variance is then the square of the sum over the boxes.
@@ -23,151 +29,209 @@ double deviation(double value, double volume) { return std::sqrt(value * volume)
 
 struct Box {
   EmissionBox box;
-  std::span<EmissionRecord> records;
-  double value = 0;  // of the records
-  int first_child = -1, side = 0;
-  double drawn = 0;  // how often a draw ends here, not yet normalised
+  Records records, room;  // room: for the halves' records
+  double value = 0;       // of the records
+  std::unique_ptr<std::array<Box, 2>> halves;
+  int side = 0;                    // that is halved
+  double worth = 0;                // of halving it, at most that of halving the larger box
+  double arriving = 0, drawn = 0;  // how often a draw comes here, and ends here, not yet normalised
+  double drawn_within = 0;         // and in all boxes within
+  std::size_t boxes_within = 0;
 
   double deviation() const { return dspm::deviation(value, box.volume()); }
 };
 
-struct Split {
-  double gain = 0;
-  int box = 0, side = 0;
-  friend bool operator<(const Split& a, const Split& b) { return a.gain != b.gain ? a.gain < b.gain : a.box > b.box; }
+/// What some records of a box add up to, by side and quarter of it.
+struct Sums {
+  std::array<std::array<double, 4>, 4> values{};
+  std::array<std::size_t, 4> low{};  // records in the lower half
+
+  static std::size_t quarter(const EmissionRecord& record, const EmissionBox& box, std::size_t side) {
+    const float place = (record.numbers[side] - box.low[side]) * (4 / box.size[side]);
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3));
+  }
+  Sums() = default;
+  Sums(Records records, const EmissionBox& box) {
+    for (const EmissionRecord& record : records)
+      for (std::size_t side = 0; side < 4; ++side) {
+        const std::size_t at = quarter(record, box, side);
+        values[side][at] += record.value, low[side] += at < 2;
+      }
+  }
+  Sums& operator+=(const Sums& o) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      for (std::size_t at = 0; at < 4; ++at) values[side][at] += o.values[side][at];
+      low[side] += o.low[side];
+    }
+    return *this;
+  }
 };
 
+/// fn(some of the records, the number of the chunk that they are).
+template <class Fn>
+void for_each_chunk(Records records, Fn&& fn) {
+  if (records.size() <= kAtOnce) return fn(records, std::size_t{0});
+  parallel_for(chunk_count(static_cast<std::int64_t>(records.size()), kAtOnce), 1, [&](std::int64_t number) {
+    const std::size_t first = static_cast<std::size_t>(number) * kAtOnce;
+    fn(records.subspan(first, std::min(kAtOnce, records.size() - first)), static_cast<std::size_t>(number));
+  });
+}
+
+/// fn(a half, whether it is the upper one).
+template <class Fn>
+void for_each_half(const Box& box, Fn&& fn) {
+  if (box.records.size() <= kAtOnce) return fn((*box.halves)[0], false), fn((*box.halves)[1], true);
+  parallel_for(2, 1, [&](std::int64_t upper) { fn((*box.halves)[static_cast<std::size_t>(upper)], upper == 1); });
+}
+
 /// Looks two levels ahead: a box whose halves are alike may hold all it has along their border.
-double gain(const Box& box, int side) {
-  const float low = box.box.low[EmissionBox::slot(side)], size = box.box.size[EmissionBox::slot(side)];
-  if (size <= kSmallestSide) return 0;
-  std::array<double, 4> quarters{};
-  for (const EmissionRecord& record : box.records) {
-    const float place = 4 * (record.numbers[EmissionBox::slot(side)] - low) / size;
-    quarters[static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, 3))] += record.value;
-  }
+double gain(const Box& box, const Sums& sums, int side) {
+  if (box.box.size[EmissionBox::slot(side)] <= kSmallestSide) return 0;
   double divided = 0;
-  for (const double quarter : quarters) divided += deviation(quarter, box.box.volume() / 4);
+  for (const double quarter : sums.values[EmissionBox::slot(side)]) divided += deviation(quarter, box.box.volume() / 4);
   return box.deviation() - divided;
 }
 
-/// No gain: it stays whole.
-Split best_split(const Box& box, int number) {
-  Split best{0, number, 0};
-  if (box.records.size() < kLeastRecords) return best;
-  std::array<double, 4> gains{};
-  parallel_for(4, box.records.size() < kMany ? 4 : 1,
-               [&](std::int64_t side) { gains[static_cast<std::size_t>(side)] = gain(box, static_cast<int>(side)); });
+/// Its records go to the halves' in their order. `sums`: by chunk; `low`: of them, in the lower half.
+void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
+  const std::size_t side = EmissionBox::slot(box.side);
+  std::vector<std::size_t> low_before(sums.size());
+  for (std::size_t chunk = 1; chunk < sums.size(); ++chunk)
+    low_before[chunk] = low_before[chunk - 1] + sums[chunk - 1].low[side];
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
+    std::size_t lower = low_before[chunk], upper = low + chunk * kAtOnce - lower;
+    for (const EmissionRecord& record : records)
+      box.room[Sums::quarter(record, box.box, side) < 2 ? lower++ : upper++] = record;
+  });
+  box.halves = std::make_unique<std::array<Box, 2>>();
+  for (const bool upper : {false, true}) {
+    Box& half = (*box.halves)[upper];
+    const std::size_t first = upper ? low : 0, count = upper ? box.records.size() - low : low;
+    half.box = box.box.half(box.side, upper);
+    half.records = box.room.subspan(first, count), half.room = box.records.subspan(first, count);
+  }
+}
+
+/// Halves boxes as long as that gains anything.
+void grow(Box& box, double most_worth) {
+  std::vector<Sums> sums(static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(box.records.size()), kAtOnce)));
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
+    if (!records.empty()) sums[chunk] = Sums(records, box.box);
+  });
+  const Sums all = std::accumulate(sums.begin(), sums.end(), Sums(), [](Sums a, const Sums& b) { return a += b; });
+  box.value = std::accumulate(all.values[0].begin(), all.values[0].end(), 0.0);
+  if (box.records.size() < kLeastRecords) return;
+  double best = 0;
   for (int side = 0; side < 4; ++side)
-    if (const double gain = gains[static_cast<std::size_t>(side)]; gain > best.gain) best = {gain, number, side};
-  return best;
+    if (const double gained = gain(box, all, side); gained > best) best = gained, box.side = side;
+  if (!(best > 0)) return;
+  box.worth = std::min(best, most_worth);
+  halve(box, sums, all.low[EmissionBox::slot(box.side)]);
+  for_each_half(box, [&](Box& half, bool) { grow(half, box.worth); });
+  for (const Box& half : *box.halves) box.boxes_within += 1 + half.boxes_within;
+}
+
+void add_worths(const Box& box, std::vector<double>& worths) {
+  if (box.halves == nullptr) return;
+  worths.push_back(box.worth);
+  for (const Box& half : *box.halves) add_worths(half, worths);
 }
 
 class Trees {
  public:
-  Trees(std::span<EmissionRecord> records, std::span<const float> usual) : usual_(usual) {
-    const auto by_light = [](const EmissionRecord& a, const EmissionRecord& b) { return a.light < b.light; };
-    if (!std::is_sorted(records.begin(), records.end(), by_light))
-      std::stable_sort(records.begin(), records.end(), by_light);
-    boxes_.resize(usual.size());
-    for (std::size_t light = 0, begin = 0; light < usual.size(); ++light) {
-      std::size_t end = begin;
-      while (end < records.size() && records[end].light == static_cast<int>(light)) ++end;
-      boxes_[light].records = records.subspan(begin, end - begin);
-      begin = end;
-    }
-    splits_of_new_.resize(usual.size());
-    parallel_for(static_cast<std::int64_t>(usual.size()), 1, [&](std::int64_t light) { weigh(0, light); });
-    queue_splits();
-  }
-
-  /// First where the variance falls most. That also puts the nodes that are visited most next to one another.
-  void divide() {
-    for (std::size_t cells = boxes_.size(); !splits_.empty() && cells < EmissionGuide::kMostCells;) {
-      const std::size_t most = std::min(kAtOnce, EmissionGuide::kMostCells - cells);
-      std::vector<Split> wave;
-      for (; !splits_.empty() && wave.size() < most; splits_.pop()) wave.push_back(splits_.top());
-      const std::size_t first = boxes_.size();
-      boxes_.resize(first + 2 * wave.size()), splits_of_new_.resize(2 * wave.size());
-      parallel_for(static_cast<std::int64_t>(wave.size()), 1, [&](std::int64_t i) {
-        halve(wave[static_cast<std::size_t>(i)], first + 2 * static_cast<std::size_t>(i));
-        weigh(first, 2 * i), weigh(first, 2 * i + 1);
-      });
-      queue_splits();
-      cells += wave.size();
-    }
+  Trees(Records records, std::span<const float> usual) : usual_(usual), roots_(usual.size()) {
+    room_.refit(records.size());
+    for_each_root([&](std::size_t light) {
+      const auto before = [](const EmissionRecord& record, std::size_t of) {
+        return static_cast<std::size_t>(record.light) < of;
+      };
+      const auto begin = std::lower_bound(records.begin(), records.end(), light, before),
+                 end = std::lower_bound(begin, records.end(), light + 1, before);
+      const auto first = static_cast<std::size_t>(begin - records.begin()),
+                 count = static_cast<std::size_t>(end - begin);
+      roots_[light].records = {begin, end}, roots_[light].room = Records(room_).subspan(first, count);
+      grow(roots_[light], std::numeric_limits<double>::infinity());
+    });
+    least_worth_ = most_worth_not_affordable();
   }
 
   EmissionGuide guide() {
-    for (std::size_t light = 0; light < usual_.size(); ++light) settle(light, 0);
-    std::vector<EmissionGuide::Node> nodes;
-    for (const Box& box : boxes_) nodes.push_back({0, box.first_child, box.side});
-    const bool any = drawn_ > 0;
-    for (std::size_t light = 0; light < usual_.size(); ++light)
-      collect(light, static_cast<double>(usual_[light]) * (any ? kDefensive : 1), any ? (1 - kDefensive) / drawn_ : 0,
-              nodes);
-    return {static_cast<int>(usual_.size()), std::move(nodes)};
+    for_each_root([&](std::size_t light) { settle(roots_[light], 0); });
+    double drawn = 0;
+    std::vector<std::size_t> first_within(roots_.size() + 1, roots_.size());
+    for (std::size_t light = 0; light < roots_.size(); ++light) {
+      drawn += roots_[light].drawn_within;
+      first_within[light + 1] = first_within[light] + roots_[light].boxes_within;
+    }
+    guided_ = drawn > 0 ? (1 - kDefensive) / drawn : 0;
+    std::vector<EmissionGuide::Node> nodes(first_within.back());
+    for_each_root([&](std::size_t light) {
+      lay(roots_[light], light, first_within[light], static_cast<double>(usual_[light]) * (drawn > 0 ? kDefensive : 1),
+          nodes);
+    });
+    return {static_cast<int>(roots_.size()), std::move(nodes)};
   }
 
  private:
-  /// A new box, of those from `first` on.
-  void weigh(std::size_t first, std::int64_t number) {
-    const std::size_t at = first + static_cast<std::size_t>(number);
-    for (const EmissionRecord& record : boxes_[at].records) boxes_[at].value += record.value;
-    splits_of_new_[static_cast<std::size_t>(number)] = best_split(boxes_[at], static_cast<int>(at));
+  template <class Fn>
+  void for_each_root(Fn&& fn) {
+    parallel_for(static_cast<std::int64_t>(roots_.size()), 1, [&](std::int64_t i) { fn(static_cast<std::size_t>(i)); });
   }
 
-  void queue_splits() {
-    for (const Split& split : splits_of_new_)
-      if (split.gain > 0) splits_.push(split);
+  /// If there are too many boxes, those are halved where the variance falls most.
+  double most_worth_not_affordable() const {
+    const std::size_t most = EmissionGuide::kMostCells - std::min(EmissionGuide::kMostCells, roots_.size());
+    std::size_t boxes = 0;
+    for (const Box& root : roots_) boxes += root.boxes_within;
+    if (boxes / 2 <= most) return 0;
+    std::vector<double> worths;
+    for (const Box& root : roots_) add_worths(root, worths);
+    const auto first_left = worths.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(worths.begin(), first_left, worths.end(), std::greater<>());
+    return *first_left;
+  }
+  bool is_halved(const Box& box) const { return box.halves != nullptr && box.worth > least_worth_; }
+
+  /// Draws climb from their cells, as paths next to those that were found matter, too.
+  void settle(Box& box, double climbs) const {
+    box.arriving = box.deviation(), box.drawn_within = 0, box.boxes_within = 0;
+    if (is_halved(box)) {
+      for_each_half(box, [&](Box& half, bool) { settle(half, kClimbs); });
+      box.arriving = 0;
+      for (const Box& half : *box.halves) {
+        box.arriving += half.arriving * kClimbs;
+        box.drawn_within += half.drawn_within, box.boxes_within += 1 + half.boxes_within;
+      }
+    }
+    box.drawn = box.arriving * (1 - climbs);
+    box.drawn_within += box.drawn;
   }
 
-  void halve(const Split& split, std::size_t child) {
-    Box& box = boxes_[static_cast<std::size_t>(split.box)];
-    box.first_child = static_cast<int>(child), box.side = split.side;
-    const auto middle = std::partition(box.records.begin(), box.records.end(), [&](const EmissionRecord& record) {
-      return record.numbers[EmissionBox::slot(split.side)] < box.box.middle(split.side);
+  /// Writes node `at`, and those of the boxes within from `first` on: what is within the lower half comes before what is
+  /// within the upper one, so a way down is short in memory as well. `density`: of what is drawn from the larger boxes.
+  void lay(Box& box, std::size_t at, std::size_t first, double density, std::vector<EmissionGuide::Node>& nodes) const {
+    density += guided_ * box.drawn / box.box.volume();
+    nodes[at].probability = density * box.box.volume();
+    if (!is_halved(box)) return;
+    nodes[at].first_child = static_cast<int>(first), nodes[at].side = box.side;
+    const std::size_t of_upper = first + 2 + (*box.halves)[0].boxes_within;
+    for_each_half(box, [&](Box& half, bool upper) {
+      lay(half, first + upper, upper ? of_upper : first + 2, density, nodes);
+      half.halves = nullptr;
     });
-    boxes_[child].box = box.box.half(split.side, false), boxes_[child].records = {box.records.begin(), middle};
-    boxes_[child + 1].box = box.box.half(split.side, true), boxes_[child + 1].records = {middle, box.records.end()};
-  }
-
-  /// Draws climb from their cells, as paths next to those that were found matter, too. Sets `drawn` of the box and all
-  /// within; returns what leaves the box for the next larger one.
-  double settle(std::size_t number, double climbs) {
-    const int child = boxes_[number].first_child;
-    double arriving = boxes_[number].deviation();
-    if (child >= 0)
-      arriving =
-          settle(static_cast<std::size_t>(child), kClimbs) + settle(static_cast<std::size_t>(child) + 1, kClimbs);
-    boxes_[number].drawn = arriving * (1 - climbs);
-    drawn_ += boxes_[number].drawn;
-    return arriving * climbs;
-  }
-
-  /// `density`: of what is drawn from the larger boxes.
-  void collect(std::size_t number, double density, double guided, std::vector<EmissionGuide::Node>& nodes) const {
-    const Box& box = boxes_[number];
-    density += guided * box.drawn / box.box.volume();
-    nodes[number].probability = density * box.box.volume();
-    if (box.first_child < 0) return;
-    collect(static_cast<std::size_t>(box.first_child), density, guided, nodes);
-    collect(static_cast<std::size_t>(box.first_child) + 1, density, guided, nodes);
   }
 
   std::span<const float> usual_;
-  std::vector<Box> boxes_;  // first those of all numbers, by light
-  std::vector<Split> splits_of_new_;
-  std::priority_queue<Split> splits_;
-  double drawn_ = 0;  // by all boxes
+  Buffer<EmissionRecord> room_;
+  std::vector<Box> roots_;  // by light
+  double least_worth_ = 0;  // boxes of more are halved
+  double guided_ = 0;       // the probability of what is drawn once
 };
 
 }  // namespace
 
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual) {
-  Trees trees(records, usual);
-  trees.divide();
-  return trees.guide();
+  return Trees(records, usual).guide();
 }
 
 }  // namespace dspm

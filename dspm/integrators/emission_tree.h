@@ -17,7 +17,7 @@ struct EmissionRecord {
 };
 
 /// `usual`: the lights' probabilities without a guide. A share of the paths keeps them, so no light is lost, whatever
-/// the records are. Reorders the records.
+/// the records are. These come light by light, and lose their order.
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual);
 
 }  // namespace dspm

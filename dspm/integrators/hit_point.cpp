@@ -20,6 +20,7 @@ namespace dspm {
 namespace {
 
 constexpr int kTileSide = 32;
+constexpr int kPilotsAcross = 8;  // of a tile of few pixels: they are short work, for many threads
 /// How a path ends in a hit point in some of its frames.
 struct End {
   FrameSet frames;
@@ -265,12 +266,13 @@ std::size_t hit_point_tile_count(const PixelRect& crop) {
 std::vector<HitPointTile> trace_hit_points(const Scene& scene, const RenderSettings& render,
                                            const HitPointSettings& settings, std::uint64_t iteration,
                                            std::vector<HitPointTile> reuse, int stride) {
-  reuse.resize(hit_point_tile_count(render.crop));
+  const int side = stride > 1 ? kPilotsAcross * stride : kTileSide;
+  reuse.resize(static_cast<std::size_t>(tile_count(render.crop, side)));
   parallel_for(static_cast<std::int64_t>(reuse.size()), 1, [&](std::int64_t t) {
     HitPointTile& tile = reuse[static_cast<std::size_t>(t)];
     tile.clear();
     HitPointTracer tracer(scene, render, settings, tile);
-    for_each_pixel_of_tile(render.crop, kTileSide, static_cast<int>(t), [&](int x, int y) {
+    for_each_pixel_of_tile(render.crop, side, static_cast<int>(t), [&](int x, int y) {
       if (x % stride == 0 && y % stride == 0) tracer.trace(x, y, iteration);
     });
     tracer.finish();

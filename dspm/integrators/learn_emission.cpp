@@ -7,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "dspm/grid/buffer.h"
+#include "dspm/grid/counting_sort.h"
 #include "dspm/integrators/emission_tree.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/pilot_pixels.h"
@@ -20,7 +22,8 @@ namespace dspm {
 namespace {
 
 // A round of pilot paths is a tenth of an iteration, within bounds.
-constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsAtOnce = 1 << 13, kPathsPerTrace = 1 << 5;
+constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsPerTrace = 1 << 4;
+constexpr std::int64_t kFoundAtOnce = 1 << 6;                        // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kPilotPixels = 16384;
 
@@ -105,13 +108,10 @@ class Learner {
     if (searched_ == nullptr || searched_->scale != scale)
       searched_ = std::make_unique<const Searched>(
           Searched{scale, visible(&HitPointTile::hit_points, scale), visible(&HitPointTile::glossy, scale)});
-    PilotRound round{guides, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
+    PilotRound round{guides, {}, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
     photon_.guides = &guides;
-    for (std::int64_t first = 0; first < paths_; first += kPathsAtOnce) {
-      traces_ =
-          trace_photons(scene_, photon_, rounds_, first, std::min(paths_, first + kPathsAtOnce), std::move(traces_));
-      find(static_cast<std::uint64_t>(first), *searched_, round);
-    }
+    traces_ = trace_photons(scene_, photon_, rounds_, 0, paths_, std::move(traces_));
+    find(*searched_, round);
     ++rounds_;
     return round;
   }
@@ -132,10 +132,12 @@ class Learner {
                          std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
   }
 
-  void find(std::uint64_t path, const Searched& visible, PilotRound& round) const {
+  void find(const Searched& visible, PilotRound& round) const {
     const std::size_t choices = scene_.light_choices.size();
     std::vector<std::uint64_t> first_path(traces_.size());
-    for (std::size_t t = 0; t < traces_.size(); ++t) first_path[t] = std::exchange(path, path + traces_[t].ends.size());
+    std::uint64_t paths = 0;
+    for (std::size_t t = 0; t < traces_.size(); ++t)
+      first_path[t] = std::exchange(paths, paths + traces_[t].ends.size());
     std::vector<std::vector<FoundPath>> found(traces_.size());
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
@@ -158,10 +160,24 @@ class Learner {
           found[static_cast<std::size_t>(t)].push_back({choice, start_of(&round.guides, scene_, choice, random), sum});
       }
     });
+    round.found_of.resize(choices * scene_.lights.size());
+    std::vector<std::size_t> first_found(traces_.size());
+    std::size_t count = 0;
     for (std::size_t t = 0; t < traces_.size(); ++t) {
       round.work += traces_[t].paths.segments.done + traces_[t].photons.size();
-      round.found.insert(round.found.end(), found[t].begin(), found[t].end());
+      first_found[t] = std::exchange(count, count + found[t].size());
     }
+    round.found.refit(count);
+    parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
+      const std::vector<FoundPath>& of_trace = found[static_cast<std::size_t>(t)];
+      std::copy(of_trace.begin(), of_trace.end(), round.found.begin() + first_found[static_cast<std::size_t>(t)]);
+    });
+    for (FoundPath& path : round.found) path.place = round.found_of[kind(path)]++;
+  }
+
+  /// By choice and light.
+  std::size_t kind(const FoundPath& path) const {
+    return path.choice * scene_.lights.size() + static_cast<std::size_t>(path.start.light);
   }
 
   /// All frames of a photon have the same.
@@ -184,34 +200,36 @@ class Learner {
   }
 
   /// A path counts as drawn from the mixture of all rounds; else those that were unlikely in their own round would
-  /// outweigh all others. [Veach 1997, 9.2]
-  EmissionGuides guides_after(const std::vector<PilotRound>& rounds) {
-    std::vector<std::vector<EmissionRecord>> records(scene_.light_choices.size());
-    std::size_t count = 0;
-    for (const PilotRound& round : rounds) {
-      std::vector<double> values(round.found.size());
-      parallel_for(static_cast<std::int64_t>(values.size()), 1 << 8, [&](std::int64_t i) {
-        const FoundPath& path = round.found[static_cast<std::size_t>(i)];
-        double mixture = 0;
-        for (const PilotRound& other : rounds) mixture += density(other.guides, path);
+  /// outweigh all others. [Veach 1997, 9.2] To be called after each round.
+  EmissionGuides guides_after(std::vector<PilotRound>& rounds) {
+    std::vector<std::vector<std::uint32_t>> first_of;  // by round and kind: its first record
+    for (const PilotRound& round : rounds) first_of.push_back(round.found_of);
+    std::vector<std::uint32_t> first_of_kind(rounds.front().found_of.size() + 1);
+    turn_into_places(first_of, first_of_kind);
+    const std::size_t count = first_of_kind.back(), last = rounds.size() - 1;
+    records_.refit(count);
+    parallel_for(static_cast<std::int64_t>(rounds.size()), 1, [&](std::int64_t number) {
+      const auto r = static_cast<std::size_t>(number);
+      parallel_for(static_cast<std::int64_t>(rounds[r].found.size()), kFoundAtOnce, [&](std::int64_t i) {
+        FoundPath& path = rounds[r].found[static_cast<std::size_t>(i)];
+        for (std::size_t other = r == last ? 0 : last; other <= last; ++other)
+          path.mixture += density(rounds[other].guides, path);
         const auto own = static_cast<double>(path.start.density), wanted = favour(path.start.light);
-        values[static_cast<std::size_t>(i)] = path.squares * own * own / mixture * wanted * wanted;
+        records_[first_of[r][kind(path)] + path.place] = {path.start.light, path.start.numbers,
+                                                          path.squares * own * own / path.mixture * wanted * wanted};
       });
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const FoundPath& path = round.found[i];
-        records[path.choice].push_back({path.start.light, path.start.numbers, values[i]});
-      }
-      count += values.size();
-    }
-    // The paths, the records, both once more while they grow or are sorted by light, and the trees.
-    bytes_ =
-        std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
-                             count * 2 * (sizeof(FoundPath) + sizeof(EmissionRecord)) + records.size() * kTreeBytes);
+    });
+    // The paths, the records, twice while trees grow, and those, with a box for every four records at most.
+    bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
+                                  count * (2 * sizeof(FoundPath) + 3 * sizeof(EmissionRecord)) +
+                                  scene_.light_choices.size() * kTreeBytes);
     EmissionGuides guides;
-    guides.of_choice.resize(records.size());
-    parallel_for(static_cast<std::int64_t>(records.size()), 1, [&](std::int64_t i) {
-      const auto choice = static_cast<std::size_t>(i);
-      guides.of_choice[choice] = guide_from(records[choice], scene_.light_choices[choice].probability);
+    guides.of_choice.resize(scene_.light_choices.size());
+    parallel_for(static_cast<std::int64_t>(guides.of_choice.size()), 1, [&](std::int64_t i) {
+      const std::size_t choice = static_cast<std::size_t>(i), lights = scene_.lights.size(),
+                        first = first_of_kind[choice * lights], end = first_of_kind[(choice + 1) * lights];
+      guides.of_choice[choice] = guide_from(std::span<EmissionRecord>(records_).subspan(first, end - first),
+                                            scene_.light_choices[choice].probability);
     });
     return guides;
   }
@@ -235,6 +253,7 @@ class Learner {
   std::vector<HitPointTile> tiles_;
   std::unique_ptr<const Searched> searched_;
   std::vector<PhotonTrace> traces_;
+  Buffer<EmissionRecord> records_;
   std::uint64_t rounds_ = 0;
   std::size_t bytes_ = 0;
 };

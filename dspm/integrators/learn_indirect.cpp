@@ -17,7 +17,7 @@ namespace {
 constexpr double kPilotPixels = 4096;
 constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
 constexpr std::int64_t kLeastPhotons = 1 << 14, kMostPhotons = 1 << 15;  // of each kind: a tenth of an iteration
-constexpr std::int64_t kPathsPerTrace = 1 << 8;
+constexpr std::int64_t kPathsPerTrace = 1 << 5;
 constexpr double kLater = 0.55;      // of the initial radius: that after 64 iterations
 constexpr double kMostOfWork = 0.8;  // to the same variance, or photons bring it all
 constexpr double kWorkOfPhoton = 2;  // of a photon's segment, with the map and its gathers, over that of a camera ray

@@ -3,18 +3,28 @@
 #include <numeric>
 
 #include "dspm/math/rng.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
+namespace {
+
+constexpr std::int64_t kGrain = 1 << 8;
+
+}  // namespace
 
 void PilotPaths::count(const PilotRound& round, const Scene& scene, const PhotonSettings& photon) {
   started.assign(scene.lights.size(), 0), found.assign(scene.lights.size(), 0);
   for (std::size_t choice = 0; choice < scene.light_choices.size(); ++choice) {
     if (scene.light_choices[choice].frames.empty()) continue;
-    for (std::uint64_t path = 0; path < round.paths; ++path) {
+    std::vector<int> light(round.paths);
+    parallel_for(static_cast<std::int64_t>(round.paths), kGrain, [&](std::int64_t i) {
+      const auto path = static_cast<std::uint64_t>(i);
       const EmissionStart start =
           start_of(&round.guides, scene, choice, PathRandom(photon.seed, photon.stream, path, round.number));
-      if (start.density > 0) ++started[static_cast<std::size_t>(start.light)];
-    }
+      light[path] = start.density > 0 ? start.light : -1;
+    });
+    for (const int of : light)
+      if (of >= 0) ++started[static_cast<std::size_t>(of)];
   }
   for (const FoundPath& path : round.found) ++found[static_cast<std::size_t>(path.start.light)];
 }

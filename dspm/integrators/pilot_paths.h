@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dspm/grid/buffer.h"
 #include "dspm/integrators/emission_guide.h"
 #include "dspm/integrators/emission_report.h"
 #include "dspm/integrators/photon.h"
@@ -16,11 +17,14 @@ struct FoundPath {
   std::size_t choice;  // of its frames
   EmissionStart start;
   double squares;
+  std::uint32_t place = 0;  // among those of its round, choice and light
+  double mixture = 0;       // the sum of the densities of its start in all rounds so far
 };
 
 struct PilotRound {
   EmissionGuides guides;  // that its paths were drawn with
-  std::vector<FoundPath> found;
+  Buffer<FoundPath> found;
+  std::vector<std::uint32_t> found_of;  // how many, by choice and light
   std::uint64_t number = 0, paths = 0;  // paths: of each choice
   std::uint64_t choices = 1, work = 0;  // work: rays and photons
 

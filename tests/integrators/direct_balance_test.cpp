@@ -41,7 +41,7 @@ EmissionGuides some_guides(const Scene& scene) {
   for (int i = 0; i < 3000; ++i) {
     const PathRandom random(1, Stream::setup, static_cast<std::uint64_t>(i), 0);
     const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
-    records.push_back({i % static_cast<int>(scene.lights.size()), {a.x * a.x, a.y, b.x, b.y * b.y}, 1. + i % 3});
+    records.push_back({i * static_cast<int>(scene.lights.size()) / 3000, {a.x * a.x, a.y, b.x, b.y * b.y}, 1. + i % 3});
   }
   return {{guide_from(records, scene.light_choices.front().probability)}};
 }
