@@ -81,6 +81,8 @@ class Copy {
   explicit Copy(std::span<const Piece> pieces) : pieces_(pieces) {}
 
   Bvh of(const Made& root) && {
+    bvh_.nodes.reserve(root.is_leaf ? 1 : nodes_in(root));  // of many millions; a vector that grows copies them
+    bvh_.order.reserve(pieces_.size());
     if (root.is_leaf)
       add_mixed(static_cast<const MadeLeaf&>(root).all());
     else
@@ -98,11 +100,19 @@ class Copy {
   std::uint32_t add(const Made& made) {
     if (!made.is_leaf) return add_node(static_cast<const MadeNode&>(made));
     const auto pieces = static_cast<const MadeLeaf&>(made).all();
-    const bool fits =
-        pieces.size() == 1 || std::none_of(pieces.begin(), pieces.end(), [&](auto p) { return fills_leaf(p); });
-    return fits ? add_leaf(pieces) : add_mixed(pieces);
+    return is_one_leaf(pieces) ? add_leaf(pieces) : add_mixed(pieces);
   }
 
+  std::size_t nodes_in(const Made& made) const {
+    if (made.is_leaf) return is_one_leaf(static_cast<const MadeLeaf&>(made).all()) ? 0 : 1;
+    std::size_t nodes = 1;
+    for (std::uint32_t i = 0; i < made.count; ++i) nodes += nodes_in(*static_cast<const MadeNode&>(made).children[i]);
+    return nodes;
+  }
+
+  bool is_one_leaf(std::span<const std::uint32_t> pieces) const {
+    return pieces.size() == 1 || std::none_of(pieces.begin(), pieces.end(), [&](auto p) { return fills_leaf(p); });
+  }
   bool fills_leaf(std::uint32_t piece) const { return pieces_[piece].size > 1; }
 
   std::uint32_t add_leaf(std::span<const std::uint32_t> pieces) {

@@ -9,6 +9,7 @@
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
@@ -68,20 +69,6 @@ class Tree::Builder {
  private:
   const PlacedShape& shape(int s) const { return shapes_[static_cast<std::size_t>(s)]; }
 
-  void place(int s) {
-    const PlacedShape& placed = shape(s);
-    const ToWorld to_world(placed.to_world);
-    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
-    if (has_own_tree(placed)) {
-      const Tree& mesh = meshes_.of(*placed.shape);
-      return add({&placed, &mesh, s, 0}, to_world, mesh.outline());
-    }
-    for (int p = 0; p < placed.shape->primitive_count(); ++p) {
-      const Bounds3 box = with_margin(placed.shape->bounds(p));
-      add({&placed, nullptr, s, p}, to_world, std::span(&box, 1));
-    }
-  }
-
   /// What the boxes of a placed shape need: the same for all of its primitives, of which hair has millions.
   struct ToWorld {
     explicit ToWorld(const Transform& t)
@@ -90,13 +77,40 @@ class Tree::Builder {
     float margins, origin;
   };
 
-  /// Adds a piece that fills a leaf. `outline`: in the shape's space.
-  void add(const Placed& placed, const ToWorld& to_world, std::span<const Bounds3> outline) {
+  void place(int s) {
+    const PlacedShape& placed = shape(s);
+    const ToWorld to_world(placed.to_world);
+    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+    if (has_own_tree(placed)) {
+      const Tree& mesh = meshes_.of(*placed.shape);
+      placed_.push_back({&placed, &mesh, s, 0});
+      pieces_.push_back(piece_of(placed, to_world, mesh.outline()));
+      return;
+    }
+    add_primitives(placed, s, to_world);
+  }
+
+  void add_primitives(const PlacedShape& placed, int s, const ToWorld& to_world) {
+    const int count = placed.shape->primitive_count();
+    const std::size_t first_piece = pieces_.size(), first_placed = placed_.size();
+    pieces_.resize(first_piece + static_cast<std::size_t>(count));
+    placed_.resize(first_placed + static_cast<std::size_t>(count));
+    const auto add_one = [&](std::int64_t p) {
+      const auto i = static_cast<std::size_t>(p);
+      placed_[first_placed + i] = {&placed, nullptr, s, static_cast<int>(p)};
+      const Bounds3 box = with_margin(placed.shape->bounds(static_cast<int>(p)));
+      pieces_[first_piece + i] = piece_of(placed, to_world, std::span(&box, 1));
+    };
+    if (count == 1) return add_one(0);
+    parallel_for(count, 1 << 12, add_one);
+  }
+
+  /// One that fills a leaf. `outline`: in the shape's space.
+  static Piece piece_of(const PlacedShape& placed, const ToWorld& to_world, std::span<const Bounds3> outline) {
     Bounds3 world;
     for (const Bounds3& part : outline) world.add(to_world.transform.bounds(part));
     world = widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
-    placed_.push_back(placed);
-    pieces_.push_back({world, placed.shape->frames, kLeafSize});
+    return {world, placed.frames, kLeafSize};
   }
 
   std::uint32_t add_leaf(const Bvh::Leaf& leaf, const TrianglePieces& triangles) {

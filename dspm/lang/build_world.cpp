@@ -29,6 +29,12 @@ std::size_t bytes_of(const ParamList& list) {
 
 bool gives(const ParamList& params, std::string_view name) { return params.find(name) != nullptr; }
 
+/// Only what can become one shape gains by it. A strand that says more than its own parameters is read one by one.
+bool comes_in_runs(const ShapeUse& use) {
+  return use.type == "curve" && use.name.empty() && !use.params.is_keyed() &&
+         std::none_of(use.params.params.begin(), use.params.params.end(), [](const Param& p) { return p.is_default; });
+}
+
 /// Removes `"string <name>" "<text>"` from the list.
 std::optional<Argument> take_text(ParamList& params, std::string_view name, Diagnostics& diagnostics) {
   const auto found =
@@ -196,6 +202,7 @@ void SceneBuilder::light_source(Directive& directive) {
 }
 
 void SceneBuilder::shape(Directive& directive) {
+  const std::size_t messages = diagnostics_.all().size();
   expect_still(directive);
   ShapeUse use{plugin_use(directive, AttributeTarget::shape),
                {},
@@ -213,6 +220,7 @@ void SceneBuilder::shape(Directive& directive) {
   }
   std::vector<ShapeUse>& shapes = blocks_.find(Block::Kind::object) ? scene_.objects.back().shapes : scene_.shapes;
   shapes.push_back(std::move(use));
+  if (comes_in_runs(shapes.back()) && diagnostics_.all().size() == messages) repeatable_ = &shapes;
 }
 
 }  // namespace dspm

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <variant>
 
+#include "dspm/lang/shape_run.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/system/files_read.h"
@@ -84,8 +85,9 @@ class Digests {
           Kind::light, use.dynamic_block);
     for (const AreaLightUse& use : scene_.area_lights)
       add(named("area light", use.type), use.where, Canonical().use(use).text(use.name), Kind::look);
-    for (const ShapeUse& use : scene_.shapes)
+    for_each_directive(scene_.shapes, [&](const ShapeUse& use) {
       add(named("shape", use.type), use.where, of_shape(use), Kind::shape, use.dynamic_block);
+    });
     add_blocks();
     add_objects();
     for (std::size_t axis = 0; axis < scene_.axes.size(); ++axis)
@@ -138,14 +140,14 @@ class Digests {
   }
   void add_objects() {
     for (const ObjectDefinition& object : scene_.objects) {
-      add(named("object", object.name), object.where, Canonical().number(static_cast<double>(object.shapes.size())),
-          Kind::object);
+      add(named("object", object.name), object.where,
+          Canonical().number(static_cast<double>(count_directives(object.shapes))), Kind::object);
       digests_.back().object = object.name;
-      for (const ShapeUse& use : object.shapes) {
+      for_each_directive(object.shapes, [&](const ShapeUse& use) {
         add(fmt::format("shape \"{}\" of object \"{}\"", use.type, object.name), use.where, of_shape(use),
             Kind::object);
         digests_.back().object = object.name;
-      }
+      });
     }
     for (const ObjectUse& use : scene_.instances) {
       add(named("instance of", use.name), use.where,

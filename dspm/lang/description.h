@@ -67,6 +67,8 @@ struct AreaLightUse : PluginUse {
   std::string name;
 };
 
+class ShapeRun;
+
 struct ShapeUse : PluginUse {
   std::string name;  // of `"string name"`, removed from the parameters; empty: not given
   Motion world_from_object;
@@ -74,6 +76,8 @@ struct ShapeUse : PluginUse {
   MaterialRef material;
   int area_light = -1;     // into SceneDescription::area_lights; -1: none
   int dynamic_block = -1;  // into SceneDescription::dynamic_blocks; -1: static
+  /// The directives after it that repeat it but for numbers, see shape_run.h; null: none.
+  std::shared_ptr<const ShapeRun> run = nullptr;
 };
 
 /// DynamicBegin .. DynamicEnd. In nested blocks, a shape belongs to the innermost.

@@ -121,6 +121,35 @@ void Lexer::take_back_peeked() {
   peeked_.reset();
 }
 
+std::string_view Lexer::rest() {
+  take_back_peeked();
+  skip_blank();
+  return view(at_, end_);
+}
+
+void Lexer::go_on_at(const char* place) {
+  peeked_.reset();
+  at_ = place;
+}
+
+bool Lexer::skip(std::string_view characters) {
+  const bool is_next = rest().starts_with(characters);
+  if (is_next) at_ += characters.size();
+  return is_next;
+}
+
+bool Lexer::plain_numbers(std::vector<float>& values) {
+  take_back_peeked();
+  for (skip_blank(); at_ != end_ && starts_number(*at_); skip_blank()) {
+    float value = 0;
+    const auto [stop, error] = std::from_chars(skip_plus(at_, end_), end_, value);
+    if (error != std::errc() || !(stop == end_ || ends_word(*stop)) || !std::isfinite(value)) return false;
+    values.push_back(value);
+    at_ = stop;
+  }
+  return true;
+}
+
 void Lexer::skip_to_directive() {
   take_back_peeked();
   for (skip_blank(); at_ != end_ && !is_upper(*at_); skip_blank()) {

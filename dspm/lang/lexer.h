@@ -36,6 +36,15 @@ class Lexer {
   /// The text between the quotes, escapes resolved.
   std::string unquoted(const Token& string) const;
 
+  /// What has not been read, from the next token on.
+  std::string_view rest();
+  /// Goes on at that place of the text.
+  void go_on_at(const char* place);
+  /// Whether the rest begins with these characters, which are skipped then.
+  bool skip(std::string_view characters);
+  /// The numbers that follow; false if one of them is not as numbers usually are: read it as tokens.
+  bool plain_numbers(std::vector<float>& values);
+
   /// Recovery: skips to the next word that could be a directive.
   void skip_to_directive();
 

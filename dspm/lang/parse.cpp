@@ -10,6 +10,7 @@
 #include "dspm/lang/directive.h"
 #include "dspm/lang/old_pbrt.h"
 #include "dspm/lang/scene_builder.h"
+#include "dspm/lang/shape_run.h"
 #include "dspm/lang/source_files.h"
 #include "dspm/lang/v3/translator.h"
 #include "dspm/lang/variations.h"
@@ -96,13 +97,15 @@ class SceneReader {
   }
 
   void read(const SourceText& whole, const TextPart& part) {
-    const SourceText source(whole, part, defines_, diagnostics_);
-    Lexer lexer(source);
+    const auto source = std::make_shared<const SourceText>(whole, part, defines_, diagnostics_);
+    Lexer lexer(*source);
     while (!is_full()) {
       try {
+        const char* const begin = lexer.rest().data();
         auto directive = read_directive(lexer, old_types());
         if (!directive) break;
         carry_out(*std::move(directive), whole.file());
+        if (ShapeUse* first = builder_.repeatable()) read_run(*first, source, begin, lexer);
       } catch (const SyntaxError& error) {
         if (age_ == Age::v3 && error.old_word == "WorldEnd") continue;
         if (!error.old_word.empty() && age_ != Age::v4) throw OldScene{{error.old_word, error.where}};
@@ -110,6 +113,17 @@ class SceneReader {
         lexer.skip_to_directive();
       }
     }
+  }
+
+  /// Of directives that repeat `first`, which begins at `begin`.
+  static void read_run(ShapeUse& first, const std::shared_ptr<const SourceText>& source, const char* begin,
+                       Lexer& lexer) {
+    const std::string_view rest = lexer.rest();
+    if (!rest.starts_with("Shape")) return;
+    auto run = ShapeRun::after(first, source, {begin, static_cast<std::size_t>(rest.data() - begin)});
+    if (!run) return;
+    lexer.go_on_at(run->read(rest.data()));
+    if (run->count() > 0) first.run = std::make_shared<const ShapeRun>(*std::move(run));
   }
 
   void carry_out(Directive directive, const SourceFile& file) {

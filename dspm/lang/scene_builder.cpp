@@ -41,6 +41,7 @@ bool takes_keys(DirectiveKind kind) {
 }  // namespace
 
 void SceneBuilder::apply(Directive directive) {
+  repeatable_ = nullptr;
   if (group_ && !may_stand_between_keys(directive.info->kind)) close_forgotten_group(directive);
   if (!check_section(directive)) return;
   check_keys(directive);

@@ -24,6 +24,9 @@ class SceneBuilder {
 
   /// Applies any directive but Include and Import, which the reader handles; may throw SyntaxError.
   void apply(Directive directive);
+  /// The shape that the last directive has made, if those that repeat it but for numbers may become its run; else null.
+  /// Holds until the next call.
+  ShapeUse* repeatable() { return repeatable_ != nullptr ? &repeatable_->back() : nullptr; }
   /// An imported file's changes to the state end with it.
   void begin_import(const Directive& directive);
   void end_import();
@@ -126,9 +129,10 @@ class SceneBuilder {
   Diagnostics& diagnostics_;
   GraphicsState state_;
   BlockStack blocks_;
-  std::optional<SourceLocation> world_where_;  // of WorldBegin
-  std::optional<KeyframeGroup> group_;         // the keys being read
-  bool scene_is_whole_ = false;                // the file with WorldBegin has ended
+  std::optional<SourceLocation> world_where_;    // of WorldBegin
+  std::optional<KeyframeGroup> group_;           // the keys being read
+  std::vector<ShapeUse>* repeatable_ = nullptr;  // the list that it ends
+  bool scene_is_whole_ = false;                  // the file with WorldBegin has ended
   bool options_have_keys_ = false;
   bool blur_told_ = false;                                               // since the last ActiveTransform
   std::vector<std::pair<Moment, SourceLocation>> keys_before_world_;     // checked when the number of frames is known

@@ -5,6 +5,7 @@
 #include "dspm/integrators/file_sample.h"
 #include "dspm/lang/formatter.h"
 #include "dspm/lang/parse.h"
+#include "dspm/lang/shape_run.h"
 #include "dspm/lang/upgrade.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/transform.h"
@@ -94,7 +95,7 @@ std::string summary_of(const LoadedScene& loaded) {
   const SceneDescription& d = *loaded.description;
   const RenderSettings& settings = loaded.job.settings;
   return fmt::format("{}, {} x {} pixels, {}, {}, {}, {}", loaded.job.frames_in_words(), settings.width,
-                     settings.height, counted(d.shapes.size(), "shape"), counted(d.materials.size(), "material"),
+                     settings.height, counted(count_directives(d.shapes), "shape"), counted(d.materials.size(), "material"),
                      counted(d.lights.size() + d.area_lights.size(), "light"), loaded.job.integrator);
 }
 

@@ -28,6 +28,17 @@ CurvePlace place_on(const CurveSegment& segment, double u, const Vec3& origin);
 /// Of unit length; of its chord where the curve stands still.
 DoubleVec3 direction_at(const CurveSegment& segment, double u);
 
+/// What lies between two places of a segment, as a curve of its own.
+struct CurvePart {
+  double from, to;
+  DoubleVec3 control[4];
+
+  static CurvePart of(const CurveSegment& segment, double from, double to);
+};
+
+/// The steps of a piece are a multiple of this: four places are tried at a time.
+inline constexpr int kCurveSteps = 3;
+
 /// From u = index / count to (index + 1) / count.
 struct CurvePiece {
   std::uint32_t segment;
@@ -36,8 +47,8 @@ struct CurvePiece {
   Vec3 start = {}, chord = {};  // between its ends
   float reach = 0;              // from the chord: contains the piece with its width
 
-  /// With that number of steps, and what the first test of a ray needs.
-  static CurvePiece of(const CurveSegment& segment, std::uint32_t number, int index, int count, int steps);
+  /// Of segment `number`, with its steps and what the first test of a ray needs. `part`: what it is of the segment.
+  static CurvePiece of(const CurveSegment& segment, std::uint32_t number, int index, int count, const CurvePart& part);
   /// False: the ray's line stays away from the chord further than the piece does. A few multiplications spare most rays
   /// all else.
   bool may_meet(const Ray& ray) const {
@@ -52,12 +63,7 @@ struct CurvePiece {
 };
 
 /// Contains that part with its width, rounding included.
-Bounds3 bounds_of(const CurveSegment& segment, double from, double to);
-/// The angle by which it turns, at most (radians).
-double turn_of(const CurveSegment& segment, double from, double to);
-
-/// The steps of a piece are a multiple of this: four places are tried at a time.
-inline constexpr int kCurveSteps = 3;
+Bounds3 bounds_of(const CurveSegment& segment, const CurvePart& part);
 
 /// Where the line of a ray passes the centre line of a curve most closely, for one of its turns.
 struct Passage {

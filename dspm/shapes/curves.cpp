@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "dspm/shapes/rounding.h"
+#include "dspm/system/parallel.h"
+#include "dspm/system/parallel_sort.h"
 
 namespace dspm {
 namespace {
-
-/// By which a curve may turn in a step of the search for rays (radians).
-constexpr double kTurnOfStep = 0.25;
 
 /// The part of v that is perpendicular to the unit vector `along`, of unit length; any such if nothing is left.
 DoubleVec3 perpendicular(const DoubleVec3& v, const DoubleVec3& along) {
@@ -76,23 +75,28 @@ Curves::Curves(CurveType type, std::span<const CurveSegment> segments, std::vect
 void Curves::cut(std::uint32_t number, int split_depth) {
   constexpr float kWorthwhile = 0.7f;
   const CurveSegment& segment = segments_[number];
-  const auto surface = [&](int count) {
+  const auto surface = [&](const std::vector<CurvePart>& parts) {
     float sum = 0;
-    for (int i = 0; i < count; ++i) sum += bounds_of(segment, double(i) / count, double(i + 1) / count).half_area();
+    for (const CurvePart& part : parts) sum += bounds_of(segment, part).half_area();
     return sum;
   };
-  int count = 1;
-  float whole = surface(count);
-  for (int depth = 0; depth < split_depth; ++depth, count *= 2) {
-    const float halved = surface(2 * count);
+  static thread_local std::vector<CurvePart> parts, halves;
+  parts.assign(1, CurvePart::of(segment, 0, 1));
+  float whole = surface(parts);
+  for (int depth = 0; depth < split_depth; ++depth) {
+    const std::size_t count = 2 * parts.size();
+    halves.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      halves.push_back(CurvePart::of(segment, double(i) / double(count), double(i + 1) / double(count)));
+    const float halved = surface(halves);
     if (!(halved < kWorthwhile * whole)) break;
     whole = halved;
+    parts.swap(halves);
   }
-  for (int i = 0; i < count; ++i) {
-    const double turn = turn_of(segment, double(i) / count, double(i + 1) / count);
-    const int steps = kCurveSteps * std::max(1, static_cast<int>(std::ceil(turn / (kCurveSteps * kTurnOfStep))));
-    pieces_.push_back(CurvePiece::of(segment, number, i, count, steps));
-  }
+  if (number == 0) pieces_.reserve(parts.size() * segments_.size());  // others are likely cut alike
+  const auto count = static_cast<int>(parts.size());
+  for (int i = 0; i < count; ++i)
+    pieces_.push_back(CurvePiece::of(segment, number, i, count, parts[static_cast<std::size_t>(i)]));
 }
 
 bool Curves::absorb(Shape& next) {
@@ -112,35 +116,43 @@ bool Curves::absorb(Shape& next) {
 /// Pieces that lie close together are stored close together, whatever the order of the strands: a ray that passes dense hair
 /// waits for memory more than for anything else.
 void Curves::settle() {
+  constexpr std::int64_t kGrain = 1 << 14;
   Bounds3 all;
   for (const CurvePiece& piece : pieces_) all.add(piece.start);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-  order.reserve(pieces_.size());
-  for (const CurvePiece& piece : pieces_)
-    order.emplace_back(place_along_z_curve(piece.start + piece.chord * 0.5f, all),
-                       static_cast<std::uint32_t>(order.size()));
-  std::sort(order.begin(), order.end());
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(pieces_.size());
+  const auto for_each_piece = [&](const auto& body) {
+    parallel_for(static_cast<std::int64_t>(pieces_.size()), kGrain,
+                 [&](std::int64_t i) { body(static_cast<std::size_t>(i)); });
+  };
+  for_each_piece([&](std::size_t i) {
+    order[i] = {place_along_z_curve(pieces_[i].start + pieces_[i].chord * 0.5f, all), static_cast<std::uint32_t>(i)};
+  });
+  parallel_sort(order);
+  std::vector<CurvePiece> pieces(pieces_.size());
+  for_each_piece([&](std::size_t i) { pieces[i] = pieces_[order[i].second]; });
+  pieces_ = std::move(pieces);
+  order = {};
 
   constexpr auto kNotPlaced = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> place(segments_.size(), kNotPlaced);
-  Curves sorted(type_, {}, {}, 0);
-  sorted.pieces_.reserve(pieces_.size()), sorted.segments_.reserve(segments_.size());
-  sorted.normals_.reserve(normals_.size());
-  for (const auto& [key, number] : order) {
-    CurvePiece& piece = sorted.pieces_.emplace_back(pieces_[number]);
+  std::vector<CurveSegment> segments;
+  std::vector<RibbonNormals> normals;
+  segments.reserve(segments_.size()), normals.reserve(normals_.size());
+  for (CurvePiece& piece : pieces_) {
     std::uint32_t& to = place[piece.segment];
     if (to == kNotPlaced) {
-      to = static_cast<std::uint32_t>(sorted.segments_.size());
-      sorted.segments_.push_back(segments_[piece.segment]);
-      if (!normals_.empty()) sorted.normals_.push_back(normals_[piece.segment]);
+      to = static_cast<std::uint32_t>(segments.size());
+      segments.push_back(segments_[piece.segment]);
+      if (!normals_.empty()) normals.push_back(normals_[piece.segment]);
     }
     piece.segment = to;
   }
-  *this = std::move(sorted);
+  segments_ = std::move(segments), normals_ = std::move(normals);
 }
 
 Bounds3 Curves::bounds(int primitive) const {
-  return bounds_of(segment(primitive), piece(primitive).from(), piece(primitive).to());
+  return bounds_of(segment(primitive),
+                   CurvePart::of(segment(primitive), piece(primitive).from(), piece(primitive).to()));
 }
 
 std::optional<PrimitiveHit> Curves::intersect(int primitive, const Ray& ray) const {

@@ -15,11 +15,34 @@
 #include "dspm/shapes/mesh_repair.h"
 #include "dspm/shapes/placed_bounds.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/system/parallel.h"
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/param_states.h"
 #include "dspm/world/shape_maker.h"
 
 namespace dspm {
+namespace {
+
+/// The union of box_of(primitive), by all threads if there are many.
+template <class BoxOf>
+Bounds3 union_of(int primitives, const BoxOf& box_of) {
+  constexpr int kGrain = 4096;
+  std::vector<Bounds3> parts(static_cast<std::size_t>(chunk_count(primitives, kGrain)));
+  const auto add = [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i)
+      parts[static_cast<std::size_t>(begin / kGrain)].add(box_of(static_cast<int>(i)));
+  };
+  if (parts.size() > 1)
+    parallel_chunks(primitives, kGrain, add);
+  else
+    add(0, primitives);
+  Bounds3 all;
+  for (const Bounds3& part : parts) all.add(part);
+  return all;
+}
+
+}  // namespace
+
 Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
                    Diagnostics& diagnostics)
     : description_(description),
@@ -44,11 +67,11 @@ void Geometry::find_bounds() {
     if (!is_there(shape, description_.frames.base().count())) continue;
     const Shape& own = *shape.placed.shape;
     const auto [box, is_new] = boxes.try_emplace(&own);
-    for (int i = 0; is_new && i < own.primitive_count(); ++i) box->second.add(own.bounds(i));
+    if (is_new) box->second = union_of(own.primitive_count(), [&](int i) { return own.bounds(i); });
     Bounds3 wider = bounds_;
     wider.add(bounds_of(shape.placed, box->second));
     if (wider.low == bounds_.low && wider.high == bounds_.high) continue;
-    for (int i = 0; i < own.primitive_count(); ++i) bounds_.add(shape.placed.bounds(i));
+    bounds_.add(union_of(own.primitive_count(), [&](int i) { return shape.placed.bounds(i); }));
   }
 }
 

@@ -66,10 +66,12 @@ class Geometry {
   struct Source;
   struct Place;
   struct Placement;
+  class Joining;
   void refuse_unknown_objects();
   void find_bounds();
   void add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances);
   std::optional<Source> make_source(const ShapeUse& use, Diagnostics& diagnostics) const;
+  std::optional<Source> make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const;
   void share_kept(Source& source) const;
   void add_source(const ShapeUse& use, const std::vector<const ObjectUse*>& instances, Source& source);
   Timeline<Place> places_of(const Source& source, const Timeline<Matrix4>& matrices, const std::vector<bool>& present,
@@ -91,6 +93,7 @@ class Geometry {
   Diagnostics& diagnostics_;
   KeptGeometry* kept_;
   bool check_meshes_;
+  std::deque<std::vector<ShapeUse>> told_apart_;  // directives of runs; addresses are stable
   std::deque<WorldShape> shapes_;
   std::vector<Emitter> emitters_;
   std::deque<AreaLightUse> lights_of_materials_;  // addresses are stable

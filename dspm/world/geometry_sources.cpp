@@ -1,7 +1,9 @@
 // What Shape directives make: by many threads, and in the order of the directives.
 #include <algorithm>
+#include <span>
 #include <utility>
 
+#include "dspm/lang/shape_run.h"
 #include "dspm/params/params.h"
 #include "dspm/shapes/shadow_catcher.h"
 #include "dspm/shapes/shape_caustics.h"
@@ -26,28 +28,99 @@ bool are_alike(const ShapeUse& a, const ShapeUse& b) {
 
 }  // namespace
 
-/// Hair may have a directive for each of a million strands: what is alike becomes one shape, where shapes allow that.
-void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
-  constexpr std::size_t kAtATime = 4096;  // so many strands take a few megabytes until they are absorbed
-  const ShapeUse* first = nullptr;
-  std::optional<Source> open;  // of `first`, and of what it has absorbed since
-  for (std::size_t begin = 0; begin < uses.size(); begin += kAtATime) {
-    const std::size_t count = std::min(kAtATime, uses.size() - begin);
-    std::vector<std::optional<Source>> sources(count);
-    std::vector<Diagnostics> messages(count, Diagnostics(diagnostics_.lenient()));
-    parallel_for(static_cast<std::int64_t>(count), 1, [&](std::int64_t i) {
+/// Adds sources in the order of the directives. Hair may have a directive for each of a million strands: what is alike
+/// becomes one shape, where shapes allow that.
+class Geometry::Joining {
+ public:
+  Joining(Geometry& geometry, const std::vector<const ObjectUse*>& instances)
+      : geometry_(geometry), instances_(instances) {}
+
+  void add(std::span<const ShapeUse> uses) {
+    constexpr std::size_t kAtATime = 4096;  // so many strands take a few megabytes until they are absorbed
+    for (std::size_t begin = 0; begin < uses.size(); begin += kAtATime)
+      add_some(uses.subspan(begin, std::min(kAtATime, uses.size() - begin)));
+  }
+  void finish() {
+    if (open_) geometry_.add_source(*first_, instances_, *open_);
+    open_.reset();
+  }
+
+ private:
+  void add_some(std::span<const ShapeUse> uses) {
+    std::vector<std::optional<Source>> sources(uses.size());
+    std::vector<Diagnostics> messages(uses.size(), Diagnostics(geometry_.diagnostics_.lenient()));
+    parallel_for(static_cast<std::int64_t>(uses.size()), 1, [&](std::int64_t i) {
       const auto at = static_cast<std::size_t>(i);
-      sources[at] = make_source(uses[begin + at], messages[at]);
+      sources[at] = geometry_.make_source(uses[at], messages[at]);
     });
-    for (std::size_t i = 0; i < count; ++i) {
-      const ShapeUse& use = uses[begin + i];
-      diagnostics_.append(std::move(messages[i]));
-      if (!sources[i] || (open && are_alike(*first, use) && open->absorb(*sources[i]))) continue;
-      if (open) add_source(*first, instances, *open);
-      first = &use, open = std::move(sources[i]);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      geometry_.diagnostics_.append(std::move(messages[i]));
+      if (sources[i]) join(uses[i], *std::move(sources[i]));
+      if (uses[i].run != nullptr) add_run(uses[i]);
     }
   }
-  if (open) add_source(*first, instances, *open);
+
+  void join(const ShapeUse& use, Source source) {
+    if (open_ && are_alike(*first_, use) && open_->absorb(source)) return;
+    finish();
+    first_ = &use, open_ = std::move(source);
+  }
+
+  /// Those that are not to be absorbed, or of which there is something to say, are told apart.
+  void add_run(const ShapeUse& first) {
+    constexpr std::size_t kTogether = 256, kAtATime = 64 * kTogether;
+    const std::size_t count = first.run->count();
+    for (std::size_t begin = 0; begin < count; begin += kAtATime) {
+      const auto part = [&](std::size_t k) { return std::min(begin + k * kTogether, count); };
+      const std::size_t parts = (std::min(kAtATime, count - begin) + kTogether - 1) / kTogether;
+      std::vector<std::optional<Source>> sources(parts);
+      if (open_ && are_alike(*first_, first))
+        parallel_for(static_cast<std::int64_t>(sources.size()), 1, [&](std::int64_t i) {
+          const auto k = static_cast<std::size_t>(i);
+          sources[k] = geometry_.make_source(first, part(k), part(k + 1));
+        });
+      for (std::size_t k = 0; k < sources.size(); ++k) {
+        if (sources[k] && open_->absorb(*sources[k])) continue;
+        std::vector<ShapeUse>& apart = geometry_.told_apart_.emplace_back();
+        for (std::size_t i = part(k); i < part(k + 1); ++i) apart.push_back(first.run->at(i, first));
+        add(apart);
+      }
+    }
+  }
+
+  Geometry& geometry_;
+  const std::vector<const ObjectUse*>& instances_;
+  const ShapeUse* first_ = nullptr;
+  std::optional<Source> open_;  // of `first_`, and of what it has absorbed since
+};
+
+void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<const ObjectUse*>& instances) {
+  Joining joining(*this, instances);
+  joining.add(uses);
+  joining.finish();
+}
+
+/// Of a part of the run of `first`, which is there and has one state: one shape. Nullopt if there is none, or anything to
+/// say of it.
+std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const {
+  const ShapeMaker maker(*shape_plugins().find(first.type), first, description_.main_directory(), kept_);
+  ParamList params = first.params;
+  std::optional<Source> joined;
+  for (std::size_t i = begin; i < end; ++i) {
+    first.run->set_numbers(i, params);
+    Diagnostics messages(diagnostics_.lenient());
+    MadeOfParams made = maker.make(params, messages);
+    if (!messages.all().empty()) return std::nullopt;
+    Source source;
+    source.caustics = made.caustics, source.is_catcher = made.is_catcher;
+    source.made.push_back(std::move(made.shapes));
+    if (made.key) source.keys.push_back(*made.key);
+    if (!joined)
+      joined = std::move(source);
+    else if (!joined->absorb(source))
+      return std::nullopt;
+  }
+  return joined;
 }
 
 /// The shapes that the directive makes in all of its states; nullopt if there are none. Messages end with the first
