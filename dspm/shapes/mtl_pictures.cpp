@@ -25,7 +25,7 @@ std::optional<std::filesystem::path> MtlPictures::plain(const MtlPicture& pictur
   leave_out(picture, "-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0, of);
   leave_out(picture, "-clamp", options.clamp, of);
   leave_out(picture, "-mm", options.brightness != 0 || options.contrast != 1, of);
-  leave_out_always(picture, of);
+  leave_out_turbulence(picture, of);
   return file;
 }
 
@@ -59,13 +59,12 @@ void MtlPictures::add_options(const MtlPicture& picture, const std::string& text
   leave_out(picture, "-mm", options.brightness != 0, to);
   for (const char* channel : {"red", "green", "blue"})
     if (!is_spectrum && options.imfchan == *channel) say("channel", channel);
-  leave_out_always(picture, to);
+  leave_out_turbulence(picture, to);
 }
 
-void MtlPictures::leave_out_always(const MtlPicture& picture, const FileMaterial& of) {
+void MtlPictures::leave_out_turbulence(const MtlPicture& picture, const FileMaterial& of) {
   const tinyobj::texture_option_t& options = picture.options;
   leave_out(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0, of);
-  leave_out(picture, "-boost", options.sharpness != 1, of);
 }
 
 void MtlPictures::leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of) {

@@ -34,7 +34,7 @@ class MtlPictures {
   std::optional<std::filesystem::path> find(const MtlPicture& picture, const FileMaterial& of);
   void add_options(const MtlPicture& picture, const std::string& texture, bool is_spectrum, FileMaterial& to);
   void leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of);
-  void leave_out_always(const MtlPicture& picture, const FileMaterial& of);
+  void leave_out_turbulence(const MtlPicture& picture, const FileMaterial& of);
 
   const std::filesystem::path& mtl_;
   std::vector<std::string>& complaints_;

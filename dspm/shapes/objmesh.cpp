@@ -17,7 +17,8 @@
 // map_Ke are "emission", d (but of glass) and map_d are "alpha", and take "principled" as well. norm is a normal map, and
 // so is map_Bump (bump) if it is a picture of normals; else its heights, times -bm, are in scene units, and so are those
 // of disp. Options of pictures: -s and -o place them at s = scale u + offset, -clamp on, -mm with a base of 0, and
-// -imfchan r, g or b of numbers; norm, map_d and pictures of normals have none. Everything else is left out, with one
+// -imfchan r, g or b of numbers; norm, map_d and pictures of normals have none. -boost has no effect: it counters the blur
+// of smaller versions of a picture, and here pictures get as sharp as they are. Everything else is left out, with one
 // warning for each kind of statement.
 // The scene may use these materials by their names (NamedMaterial, in later shapes), variations may replace them and dim
 // their lights, and a MakeNamedMaterial of the scene with the same name takes their place.

@@ -268,11 +268,11 @@ TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
   test::put_file(directory / "a.png", "");
   test::put_file(directory / "lib.mtl",
                  "newmtl a\nKs 1 1 1\nmap_Ns a.png\nmap_Pc a.png\nnewmtl b\nKs 1 1 1\nmap_Ns a.png\nrefl b.png\n"
-                 "map_Kd -boost 2 a.png\nmap_d -s 2 2 1 a.png\n");
+                 "map_Kd -boost 2 -t 1 a.png\nmap_d -s 2 2 1 a.png\n");
   read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
   make({});
   EXPECT_EQ(test::messages(diagnostics),
-            "-boost of map_Kd of material \"b\" is left out\n-s of map_d of material \"b\" is left out\nmap_Ns of "
+            "-s of map_d of material \"b\" is left out\n-t of map_Kd of material \"b\" is left out\nmap_Ns of "
             "material \"a\" and of 1 more is left out\nmap_Pc of "
             "material \"a\" is left out\nrefl of material \"b\" is left out\n");
 }
