@@ -14,21 +14,46 @@
 namespace dspm::python {
 namespace {
 
-std::unique_ptr<Renderer> renderer_of(const ReadScene& scene) {
-  std::unique_ptr<Renderer> renderer;
+/// The scene of a render goes first in its state, so that another is refused.
+class Render : public Renderer {
+ public:
+  Render(const ReadScene& scene, const Warn& warn) : Renderer(scene.loaded, warn), digest_(scene.digest) {}
+
+  std::string state() const { return digest_ + Renderer::state(); }
+  void load_state(std::string_view state) {
+    if (!state.starts_with(digest_)) throw UsageError("state: it is of another scene, or of other choices");
+    Renderer::load_state(state.substr(digest_.size()));
+  }
+
+ private:
+  std::string digest_;
+};
+
+std::unique_ptr<Render> render_of(const ReadScene& scene, const std::optional<std::string>& state) {
+  std::unique_ptr<Render> render;
   KeptWarnings warnings;
   {
     const py::gil_scoped_release without_python;
-    renderer = std::make_unique<Renderer>(scene.loaded, warnings.keeper());
+    render = std::make_unique<Render>(scene, warnings.keeper());
+    if (state) render->load_state(*state);
   }
   warnings.raise();
-  return renderer;
+  return render;
+}
+
+py::bytes state(const Render& render) {
+  std::string bytes;
+  {
+    const py::gil_scoped_release without_python;
+    bytes = render.state();
+  }
+  return bytes;
 }
 
 /// `each`: called with this render after every iteration; False ends it there.
 void iterate(const py::object& self, int count, const py::object& each) {
   if (count < 0) throw py::value_error("count: expected a number of iterations from 0 on");
-  auto& renderer = self.cast<Renderer&>();
+  auto& renderer = self.cast<Render&>();
   for (int i = 0; i < count; ++i) {
     {
       const py::gil_scoped_release without_python;
@@ -39,18 +64,18 @@ void iterate(const py::object& self, int count, const py::object& each) {
   }
 }
 
-Image image_of(const Renderer& renderer, int frame, const std::string& output) {
+Image image_of(const Render& renderer, int frame, const std::string& output) {
   const py::gil_scoped_release without_python;
   return renderer.image(frame, output);
 }
 
-py::array image(const Renderer& renderer, int frame, const std::string& output) {
+py::array image(const Render& renderer, int frame, const std::string& output) {
   Image image = image_of(renderer, frame, output);
   const py::ssize_t height = image.height, width = image.width;
   return array_of(std::move(image.pixels)).reshape({height, width, py::ssize_t{3}});
 }
 
-py::object alpha(const Renderer& renderer, int frame) {
+py::object alpha(const Render& renderer, int frame) {
   Image image = image_of(renderer, frame, kRadiance);
   if (image.alpha.empty()) return py::none();
   const py::ssize_t height = image.height, width = image.width;
@@ -61,7 +86,7 @@ py::dict shared(const SharedCount& count) {
   return py::dict(py::arg("done") = count.done, py::arg("separate") = count.separate);
 }
 
-py::dict statistics(const Renderer& renderer) {
+py::dict statistics(const Render& renderer) {
   py::dict seconds;
   PathCounts camera, photon;
   SharedCount stored, found;
@@ -85,21 +110,24 @@ py::dict statistics(const Renderer& renderer) {
 }  // namespace
 
 void add_render(py::module_& module) {
-  py::class_<Renderer>(module, "Render", R"(Renders all frames of a scene together.
+  py::class_<Render>(module, "Render", R"(Renders all frames of a scene together.
 
 Frames are indices into labels. Images are linear, with Rec. 709 primaries, rows from the top, and have the bits that the
 program gives for the same scene, choices and seed. More than 64 frames are rendered in intervals, which all stay in
 memory.)")
-      .def(py::init(&renderer_of), py::arg("scene"))
+      .def(py::init(&render_of), py::arg("scene"), py::arg("state") = std::nullopt,
+           "Goes on from the state of another render of the same scene with the same choices.")
+      .def_property_readonly("state", state, R"(All that the iterations so far have come to: bytes.
+
+Render(scene, state=...) goes on from there, and gets the bits that this one would have got.)")
       .def("iterate", iterate, py::arg("count") = 1, py::arg("each") = py::none(),
            R"(Does more iterations. each(render) is called after every one, and ends it by returning False.
 
 Other threads of Python run meanwhile; Ctrl-C takes effect between iterations.)")
-      .def_property_readonly("labels", &Renderer::labels,
-                             "What its frames are called: '12', 'oak-red' or 'oak-red 12'.")
-      .def_property_readonly("iterations", &Renderer::iterations, "Those that were done.")
-      .def_property_readonly("wanted", &Renderer::wanted, "How many the scene or the caller asks for; 0: no end.")
-      .def_property_readonly("outputs", &Renderer::outputs, "What image() gives: radiance, and what was asked for.")
+      .def_property_readonly("labels", &Render::labels, "What its frames are called: '12', 'oak-red' or 'oak-red 12'.")
+      .def_property_readonly("iterations", &Render::iterations, "Those that were done.")
+      .def_property_readonly("wanted", &Render::wanted, "How many the scene or the caller asks for; 0: no end.")
+      .def_property_readonly("outputs", &Render::outputs, "What image() gives: radiance, and what was asked for.")
       .def("image", image, py::arg("frame") = 0, py::arg("output") = kRadiance,
            "A new array of shape (height, width, 3): the estimate so far, float32.")
       .def("alpha", alpha, py::arg("frame") = 0, "A new array of shape (height, width), or None if the Film is opaque.")

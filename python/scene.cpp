@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <variant>
 
+#include "dspm/checkpoint/facts.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/frame_intervals.h"
+#include "dspm/system/files_read.h"
 #include "dspm/system/inner_files.h"
 #include "python/module.h"
 
@@ -77,9 +80,13 @@ ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesy
   KeptWarnings warnings;
   {
     const py::gil_scoped_release without_python;
+    static std::mutex one_at_a_time;  // the files that it reads are told from all others' by when they are read
+    const std::lock_guard lock(one_at_a_time);
+    forget_files_read();
     const auto all = std::make_shared<WithFiles>(std::move(made));
     all->scene = load_scene(names, choices, warnings.keeper());
     scene.loaded = {all, all->scene.get()};
+    scene.digest = digest_of(scene.loaded->job);
   }
   warnings.raise();
   return scene;

@@ -13,6 +13,7 @@ namespace dspm::python {
 /// Held by a type of its own: Python's Scene is what was read, not the scene of a frame interval.
 struct ReadScene {
   std::shared_ptr<const LoadedScene> loaded;
+  std::string digest;  // of all that its images depend on
 };
 
 /// Keeps warnings while Python's lock is given away.

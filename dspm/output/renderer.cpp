@@ -11,6 +11,7 @@
 #include "dspm/scene/scene.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/session.h"
+#include "dspm/system/state_in_memory.h"
 
 namespace dspm {
 namespace {
@@ -37,6 +38,12 @@ std::shared_ptr<const LoadedScene> load_scene(const std::vector<std::string>& fi
 }
 
 struct Renderer::Impl {
+  void persist(StateStream& stream) {
+    stream.value(iterations);
+    for (const Interval& interval : intervals)
+      if (!interval.integrator->persist(stream)) throw std::runtime_error("this integrator has no state to keep");
+  }
+
   struct Interval {
     std::unique_ptr<const Scene> scene;
     std::unique_ptr<Integrator> integrator;
@@ -107,6 +114,14 @@ std::vector<Statistics> Renderer::statistics() const {
   std::vector<Statistics> all;
   for (const Impl::Interval& interval : impl_->intervals) all.push_back(interval.integrator->statistics());
   return all;
+}
+
+std::string Renderer::state() const { return state_of(*impl_); }
+
+void Renderer::load_state(std::string_view state) {
+  LoadedState stream(state);
+  impl_->persist(stream);
+  if (!stream.all_read()) throw std::runtime_error("the state of a renderer has fewer bytes");
 }
 
 }  // namespace dspm

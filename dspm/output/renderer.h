@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dspm/image/image.h"
@@ -51,6 +52,10 @@ class Renderer {
   Image image(int frame, const std::string& output = kRadiance) const;
   /// By interval.
   std::vector<Statistics> statistics() const;
+  /// What the iterations so far have come to; load_state() takes it back, in a renderer of the same scene and choices, for
+  /// which the caller answers. They throw std::runtime_error if the integrator has no such state, or the bytes are none.
+  std::string state() const;
+  void load_state(std::string_view state);
 
  private:
   struct Impl;

@@ -210,6 +210,25 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"uv: expected an array of shape \(4, 2\), not \(4, 3\)"):
             dspm.ply(vertices, faces, uv=vertices)
 
+    def test_a_render_goes_on_from_a_state(self):
+        for integrator in ("dsppm", "vcm"):
+            load = lambda **choices: dspm.load(self.put(TINY), integrator=integrator, outputs=["N"], **choices)
+            render = dspm.Render(load())
+            render.iterate(2)
+            kept = render.state
+            render.iterate(2)
+            again = dspm.Render(load(), state=kept)
+            self.assertEqual(again.iterations, 2)
+            again.iterate(2)
+            for output in render.outputs:
+                np.testing.assert_array_equal(render.image(2, output), again.image(2, output))
+            with self.assertRaisesRegex(dspm.UsageError, "state: it is of another scene, or of other choices"):
+                dspm.Render(load(seed=8), state=kept)
+            with self.assertRaisesRegex(RuntimeError, "it ends too early"):
+                dspm.Render(load(), state=kept[:-1])
+            with self.assertRaisesRegex(RuntimeError, "fewer bytes"):
+                dspm.Render(load(), state=kept + b"x")
+
     def test_iterations_are_followed_and_stopped(self):
         render, seen = dspm.Render(dspm.load(self.put(TINY))), []
         render.iterate(5, each=lambda r: seen.append(r.iterations) or len(seen) < 3)
