@@ -47,8 +47,10 @@ int with_render(const Options& options, const char* step, Link* others,
   last_words.begin(step, "");
   std::optional<InterruptRequests> interrupts;
   std::optional<Leader> leader;
-  if (others != nullptr) leader.emplace(*others, [] { return InterruptRequests::signal() != 0; });
-  return naming_memory_step(
+  if (others != nullptr)
+    leader.emplace(
+        *others, [] { return InterruptRequests::signal() != 0; }, 10 * options.patience);
+  const int code = naming_memory_step(
       [&] { return watch.step(); },
       [&] {
         return load_and(
@@ -56,6 +58,8 @@ int with_render(const Options& options, const char* step, Link* others,
             [&] { interrupts.emplace(); },
             [&](Render& render, const LoadedScene& loaded) { return task(render, loaded, messages); });
       });
+  if (leader) leader->end();
+  return code;
 }
 
 }  // namespace

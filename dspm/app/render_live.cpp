@@ -48,7 +48,8 @@ int render_live(Options options, Link* others) {
   // First, as the others wait for a leader, whatever becomes of the page.
   std::optional<Leader> leader;
   if (others != nullptr)
-    leader.emplace(*others, [&] { return is_interrupted() || (page != nullptr && page->end_wanted()); });
+    leader.emplace(
+        *others, [&] { return is_interrupted() || (page != nullptr && page->end_wanted()); }, 10 * options.patience);
   LivePage live(*options.serve, options.view);
   page = &live;
   LiveMessages messages(options.quiet, live);

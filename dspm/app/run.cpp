@@ -43,7 +43,8 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
                [this] { return end_wanted(); }),
       checkpoints_(loaded.job, options, std::move(resumed), messages_),
       intervals_(around.memory.plan(loaded.job, *loaded.world,
-                                    results_.bytes_while_writing() + Onlookers::bytes_at_most(loaded.job, options),
+                                    {results_.bytes_while_writing() + Onlookers::bytes_at_most(loaded.job, options),
+                                     around.leader != nullptr ? Leader::kStates : 0},
                                     checkpoints_.intervals(), messages_, *this)) {
   report_.threads = thread_count();
 }

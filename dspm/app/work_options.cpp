@@ -20,7 +20,9 @@ void add(CLI::App& app, Options& o) {
   add_text(app, "--until-error", "ERROR",
            "stop when every frame's estimated error is below this: 2%, 0.02; half of the pixels are farther off",
            [&](const std::string& text) { o.until_error = parse_share("--until-error", text); });
-  add_text(app, "--patience", "TIME", "say who is at work if a step takes longer than this (default: 1m)",
+  add_text(app, "--patience", "TIME",
+           "say who is at work if a step takes longer than this (default: 1m); with mpirun, end if a machine is "
+           "silent for ten times as long",
            [&](const std::string& text) { o.patience = parse_duration("--patience", text); });
   add_text(app, "--memory", "BYTES", "keep within this memory: 2G, 800M, 1.5Gi; images change by rounding only",
            [&](const std::string& text) { o.memory = parse_bytes("--memory", text); });

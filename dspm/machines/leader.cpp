@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "dspm/machines/block_state.h"
 #include "dspm/scene/scene.h"
 #include "dspm/system/cancellation.h"
+#include "dspm/system/readable.h"
 
 namespace dspm {
 
@@ -99,6 +99,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     std::unique_lock lock(leader_.mutex_);
     leader_.changed_.wait_for(lock, std::chrono::milliseconds(100),
                               [&] { return leader_.desk_.is_here(begin) || !leader_.failure_.empty(); });
+    leader_.look_for_silence();
   }
 
   Leader& leader_;
@@ -110,15 +111,28 @@ class Leader::SharedIterations final : public WrappingIntegrator {
   int iteration_ = 0;               // its next one
 };
 
-Leader::Leader(Link& link, std::function<bool()> end_wanted)
+Leader::Leader(Link& link, std::function<bool()> end_wanted, double patience)
     : link_(link),
       end_wanted_(std::move(end_wanted)),
+      patience_(patience),
       post_(link, [this](Letter letter) { open(std::move(letter)); }) {}
 
-Leader::~Leader() {
+void Leader::end() {
+  if (std::exchange(has_ended_, true)) return;
   for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::end);
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return gone_ == machines() - 1; });
+  const auto all_are_gone = [this] { return static_cast<int>(gone_.size()) == machines() - 1; };
+  if (!is_silent_ && changed_.wait_for(lock, patience_, all_are_gone)) return;
+  post_.abandon();
+  for (int machine = 1; machine < machines(); ++machine)
+    if (!gone_.contains(machine)) throw MachineFailed(silence_of(machine) + "; all that was rendered is written");
+}
+
+Leader::~Leader() {
+  try {
+    end();
+  } catch (const MachineFailed&) {  // something else has failed before
+  }
 }
 
 void Leader::expect(std::string digest) {
@@ -131,7 +145,7 @@ void Leader::begin_anew(const std::optional<std::array<double, 9>>& look_at) {
   const std::lock_guard lock(mutex_);
   ++edition_.number, edition_.look_at = look_at;
   first_interval_ = order_.interval + 1;
-  digest_.reset(), failure_.clear(), waiting_.clear(), ready_.clear();
+  digest_.reset(), failure_.clear(), waiting_.clear(), ready_.clear(), asked_.clear();
   for (int machine = 1; machine < machines(); ++machine) post_.send(machine, LetterKind::edited, written(edition_));
 }
 
@@ -139,6 +153,7 @@ std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> sum, s
                                               const FrameList& frames, std::size_t memory, const Extent& extent) {
   const std::lock_guard lock(mutex_);
   ++order_.interval, order_.frames = frames, order_.memory = memory;
+  asked_.clear();
   return std::make_unique<SharedIterations>(std::move(sum), std::move(own), *this, extent);
 }
 
@@ -147,19 +162,23 @@ void Leader::open(Letter letter) {
   const std::lock_guard lock(mutex_);
   const auto is_now = [&](const Rendered& each) { return each.interval == order_.interval; };
   if (letter.kind == LetterKind::ready) {
-    if (read<Hello>(letter.text).edition == edition_.number) ready_.push_back(std::move(letter));
+    const auto hello = read<Hello>(letter.text);
+    hosts_[letter.machine] = hello.host;
+    if (hello.edition == edition_.number) ready_.push_back(std::move(letter));
   } else if (letter.kind == LetterKind::done) {
     const auto block = read<Rendered>(letter.text);
     if (is_now(block)) desk_.rendered(letter.machine, block.begin);
     if (block.interval >= first_interval_) waiting_.push_back(letter.machine);
   } else if (letter.kind == LetterKind::state) {
     const auto block = read<Rendered>(letter.text);
-    if (is_now(block)) desk_.arrived(block.begin, letter.text.substr(written(block).size()));
+    asked_.erase(block);
+    letter.text.erase(0, written(block).size());
+    if (is_now(block)) desk_.arrived(block.begin, std::move(letter.text));
   } else if (letter.kind == LetterKind::failed) {
     if (auto failure = read<Failure>(letter.text); failure.edition == edition_.number)
       failure_ = std::move(failure.why);
   }
-  gone_ += letter.kind == LetterKind::bye;
+  if (letter.kind == LetterKind::bye) gone_.insert(letter.machine);
   go_on();
   changed_.notify_all();
 }
@@ -187,8 +206,27 @@ void Leader::serve() {
 
 /// What is to be added next comes here while others render; the mutex is held.
 void Leader::fetch() {
-  for (const auto& [machine, begin] : desk_.to_fetch())
-    if (machine != 0) post_.send(machine, LetterKind::bring, written(Rendered{order_.interval, begin}));
+  for (const auto& [machine, begin] : desk_.to_fetch()) {
+    if (machine == 0) continue;
+    const Rendered block{order_.interval, begin};
+    asked_[block] = {machine, Clock::now()};
+    post_.send(machine, LetterKind::bring, written(block));
+  }
+}
+
+/// A machine may take long to render, but its post answers at once. The mutex is held.
+void Leader::look_for_silence() {
+  for (const auto& [block, asked] : asked_)
+    if (Clock::now() - asked.when > patience_) {
+      failure_ = silence_of(asked.machine);
+      is_silent_ = true;
+    }
+}
+
+std::string Leader::silence_of(int machine) {
+  const std::string& host = hosts_[machine];
+  return fmt::format("{} has not answered for {}", host.empty() ? fmt::format("machine {}", machine) : host,
+                     readable_time(patience_.count()));
 }
 
 }  // namespace dspm

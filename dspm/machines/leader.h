@@ -3,13 +3,16 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -28,11 +31,20 @@ class MachineFailed final : public std::runtime_error {
 
 class Leader {
  public:
-  /// `end_wanted`: by the user; a block that another machine is still rendering is then not waited for.
-  Leader(Link& link, std::function<bool()> end_wanted);
-  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their last
-  /// letters are taken.
+  /// States that it holds besides two integrators: that before any iteration, and blocks whose turn has not come.
+  static constexpr std::size_t kStates = 1 + Desk::kMostHeld + Desk::kAhead + 1;
+  /// How long a machine may take to send a block that it has, or to say goodbye: far longer than any network does.
+  static constexpr double kPatience = 600;
+
+  /// `end_wanted`: by the user; a block that another machine is still rendering is then not waited for. `patience`: in
+  /// seconds.
+  Leader(Link& link, std::function<bool()> end_wanted, double patience = kPatience);
+  /// As end(), but throws nothing.
   ~Leader();
+
+  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their last
+  /// letters are taken. Throws MachineFailed if one does not answer, and abandons the link then.
+  void end();
 
   /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
   void expect(std::string digest);
@@ -61,9 +73,18 @@ class Leader {
   void serve();
   void fetch();
   void go_on() { fetch(), serve(); }
+  void look_for_silence();
+  std::string silence_of(int machine);
+
+  using Clock = std::chrono::steady_clock;
+  struct Asked {
+    int machine;
+    Clock::time_point when;
+  };
 
   Link& link_;
   std::function<bool()> end_wanted_;
+  std::chrono::duration<double> patience_;
   std::mutex mutex_;  // of all that follows but the post
   std::condition_variable changed_;
   Desk desk_;
@@ -71,11 +92,15 @@ class Leader {
   std::uint64_t first_interval_ = 1;  // of the edition
   Order order_;                       // but for its block: the interval that is being rendered
   std::optional<std::string> digest_;
-  std::deque<int> waiting_;   // machines that have asked for an order
-  std::deque<Letter> ready_;  // that came before the leader knew its own scene
+  std::deque<int> waiting_;           // machines that have asked for an order
+  std::deque<Letter> ready_;          // that came before the leader knew its own scene
+  std::map<int, std::string> hosts_;  // of machines
+  std::map<Rendered, Asked> asked_;   // for blocks that have not come yet
+  bool is_silent_ = false;            // one of them
   std::string failure_;
-  int gone_ = 0;  // machines
-  Post post_;     // the last member: its thread uses the others
+  std::set<int> gone_;  // machines
+  bool has_ended_ = false;
+  Post post_;  // the last member: its thread uses the others
 };
 
 }  // namespace dspm

@@ -21,6 +21,8 @@ class Link {
   virtual bool is_quiet() = 0;
   /// One that has come, or nullopt.
   virtual std::optional<Letter> receive() = 0;
+  /// Some machine does not answer: the end of this link waits for none, and ends all of them.
+  virtual void abandon() = 0;
 };
 
 }  // namespace dspm

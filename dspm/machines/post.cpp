@@ -31,7 +31,7 @@ void Post::run() {
     out_.pop_front();
     return letter;
   };
-  for (;;) {
+  while (!abandoned_) {
     const bool closing = closing_;  // before the last look for letters
     bool was_idle = true;
     while (std::optional<Letter> letter = take()) link_.send(std::move(*letter)), was_idle = false;
@@ -43,6 +43,7 @@ void Post::run() {
     rest = was_idle ? std::min(2 * rest, kLongest) : kShortest;
     if (was_idle) std::this_thread::sleep_for(rest);
   }
+  link_.abandon();
 }
 
 }  // namespace dspm

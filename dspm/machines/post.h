@@ -24,6 +24,8 @@ class Post {
   Post& operator=(const Post&) = delete;
 
   void send(int machine, LetterKind kind, std::string text = {});
+  /// No letter is waited for any more, see Link::abandon.
+  void abandon() { abandoned_ = true; }
   /// Of all letters so far, both ways.
   std::uint64_t bytes() const { return bytes_; }
 
@@ -34,7 +36,7 @@ class Post {
   std::function<void(Letter)> open_;
   std::mutex mutex_;
   std::deque<Letter> out_;
-  std::atomic<bool> closing_ = false;
+  std::atomic<bool> closing_ = false, abandoned_ = false;
   std::atomic<std::uint64_t> bytes_ = 0;
   std::thread thread_;  // the last member: it uses the others
 };

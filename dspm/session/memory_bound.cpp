@@ -13,6 +13,7 @@
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
+#include "dspm/session/revertible.h"
 #include "dspm/system/memory_use.h"
 #include "dspm/system/readable.h"
 
@@ -73,9 +74,9 @@ class MemoryBound::Trials {
     int batches;        // of photons in an iteration
   };
 
-  Trials(const MemoryBound& bound, const Job& job, const World& world, std::size_t writing,
+  Trials(const MemoryBound& bound, const Job& job, const World& world, const Besides& besides,
          const SessionObserver& observer)
-      : bound_(bound), job_(job), world_(world), writing_(writing), observer_(observer) {}
+      : bound_(bound), job_(job), world_(world), besides_(besides), observer_(observer) {}
 
   std::optional<Result> of(const FrameList& frames) {
     if (observer_.end_wanted()) throw std::runtime_error("interrupted before the first iteration");
@@ -87,11 +88,21 @@ class MemoryBound::Trials {
     }
     const std::unique_ptr<Scene> scene = world_.scene(frames);
     // What was learned for an earlier trial counts among the integrator's own.
-    const std::size_t held = bound_.held() - job_.settings.file->bytes() + kLeeway, taken = held + writing_;
-    const std::size_t share = taken < bound_.bytes_ ? bound_.bytes_ - taken : 1;
-    try {
+    const std::size_t held = bound_.held() - job_.settings.file->bytes() + kLeeway;
+    std::size_t of_machines = 0, taken = held + besides_.writing;
+    const auto share = [&] { return taken < bound_.bytes_ ? bound_.bytes_ - taken : 1; };
+    const auto make = [&] {
       Diagnostics shown_later;
-      return Result{share, job_.make_integrator(*scene, shown_later, share)->statistics().photon_batches};
+      return job_.make_integrator(*scene, shown_later, share());
+    };
+    try {
+      std::unique_ptr<Integrator> integrator = make();
+      if (besides_.states > 0) {
+        of_machines = integrator->statistics().bytes + besides_.states * state_bytes(*integrator).value_or(0);
+        taken += of_machines;
+        integrator.reset(), integrator = make();
+      }
+      return Result{share(), integrator->statistics().photon_batches};
     } catch (const NotEnoughMemory& error) {
       const std::size_t tree = scene->accel->memory();
       const MemoryNeeds& needs = error.least;
@@ -105,7 +116,8 @@ class MemoryBound::Trials {
                     "{}: scene and program {}, trees {}, pixels {}, hit points {}, photons {}, writing of images {}",
                     readable_bytes(taken + needs.total()), readable_bytes(held - tree), readable_bytes(tree),
                     readable_bytes(needs.pixels), readable_bytes(needs.hit_points), readable_bytes(needs.photons),
-                    readable_bytes(writing_));
+                    readable_bytes(besides_.writing));
+      if (of_machines > 0) shortage_ += fmt::format(", sums of machines {}", readable_bytes(of_machines));
       return {};
     }
   }
@@ -133,7 +145,7 @@ class MemoryBound::Trials {
   const MemoryBound& bound_;
   const Job& job_;
   const World& world_;
-  std::size_t writing_;
+  const Besides& besides_;
   const SessionObserver& observer_;
   std::string shortage_;
 };
@@ -147,7 +159,7 @@ MemoryBound::MemoryBound(std::size_t bytes) : bytes_(bytes) {
 
 std::size_t MemoryBound::held() const { return kProgram + kThreads + allocated() - held_before_; }
 
-std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std::size_t writing,
+std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, const Besides& besides,
                                          const std::vector<FrameList>& given, const Messages& messages,
                                          const SessionObserver& observer) {
   const FrameList rest = without(job.frames, given);
@@ -164,7 +176,7 @@ std::vector<FrameList> MemoryBound::plan(const Job& job, const World& world, std
     throw std::runtime_error(fmt::format("{}: reading the scene alone took {}; rendering needs a larger bound", bound,
                                          readable_bytes(peak)));
 
-  Trials trials(*this, job, world, writing, observer);
+  Trials trials(*this, job, world, besides, observer);
   const auto accepts = [&](const std::vector<FrameList>& intervals) {
     const std::vector<Trials::Result> results = trials.of(intervals);
     int batches = 1;

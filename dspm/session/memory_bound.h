@@ -20,10 +20,17 @@ class MemoryBound {
   /// To be made before the scene is read; from then on there is one thread. 0: no bound.
   explicit MemoryBound(std::size_t bytes);
 
+  /// What is held besides the scene and its integrator.
+  struct Besides {
+    std::size_t writing = 0;  // bytes, while images are written
+    std::size_t states =
+        0;  // of the integrator, if several machines add up theirs; then there is another integrator, too
+  };
+
   /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the figures if
-  /// not even single frames fit. `writing`: bytes that images take while they are written. `given`: the intervals of a
-  /// resumed run, which are kept and come first, or none. `observer`: may want an end.
-  std::vector<FrameList> plan(const Job& job, const World& world, std::size_t writing,
+  /// not even single frames fit. `given`: the intervals of a resumed run, which are kept and come first, or none.
+  /// `observer`: may want an end.
+  std::vector<FrameList> plan(const Job& job, const World& world, const Besides& besides,
                               const std::vector<FrameList>& given, const Messages& messages,
                               const SessionObserver& observer);
   /// How many bytes the integrator of the plan's i-th interval may hold; 0: no bound.

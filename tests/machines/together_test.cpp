@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <mutex>
@@ -45,6 +46,10 @@ class Network {
       network_.boxes_[to].push_back(std::move(letter));
     }
     bool is_quiet() override { return true; }
+    void abandon() override {
+      network_.is_abandoned_ = true;
+      for (int machine = 1; machine < machines(); ++machine) send({machine, LetterKind::end, {}});
+    }
     std::optional<Letter> receive() override {
       const std::lock_guard lock(network_.mutex_);
       std::deque<Letter>& box = network_.boxes_[static_cast<std::size_t>(me_)];
@@ -61,8 +66,10 @@ class Network {
 
   explicit Network(int machines) : boxes_(static_cast<std::size_t>(machines)) {}
   Wire wire(int machine) { return {*this, machine}; }
+  bool is_abandoned() const { return is_abandoned_; }
 
  private:
+  std::atomic<bool> is_abandoned_ = false;
   std::mutex mutex_;
   std::vector<std::deque<Letter>> boxes_;
 };
@@ -81,6 +88,7 @@ struct Hand {
   int rest = 0;  // milliseconds before it begins
   std::string digest = "this scene", fault = {};
   bool is_stuck = false;  // with its first block
+  bool hangs = false;     // once it has rendered one
 };
 
 void get_stuck(Network::Wire& wire) {
@@ -92,8 +100,22 @@ void get_stuck(Network::Wire& wire) {
   }
 }
 
+void hang(Network::Wire& wire) {
+  wire.send({0, LetterKind::ready, written(Hello{"hanged", "this scene"})});
+  for (;;) {
+    const std::optional<Letter> letter = wire.receive();
+    if (letter && letter->kind == LetterKind::end) return;
+    if (letter && letter->kind == LetterKind::order) {
+      const auto order = read<Order>(letter->text);
+      wire.send({0, LetterKind::done, written(Rendered{order.interval, order.block.begin})});
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 void help(Network& network, int machine, const Hand& hand) {
   Network::Wire wire = network.wire(machine);
+  if (hand.hangs) return hang(wire);
   if (hand.is_stuck) return get_stuck(wire);
   Helper helper(wire, [] {});
   Messages messages(true);
@@ -109,12 +131,14 @@ void help(Network& network, int machine, const Hand& hand) {
 class Machines {
  public:
   explicit Machines(
-      const std::vector<Hand>& hands, std::function<bool()> end_wanted = [] { return false; })
-      : network_(static_cast<int>(hands.size()) + 1), leader_(wire_, std::move(end_wanted)) {
+      const std::vector<Hand>& hands, std::function<bool()> end_wanted = [] { return false; },
+      double patience = Leader::kPatience)
+      : network_(static_cast<int>(hands.size()) + 1), leader_(wire_, std::move(end_wanted), patience) {
     for (std::size_t i = 0; i < hands.size(); ++i)
       threads_.emplace_back([this, hand = hands[i], i] { help(network_, static_cast<int>(i) + 1, hand); });
   }
   Leader& leader() { return leader_; }
+  const Network& network() const { return network_; }
 
  private:
   Network network_;
@@ -198,6 +222,29 @@ void expect_failure(const Hand& hand, const std::string& words) {
 TEST(Together, AHelperThatFailsEndsTheRun) {
   expect_failure({.fault = "machine1: out of memory"}, "machine1: out of memory");
   expect_failure({.digest = "another"}, "machine1 has another scene, other files of it or another version of dspm");
+}
+
+TEST(Together, AMachineThatHangsEndsTheRun) {
+  Machines machines(
+      {{.hangs = true}, {}}, [] { return false; }, 0.2);
+  const Loaded loaded;
+  Messages messages(true);
+  machines.leader().expect("this scene");
+  const FrameList& frames = loaded.scene.job.frames;
+  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
+  const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
+  const auto integrator = machines.leader().share_out(make(), make(), frames, 0, {0, 4});
+  try {
+    for (int i = 0; i < 1'000'000; i += 4) integrator->iterate(i, *scene);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const MachineFailed& error) {
+    EXPECT_EQ(error.what(), std::string("hanged has not answered for 0.2s"));
+  }
+  EXPECT_GT(sum_of(*integrator, 3).images.size(), 0u);  // what was added up before can be written
+  EXPECT_THROW(machines.leader().end(), MachineFailed);
+  for (int i = 0; i < 1000 && !machines.network().is_abandoned(); ++i)  // by the thread of the post
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(machines.network().is_abandoned());
 }
 
 TEST(Together, AnEditReachesAll) {

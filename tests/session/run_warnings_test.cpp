@@ -26,7 +26,7 @@ std::string warnings(const std::string& integrator) {
   Heard messages;
   MemoryBound memory(0);
   SessionObserver observer;
-  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, 0, {}, messages, observer);
+  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, {}, {}, messages, observer);
   Session(loaded, intervals, memory, {}, messages, observer).run();
   return messages.all;
 }

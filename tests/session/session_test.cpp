@@ -82,7 +82,7 @@ void render(const std::string& scene, Notes& notes, const SessionSettings& setti
   const LoadedScene loaded("test.dsc", scene, {}, diagnostics);
   Silent messages;
   MemoryBound memory(0);
-  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, 0, {}, messages, notes);
+  const std::vector<FrameList> intervals = memory.plan(loaded.job, *loaded.world, {}, {}, messages, notes);
   Session(loaded, intervals, memory, settings, messages, notes).run();
 }
 

@@ -30,7 +30,10 @@ class MpiLink final : public Link {
     MPI_Comm_size(MPI_COMM_WORLD, &machines_);
     MPI_Comm_rank(MPI_COMM_WORLD, &me_);
   }
-  ~MpiLink() override { MPI_Finalize(); }
+  ~MpiLink() override {
+    if (is_abandoned_) MPI_Abort(MPI_COMM_WORLD, 1);
+    MPI_Finalize();
+  }
 
   int machines() const override { return machines_; }
   int me() const override { return me_; }
@@ -57,6 +60,8 @@ class MpiLink final : public Link {
     in_.erase(done);
     return letter;
   }
+
+  void abandon() override { is_abandoned_ = true; }
 
  private:
   struct Transfer {
@@ -96,6 +101,7 @@ class MpiLink final : public Link {
 
   MPI_Comm heads_ = MPI_COMM_NULL, texts_ = MPI_COMM_NULL;
   int machines_ = 1, me_ = 0;
+  bool is_abandoned_ = false;
   std::list<Transfer> out_, in_;  // their addresses are stable
 };
 
