@@ -1,5 +1,5 @@
-// The first pictures of a live page: a few iterations of a quarter of the size, with fewer photons, which start without
-// what a render learns about where they should.
+// The first pictures of a live page: a few iterations of a quarter of the size, with fewer photons. They start without
+// what a render learns about where they should, or with what the last one learned before an edit.
 #pragma once
 
 #include <memory>

@@ -7,6 +7,7 @@
 #include "dspm/app/coarse.h"
 #include "dspm/app/render.h"
 #include "dspm/serve/edits.h"
+#include "dspm/session/learned_before.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/parallel.h"
@@ -18,8 +19,9 @@ namespace {
 
 bool is_interrupted() { return InterruptRequests::signal() != 0; }
 
-/// Until the scene has changed, or the run is over. `is_edited`: it is not the first time.
-int render_once(Options options, const Surroundings& around, Edits& edits, bool is_edited) {
+/// Until the scene has changed, or the run is over. `is_edited`: it is not the first time. `learned`: by the last run,
+/// then by this one.
+int render_once(Options options, const Surroundings& around, Edits& edits, bool is_edited, LearnedBefore& learned) {
   const auto step_begins = [&] {
     const char* const step = "reading the scene";
     around.watch.begin(step, ""), around.last_words.begin(step, ""), around.live->step_begins(step);
@@ -31,12 +33,18 @@ int render_once(Options options, const Surroundings& around, Edits& edits, bool 
   step_begins();
   std::unique_ptr<LoadedScene> coarse = edits.take();
   if (coarse == nullptr) coarse = load_coarsely(options, around.messages, *around.kept);
+  learned.give(coarse->job);
   show_coarsely(*coarse, *around.live);
   coarse.reset();
   if (around.live->is_restarting()) return 0;
   step_begins();
   return load_and(
-      options, around, [] {}, [](Render& render, const LoadedScene&) { return render.run(); });
+      options, around, [] {},
+      [&](Render& render, const LoadedScene& loaded) {
+        const int code = render.run();
+        learned.keep(loaded.job);
+        return code;
+      });
 }
 
 }  // namespace
@@ -60,6 +68,7 @@ int render_live(Options options, Link* others) {
   LastWords last_words;
   const InterruptRequests interrupts;
   KeptGeometry kept;
+  LearnedBefore learned;
   const Surroundings around{messages, memory, watch, last_words, &live, leader ? &*leader : nullptr, &kept};
   Edits edits(live, options.scenes, [&] {
     LiveMessages of_edit(options.quiet, live);
@@ -76,7 +85,7 @@ int render_live(Options options, Link* others) {
   };
   for (bool is_edited = false;; is_edited = true) try {
       const int code = naming_memory_step([&] { return watch.step(); },
-                                          [&] { return render_once(options, around, edits, is_edited); });
+                                          [&] { return render_once(options, around, edits, is_edited, learned); });
       if (!live.is_restarting()) return code;
       options.resume.clear();  // that was another scene
     } catch (const SceneError& error) {

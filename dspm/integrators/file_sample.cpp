@@ -32,6 +32,15 @@ bool FileSample::has_learned() const {
   return false;
 }
 
+std::shared_ptr<const LearnedEmission> FileSample::earlier(const std::string& settings, const Scene& scene) const {
+  const auto found = known_.find(settings);
+  if (found == known_.end()) return std::make_shared<const LearnedEmission>();
+  const LearnedEmission& known = *found->second;
+  const bool fits = static_cast<std::size_t>(known.lights) == scene.lights.size() &&
+                    (known.guides.are_off() || known.guides.of_choice.size() == scene.light_choices.size());
+  return fits ? found->second : std::make_shared<const LearnedEmission>();
+}
+
 void FileSample::persist(StateStream& state) {
   std::vector<std::pair<std::string, LearnedEmission>> all;
   for (const auto& [settings, known] : known_)

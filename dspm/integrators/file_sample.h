@@ -31,11 +31,15 @@ struct LearnedEmission {
 class FileSample {
  public:
   using MakeScene = std::function<std::unique_ptr<Scene>()>;
+  using Learned = std::map<std::string, std::shared_ptr<const LearnedEmission>>;  // by names of settings
   /// `frames`: a few, spread over the file; `make` returns their scene.
   FileSample(std::vector<FileFrame> frames, MakeScene make) : frames_(std::move(frames)), make_(std::move(make)) {}
+  /// Nothing is learned: `known` is of an earlier state of the file.
+  explicit FileSample(Learned known) : known_(std::move(known)) {}
 
   /// Of these frames, whole: `given`, if it is that. Made once for all who hold it at the same time.
   std::shared_ptr<const Scene> scene(const Scene& given) const {
+    if (!learns()) return {std::shared_ptr<const Scene>(), &given};
     if (given.file_frames == frames_ && !given.is_without_objects) return {std::shared_ptr<const Scene>(), &given};
     std::shared_ptr<const Scene> scene = made_.lock();
     if (scene == nullptr) made_ = scene = make_();
@@ -44,10 +48,14 @@ class FileSample {
   /// What learn() returns, for settings of that name: the integrators of later frame intervals need not learn again.
   template <class Learn>
   std::shared_ptr<const LearnedEmission> emission(const std::string& settings, Learn&& learn) {
-    std::shared_ptr<const LearnedEmission>& known = known_[settings];
-    if (known == nullptr) known = std::make_shared<const LearnedEmission>(learn());
-    return known;
+    if (const auto found = known_.find(settings); found != known_.end()) return found->second;
+    auto learned = std::make_shared<const LearnedEmission>(learn());  // may be cancelled
+    return known_[settings] = std::move(learned);
   }
+  bool learns() const { return make_ != nullptr; }
+  /// What was learned of an earlier state that had as many lights, else nothing.
+  std::shared_ptr<const LearnedEmission> earlier(const std::string& settings, const Scene& scene) const;
+  const Learned& learned() const { return known_; }
   /// Of all that was learned.
   std::size_t bytes() const {
     std::size_t sum = 0;
@@ -71,7 +79,7 @@ class FileSample {
   std::vector<FileFrame> frames_;
   MakeScene make_;
   mutable std::weak_ptr<const Scene> made_;
-  std::map<std::string, std::shared_ptr<const LearnedEmission>> known_;
+  Learned known_;
   std::optional<std::uint64_t> given_;
   bool is_used_ = false;
 };

@@ -286,6 +286,7 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
   const std::string settings = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", guided, both, may_go_on, hit_point.go_on,
                                            photon.kinds, photon.max_depth, photon.least_alpha, photon.hidden,
                                            hit_point.max_depth, hit_point.least_alpha, hit_point.radius);
+  if (!render.file->learns()) return render.file->earlier(settings, scene);
   if (guided) render.file->expect_known(settings, scene.lights.size());
   const auto learned = render.file->emission(settings, [&] {
     PilotPaths pilot;

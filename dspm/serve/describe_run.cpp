@@ -98,14 +98,14 @@ std::vector<std::string> names_of_images(const Job& job) {
 }  // namespace
 
 std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs,
-                         const ViewSettings& view, int number) {
+                         const ViewSettings& view, int number, int halvings) {
   JsonWriter json;
   json.begin_object();
   json.member("run", number);
   json.member("scene", job.scene_file);
   json.member("integrator", job.integrator);
-  json.member("width", job.settings.crop.width());
-  json.member("height", job.settings.crop.height());
+  json.member("width", job.settings.crop.width() << halvings);
+  json.member("height", job.settings.crop.height() << halvings);
   json.member("fps", job.fps);
   json.member("numbered", job.numbered ? 1 : 0);
   write_vector(json, "center", scene.center);

@@ -82,6 +82,10 @@ void Edits::run() {
 }
 
 void Edits::load() {
+  while (!try_to_load()) std::this_thread::sleep_for(kBetweenLooks);
+}
+
+bool Edits::try_to_load() {
   try {
     std::unique_ptr<LoadedScene> loaded = load_();
     {
@@ -90,10 +94,12 @@ void Edits::load() {
     }
     page_.show_problem("");
     page_.restart();
-  } catch (const Cancelled&) {  // the run ends
+  } catch (const Cancelled&) {  // by the edit before this one, else the run ends
+    return !page_.is_restarting();
   } catch (const std::exception& error) {
     page_.show_problem(error.what());
   }
+  return true;
 }
 
 }  // namespace dspm

@@ -33,6 +33,8 @@ class Edits {
  private:
   void run();
   void load();
+  /// False: it was given up together with the iteration of a scene that is outdated by now.
+  bool try_to_load();
 
   LivePage& page_;
   const Load load_;

@@ -14,17 +14,27 @@ Gallery::Pictures Gallery::newer(const Request& request, std::chrono::millisecon
   std::unique_lock lock(mutex_);
   const std::uint64_t number = viewers_[request.viewer] = ++requests_;
   changed_.notify_all();  // for the viewer's earlier request
-  for (const Seen& each : request.seen) ++waiting_[each.wish];
+  begin_waiting(request.seen);
   Pictures pictures;
   const auto is_last = [&] { return viewers_[request.viewer] == number; };
   changed_.wait_for(lock, patience, [&] {
     pictures = newer_now(request.seen);
     return closed_ || !is_last() || !pictures.empty();
   });
-  for (const Seen& each : request.seen)
-    if (const auto found = waiting_.find(each.wish); --found->second == 0) waiting_.erase(found);
+  end_waiting(request.seen);
   if (is_last()) viewers_.erase(request.viewer);
   return pictures;
+}
+
+void Gallery::begin_waiting(const std::vector<Seen>& seen) {
+  for (const Seen& each : seen) ++waiting_[each.wish];
+}
+
+void Gallery::end_waiting(const std::vector<Seen>& seen) {
+  for (const Seen& each : seen) {
+    if (const auto found = waiting_.find(each.wish); --found->second == 0) waiting_.erase(found);
+    if (const auto found = pictures_.find(each.wish); found != pictures_.end()) found->second.wished = Clock::now();
+  }
 }
 
 Gallery::Pictures Gallery::newer_now(const std::vector<Seen>& seen) {
@@ -50,27 +60,30 @@ const Gallery::Hung* Gallery::find(const Seen& seen) const {
   return best != nullptr && best->picture->version > seen.other ? best : nullptr;
 }
 
-std::vector<Wish> Gallery::wanted(int iterations) const {
+bool Gallery::is_up_to_date(const Picture& picture, int iterations) const {
+  return picture.run == run_ && picture.iterations >= iterations;
+}
+
+std::vector<Wish> Gallery::wanted(int iterations, Clock::time_point now) const {
   const std::lock_guard lock(mutex_);
   std::vector<Wish> wishes;
-  for (const auto& [wish, count] : waiting_) {
-    const auto found = pictures_.find(wish);
-    const bool is_there =
-        found != pictures_.end() && found->second.run == run_ && found->second.picture->iterations >= iterations;
-    if (wish.frame < frames_ && !is_there) wishes.push_back(wish);
+  for (const auto& [wish, count] : waiting_)
+    if (wish.frame < frames_ && !pictures_.contains(wish)) wishes.push_back(wish);
+  for (const auto& [wish, hung] : pictures_) {
+    const bool is_wished = waiting_.contains(wish) || now < hung.wished + kMoment;
+    if (is_wished && !is_up_to_date(*hung.picture, iterations)) wishes.push_back(wish);
   }
   return wishes;
 }
 
 void Gallery::put(std::vector<Picture> pictures) {
   const std::lock_guard lock(mutex_);
-  ++clock_;
   for (Picture& picture : pictures) {
-    picture.version = ++version_;
+    picture.version = ++version_, picture.run = run_;
     Hung& hung = pictures_[picture.wish];
     if (hung.picture != nullptr) bytes_ -= hung.picture->pixels.size();
     bytes_ += picture.pixels.size();
-    hung = {std::make_shared<const Picture>(std::move(picture)), run_, clock_};
+    hung.picture = std::make_shared<const Picture>(std::move(picture));
   }
   drop_unused();
   changed_.notify_all();
@@ -81,7 +94,8 @@ void Gallery::drop_unused() {
   while (bytes_ > kMostBytes) {
     auto oldest = pictures_.end();
     for (auto at = pictures_.begin(); at != pictures_.end(); ++at)
-      if (!waiting_.contains(at->first) && (oldest == pictures_.end() || at->second.used < oldest->second.used))
+      if (!waiting_.contains(at->first) &&
+          (oldest == pictures_.end() || at->second.picture->version < oldest->second.picture->version))
         oldest = at;
     if (oldest == pictures_.end()) return;
     bytes_ -= oldest->second.picture->pixels.size();

@@ -1,5 +1,6 @@
 // The pictures that viewers look at, between the threads that serve them and the one that renders. A viewer's request
-// waits here, which is its wish; pictures of what nobody waits for are not taken.
+// waits here, which is its wish, and a moment longer while the answer is on its way; pictures of what nobody wishes for
+// are not taken.
 #pragma once
 
 #include <chrono>
@@ -17,6 +18,7 @@ namespace dspm {
 
 class Gallery {
  public:
+  using Clock = std::chrono::steady_clock;
   using Pictures = std::vector<std::shared_ptr<const Picture>>;
   /// What a viewer looks at, and which versions it has: of that, and of the same in other sizes. 0: none.
   struct Seen {
@@ -33,8 +35,10 @@ class Gallery {
   Pictures newer(const Request& request, std::chrono::milliseconds patience);
 
   static constexpr int kNewer = std::numeric_limits<int>::max();
-  /// What viewers wait for, and of which there is no picture of this run after that many iterations.
-  std::vector<Wish> wanted(int iterations = kNewer) const;
+  /// A viewer with an answer asks again within this time.
+  static constexpr std::chrono::milliseconds kMoment{1000};
+  /// What viewers wish for, and of which there is no picture of this run after that many iterations.
+  std::vector<Wish> wanted(int iterations = kNewer, Clock::time_point now = Clock::now()) const;
   /// Gives the pictures their versions, and hands them over.
   void put(std::vector<Picture> pictures);
   /// The pictures so far are of another run: they stay until there are others. `frames`: of the new one.
@@ -45,10 +49,13 @@ class Gallery {
  private:
   struct Hung {
     std::shared_ptr<const Picture> picture;
-    std::uint64_t run, used;  // for the last time
+    Clock::time_point wished = {};  // when the last request for it ended
   };
+  void begin_waiting(const std::vector<Seen>& seen);
+  void end_waiting(const std::vector<Seen>& seen);
   Pictures newer_now(const std::vector<Seen>& seen);
   const Hung* find(const Seen& seen) const;
+  bool is_up_to_date(const Picture& picture, int iterations) const;
   void drop_unused();
 
   mutable std::mutex mutex_;
@@ -56,9 +63,9 @@ class Gallery {
   std::map<Wish, int> waiting_;                     // by how many
   std::map<std::uint64_t, std::uint64_t> viewers_;  // the last request of each that waits
   std::map<Wish, Hung> pictures_;
-  std::uint64_t version_ = 0, run_ = 0, clock_ = 0, requests_ = 0;
+  std::uint64_t version_ = 0, requests_ = 0;
   std::size_t bytes_ = 0;
-  int frames_ = 0;
+  int run_ = 0, frames_ = 0;
   bool closed_ = false;
 };
 

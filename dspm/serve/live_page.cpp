@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick(30);
 constexpr int kKeptWidth = 256;  // of the pictures that stay of earlier intervals
+constexpr int kCoarseHalvings = 2;
+static_assert(1 << kCoarseHalvings == kQuickShare);
 
 double processor_seconds() {
   timespec time = {};
@@ -30,6 +32,8 @@ int slot_of(const Job& job, FileFrame frame) {
 }
 
 }  // namespace
+
+int LivePage::halvings() const { return coarse_ ? kCoarseHalvings : 0; }
 
 void LivePage::begin() {
   orders_.begin();
@@ -52,6 +56,7 @@ bool LivePage::wait_for_restart(const std::function<bool()>& interrupted) {
 void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& integrator, int iterations,
                          bool coarse) {
   job_ = &job, coarse_ = coarse, iterations_ = iterations;
+  guided_ = job.settings.file != nullptr;
   progress_ = {}, outlook_ = {};
   outputs_.clear();
   const std::vector<std::string>& asked = job.outputs;
@@ -60,7 +65,7 @@ void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& i
       outputs_.push_back(output);
   pictures_.reset();
   gallery_.begin_run(static_cast<int>(job.frames.size()));
-  board_.set_run(describe_run(job, scene, outputs_, view_, ++run_));
+  board_.set_run(describe_run(job, scene, outputs_, view_, ++run_, halvings()));
   show_state("rendering");
 }
 
@@ -96,8 +101,7 @@ void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
     pictures.resize(first + batch.size());
     parallel_for(static_cast<std::int64_t>(batch.size()), 1, [&](std::int64_t i) {
       const auto slot = static_cast<std::size_t>(i);
-      Picture& picture = pictures[first + slot];
-      picture = make_picture(batch[slot].wish, *batch[slot].output, std::move(batch[slot].image));
+      Picture& picture = pictures[first + slot] = picture_of(std::move(batch[slot]));
       picture.iterations = exhibit.iterations, picture.coarse = coarse_;
     });
     batch.clear();
@@ -124,12 +128,20 @@ std::optional<LivePage::Taken> LivePage::take_one(const Exhibit& exhibit, const 
   return Taken{wish, &*output, std::move(image)};
 }
 
+Picture LivePage::picture_of(Taken taken) const {
+  Wish of_run = taken.wish;
+  of_run.halvings = std::max(taken.wish.halvings - halvings(), 0);
+  Picture picture = make_picture(of_run, *taken.output, std::move(taken.image));
+  picture.wish = std::move(taken.wish);
+  return picture;
+}
+
 void LivePage::interval_ends(const Exhibit& exhibit) {
   if (exhibit.iterations == 0 || exhibit.interval.size() == job_->frames.size()) return;
-  int halvings = 0;
-  while (job_->settings.crop.width() >> halvings > kKeptWidth) ++halvings;
+  int kept = 0;
+  while (job_->settings.crop.width() << halvings() >> kept > kKeptWidth) ++kept;
   std::vector<Wish> wishes = gallery_.wanted();
-  for (const FileFrame frame : exhibit.interval) wishes.push_back({slot_of(*job_, frame), kRadiance, halvings});
+  for (const FileFrame frame : exhibit.interval) wishes.push_back({slot_of(*job_, frame), kRadiance, kept});
   take(exhibit, wishes);
 }
 
@@ -163,6 +175,7 @@ void LivePage::show_state(const char* phase) {
   json.member("run", run_);
   json.member("phase", phase);
   json.member("coarse", coarse_ ? 1 : 0);
+  json.member("guided", guided_ ? 1 : 0);
   json.member("step", step_);
   json.member("iterations", progress_.iterations);
   json.member("of", iterations_);

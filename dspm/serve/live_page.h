@@ -66,7 +66,8 @@ class LivePage {
 
   // By the thread that renders:
 
-  /// A run begins. `job` lives as long as it. `coarse`: it comes before that of the full size.
+  /// A run begins. `job` lives as long as it. `coarse`: it is a quick look before that of the full size, and the page
+  /// goes on counting in pixels of the full size.
   void begin_run(const Job& job, const Scene& scene, const Integrator& integrator, int iterations, bool coarse);
   void step_begins(const std::string& step);
   void iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook);
@@ -91,6 +92,9 @@ class LivePage {
   };
   void take(const Exhibit& exhibit, const std::vector<Wish>& wishes);
   std::optional<Taken> take_one(const Exhibit& exhibit, const Wish& wish) const;
+  Picture picture_of(Taken taken) const;
+  /// From the page's size to that of the run.
+  int halvings() const;
   void show_state(const char* phase);
 
   const ViewSettings view_;
@@ -99,7 +103,7 @@ class LivePage {
   Orders orders_;
   const Job* job_ = nullptr;
   std::vector<OutputInfo> outputs_;
-  bool coarse_ = false;
+  bool coarse_ = false, guided_ = true;
   int run_ = 0, iterations_ = 0;
   IntervalProgress progress_;
   Outlook outlook_;

@@ -25,6 +25,7 @@ struct Picture {
   int channels = 3;
   int bytes = 2;  // of a value: 2 or 4
   int iterations = 0;
+  int run = 0;                // counted from 1
   bool coarse = false;        // from the iterations before the first of the full size
   std::uint64_t version = 0;  // grows with every picture
   std::string pixels;         // see packed()

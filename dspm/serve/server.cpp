@@ -73,8 +73,9 @@ std::string bundle_of(const Gallery::Pictures& pictures) {
   std::string bundle;
   for (const auto& picture : pictures) {
     const Picture& p = *picture;
-    bundle += fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n", p.wish.frame, p.wish.output, p.wish.halvings, p.version,
-                          p.width, p.height, p.channels, p.bytes, p.iterations, p.coarse ? 1 : 0, p.pixels.size());
+    bundle +=
+        fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}\n", p.wish.frame, p.wish.output, p.wish.halvings, p.version,
+                    p.width, p.height, p.channels, p.bytes, p.iterations, p.coarse ? 1 : 0, p.run, p.pixels.size());
     bundle += p.pixels;
   }
   return bundle;

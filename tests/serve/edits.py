@@ -24,22 +24,23 @@ def look():
             pictures, _ = viewer.newer(url, 1, frames, 1, seen)
         except OSError:
             return  # the run has ended
-        coarse.extend((time.monotonic(), frame) for frame, is_coarse in pictures if is_coarse)
+        coarse.extend((time.monotonic(), frame, run) for frame, is_coarse, run in pictures if is_coarse)
 
 
 def edit(number):
     """Saves the file; returns when the page had begun anew, and when it had pictures of all frames."""
     during = states[-1][1]["step"]
-    run, begin = states[-1][1]["run"], time.monotonic()
+    run = max([states[-1][1]["run"]] + [run for _, _, run in coarse])
+    begin = time.monotonic()
     path.write_text(text.replace(old, new.format(number)))
     while True:
         time.sleep(.01)
         anew = next((at for at, state in list(states) if at > begin and state["run"] > run and state["coarse"]), None)
         come = {}
-        for at, frame in list(coarse):
-            if anew and at > anew:
+        for at, frame, of_run in list(coarse):
+            if of_run > run:
                 come.setdefault(frame, at)
-        if len(come) == frames:
+        if anew and len(come) == frames:
             return during, anew - begin, max(come.values()) - begin
         if time.monotonic() > begin + 60:
             sys.exit(f"edits.py: 60 seconds after edit {number} there were pictures of {len(come)} of {frames} frames")

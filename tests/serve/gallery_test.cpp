@@ -28,7 +28,7 @@ void wait_for_wishes(const Gallery& gallery, std::size_t count) {
   while (gallery.wanted().size() != count) std::this_thread::sleep_for(milliseconds(1));
 }
 
-TEST(Gallery, APictureIsWantedOnlyWhileSomeoneWaits) {
+TEST(Gallery, APictureIsWantedWhileSomeoneWaitsAndAMomentLonger) {
   Gallery gallery;
   gallery.begin_run(8);
   EXPECT_TRUE(gallery.wanted().empty());
@@ -39,7 +39,12 @@ TEST(Gallery, APictureIsWantedOnlyWhileSomeoneWaits) {
   const Gallery::Pictures pictures = viewer.get();
   ASSERT_EQ(pictures.size(), 1u);
   EXPECT_GT(pictures[0]->version, 0u);
-  EXPECT_TRUE(gallery.wanted().empty());
+  const auto now = Gallery::Clock::now();
+  EXPECT_EQ(gallery.wanted(Gallery::kNewer, now), std::vector{kWish}) << "the viewer has yet to see what it was given";
+  EXPECT_TRUE(gallery.wanted(1, now).empty());
+  gallery.begin_run(8);
+  EXPECT_EQ(gallery.wanted(1, now), std::vector{kWish}) << "the first picture of the next run is made all the same";
+  EXPECT_TRUE(gallery.wanted(Gallery::kNewer, now + Gallery::kMoment).empty());
 }
 
 TEST(Gallery, WhatAViewerHasIsNotSentAgain) {

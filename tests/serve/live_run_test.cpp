@@ -172,6 +172,15 @@ TEST_F(LiveRun, AnEditInTheMiddleOfALongIterationEndsIt) {
   EXPECT_NE(events_until("\"phase\": \"done\"").find("\"phase\": \"done\""), std::string::npos);
 }
 
+TEST_F(LiveRun, CoarseRunsAreShownInTheFullSizeAndStartAsTheLastRunHasLearned) {
+  start({"-t", "1"});
+  events_until("\"phase\": \"done\"");
+  put_file(directory / "tiny.dsc", tiny_scene("\"integer photons\" 200", "\"integer photons\" 400000000"));
+  const std::string events = events_until("\"coarse\": 1,  \"guided\": 1");  // for as long as these photons take
+  EXPECT_NE(events.find("\"coarse\": 1,  \"guided\": 1"), std::string::npos) << events;
+  EXPECT_NE(ask(port, "GET", "/run").find("\"width\": 12"), std::string::npos);
+}
+
 TEST_F(LiveRun, ErrorsStandOnThePageWithTheirPlaceUntilTheyAreMended) {
   start();
   events_until("\"phase\": \"done\"");

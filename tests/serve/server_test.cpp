@@ -98,7 +98,7 @@ TEST_F(Served, PicturesComeWhenTheyChange) {
   wait_for_wishes(1);
   put(2, 9);
   const std::string answer = viewer.read_all();
-  EXPECT_NE(answer.find("2 radiance 0 1 0 0 3 2 9 0 10\nthe pixels"), std::string::npos) << answer;
+  EXPECT_NE(answer.find("2 radiance 0 1 0 0 3 2 9 0 1 10\nthe pixels"), std::string::npos) << answer;
   wait_for_wishes(0);
 }
 

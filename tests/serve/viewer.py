@@ -27,7 +27,7 @@ def frame_count(url):
 
 def newer(url, viewer, frames, halvings, seen):
     """Waits for pictures of the first frames that are newer than those in `seen`, which holds versions by frame; returns
-    pairs of frame and whether it is coarse, and the bytes of all."""
+    frame, whether it is coarse, and the number of its run, and the bytes of all."""
     wishes = "".join(f"{f} radiance {halvings} {seen.get(f, 0)} {seen.get(f, 0)}\n" for f in range(frames))
     body = urllib.request.urlopen(url + "pictures", f"{viewer}\n{wishes}".encode()).read()
     pictures, size = [], len(body)
@@ -36,5 +36,5 @@ def newer(url, viewer, frames, halvings, seen):
         words = line.split()
         frame, body = int(words[0]), body[int(words[-1]):]
         seen[frame] = int(words[3])
-        pictures.append((frame, words[9] == b"1"))
+        pictures.append((frame, words[9] == b"1", int(words[10])))
     return pictures, size

@@ -28,7 +28,8 @@ function show(state) {
   $('pause').textContent = state.phase === 'paused' ? 'Go on' : 'Pause';
   const ended = state.phase === 'done';
   $('pause').disabled = ended;
-  notice(state.coarse === 1 && state.iterations > 0 ? 'Coarse: a quarter of the size, fewer photons, which start unguided' : '');
+  const starts = state.guided === 1 ? 'as learned before the edit' : 'unguided';
+  notice(state.coarse === 1 && state.iterations > 0 ? `Coarse: a quarter of the size, fewer photons, which start ${starts}` : '');
 }
 
 function log(text) {

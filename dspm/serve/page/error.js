@@ -11,9 +11,8 @@ export class Errors {
   add(picture) {
     if (picture.output !== 'radiance') return;
     const name = `${picture.frame} ${picture.width}`, earlier = this.#earlier.get(name);
-    const is_of_another_run = earlier && (earlier.iterations >= picture.iterations || earlier.coarse !== picture.coarse);
-    if (!earlier || is_of_another_run) this.#earlier.set(name, picture);
-    else {
+    if (earlier?.run !== picture.run) this.#earlier.set(name, picture);
+    else if (picture.iterations > earlier.iterations) {
       this.#estimate(picture, earlier);
       if (picture.iterations >= 4 * earlier.iterations) this.#earlier.set(name, picture);
     }

@@ -48,9 +48,9 @@ async function parsed(buffer) {
   const bytes = new Uint8Array(buffer), text = new TextDecoder(), pictures = [];
   for (let at = 0; at < bytes.length;) {
     const end = bytes.indexOf(10, at), words = text.decode(bytes.subarray(at, end)).split(' ');
-    const [frame, , halvings, version, width, height, channels, size, iterations, coarse, length] = words.map(Number);
+    const [frame, , halvings, version, width, height, channels, size, iterations, coarse, run, length] = words.map(Number);
     const picture = {frame, output: words[1], halvings, version, width, height, channels, bytes: size, iterations,
-                     coarse: coarse === 1};
+                     coarse: coarse === 1, run};
     picture.data = unpacked(await plane_bytes(bytes.subarray(end + 1, end + 1 + length)), picture);
     pictures.push(picture);
     at = end + 1 + length;
