@@ -3,6 +3,7 @@ usage: blender -b --factory-startup --python through_blender.py -- dspm folder""
 import os
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import addon_utils
 import bpy
@@ -12,6 +13,8 @@ sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
 import scenes
 from dspm_blender.export_request import ExportRequest
 from dspm_blender.exr import Exr
+from dspm_blender.fields import Field
+from dspm_blender.principled_node import gloss
 from dspm_blender.process import find_program
 
 program, folder = sys.argv[sys.argv.index("--") + 1:][:2]
@@ -94,6 +97,32 @@ def expect_notes(scene):
         expect(any(text in note for note in request.notes), f"a note says {text}, not only {request.notes} {request.error}")
 
 
+def expect_gloss():
+    """The share that is mirrored straight on, specular ((eta - 1) / (eta + 1))^2, is Blender's, with specular of at most 1."""
+    of_ior = (0.45 / 2.45) ** 2
+    for new, level, glass, mirrored in ((False, 0.5, 0, 0.04), (False, 1, 0, 0.08), (False, 0.2, 0, 0.016), (False, 0.5, 1, of_ior),
+                                        (False, 0.2, 0.5, 0.016), (False, 0.5, 0.5, of_ior), (True, 0.5, 0, of_ior),
+                                        (True, 1, 0, 2 * of_ior), (True, 0.1, 0.5, 0.2 * of_ior), (True, 1, 1, of_ior)):
+        notes = []
+        tree = SimpleNamespace(animated=False, note=lambda source, text: notes.append(text))
+        eta, specular = gloss(tree, None, Field.of(level), Field.of(glass), 1.45, new)
+        found = specular.number() * ((eta - 1) / (eta + 1)) ** 2
+        whose = f"gloss {level} of {'new' if new else 'old'} Principled with transmission {glass}"
+        expect(abs(found - mirrored) < 1e-5 and specular.number() <= 1, f"{whose} mirrors {mirrored}, not {found}")
+        expect(bool(notes) == (not new and (level, glass) == (0.5, 0.5)), f"{whose} says what is lost: {notes}")
+        expect(glass == 0 or eta == 1.45, f"{whose} refracts by its IOR, not {eta}")
+
+
+def expect_glass(scene):
+    """Principled with only Transmission is what dspm takes."""
+    bpy.data.objects["Suzanne"].data.materials[0] = scenes.material(
+        "clear", lambda tree: scenes.bsdf(tree, "Principled", Transmission=1, IOR=1.45))
+    path = os.path.join(folder, "clear.dsc")
+    bpy.ops.export_scene.dspm(filepath=path, animation=False)
+    run = subprocess.run([program, path, "--check"], capture_output=True, text=True)
+    expect(run.returncode == 0, f"dspm takes clear glass: {run.stderr}")
+
+
 def main():
     scene = prepare()
     alone = rendered_alone(scene, "all", True)
@@ -109,6 +138,8 @@ def main():
     bpy.ops.render.render(write_still=True)
     compare(scene.render.filepath, alone + ".exr", "a border")
     expect_notes(scene)
+    expect_gloss()
+    expect_glass(scene)
     try:
         find_program("/nowhere/dspm")
         expect(False, "a missing program is an error")

@@ -1,5 +1,7 @@
 """Blender's Principled BSDF, of versions before 4 and since. dspm's parameters are explained in materials/principled.cpp."""
-from .fields import Field, is_one, is_zero, product
+import numpy as np
+
+from .fields import Field, is_one, is_zero, luminance, product
 from .shader import Shader
 
 
@@ -12,12 +14,7 @@ def principled(tree, source):
         tree.note(source, "scatters at its surface only")
     if not new and is_one(transmission):
         colour = product(colour, colour)  # it colours each boundary, dspm's root does
-    if new or not is_zero(transmission):
-        straight_on = ((eta - 1) / (eta + 1)) ** 2
-    else:
-        eta, straight_on = 1.5, 0.04
-    # What the opaque part mirrors straight on is 0.08 Specular before version 4; since then it is eta's, doubled by 1.
-    specular = scaled(get("specular"), 2 if new else 0.08 / max(straight_on, 1e-3))
+    eta, specular = gloss(tree, source, get("specular"), transmission, eta, new)
     fields = {"basecolor": colour, "roughness": get("roughness"), "specular": specular}
     optional = {"metallic": get("metallic"), "transmission": transmission, "anisotropy": get("anisotropy"),
                 "coat": scaled(get("coat"), 1 if new else 0.25), "sheen": sheen(tree, source, new)}
@@ -28,6 +25,28 @@ def principled(tree, source):
         fields["anisotropyrotation"] = scaled(tree.field(source, "Anisotropic Rotation"), 360)
     light = product(get("emission"), tree.field(source, "Emission Strength"))
     return Shader("principled", fields, {"float eta": eta} | tree.relief(source), get("alpha"), light)
+
+
+def gloss(tree, source, level, transmission, eta, new):
+    """(eta, specular): dspm's opaque part mirrors specular <= 1 times what eta does, and its glass what eta does."""
+    of_one = 2 * straight_on(eta) if new else 0.08  # what the opaque part mirrors straight on where the level is 1
+    most = float(luminance(level.values).max())
+    if is_zero(transmission):  # animated materials keep their eta
+        eta = index(min(max(of_one * (1 if tree.animated else most), straight_on(eta) if new else 0.04), 0.9))
+    share = of_one / max(straight_on(eta), 1e-6)
+    if share * most > 1.0001 and not is_one(transmission):
+        tree.note(source, "its opaque part mirrors no more than its IOR does")
+    return eta, level if share == 1 and most <= 1 else level.with_values(np.minimum(level.values * share, 1))
+
+
+def straight_on(eta):
+    """The share of light that is mirrored there."""
+    return ((eta - 1) / (eta + 1)) ** 2
+
+
+def index(mirrored):
+    """Of refraction, that mirrors this straight on."""
+    return round(2 / (1 - mirrored ** 0.5) - 1, 6)
 
 
 def sheen(tree, source, new):
