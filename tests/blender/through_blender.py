@@ -113,7 +113,7 @@ def expect_gloss():
         expect(glass == 0 or eta == 1.45, f"{whose} refracts by its IOR, not {eta}")
 
 
-def expect_glass(scene):
+def expect_glass():
     """Principled with only Transmission is what dspm takes."""
     bpy.data.objects["Suzanne"].data.materials[0] = scenes.material(
         "clear", lambda tree: scenes.bsdf(tree, "Principled", Transmission=1, IOR=1.45))
@@ -121,6 +121,21 @@ def expect_glass(scene):
     bpy.ops.export_scene.dspm(filepath=path, animation=False)
     run = subprocess.run([program, path, "--check"], capture_output=True, text=True)
     expect(run.returncode == 0, f"dspm takes clear glass: {run.stderr}")
+
+
+def expect_refusal():
+    """What dspm refuses is an error of Blender's operator, in dspm's words."""
+    refusing, preferences = os.path.join(folder, "refusing"), bpy.context.preferences.addons["dspm_blender"].preferences
+    with open(refusing, "w") as script:
+        script.write(f'#!/bin/sh\nexec "{program}" "$@" --integrator nonsense\n')
+    os.chmod(refusing, 0o755)
+    preferences.program = refusing
+    try:
+        bpy.ops.render.render()
+        expect(False, "a scene that dspm refuses is an error")
+    except RuntimeError as error:
+        expect("--integrator nonsense: available:" in str(error), f"the error is dspm's, not: {error}")
+    preferences.program = program
 
 
 def main():
@@ -139,7 +154,8 @@ def main():
     compare(scene.render.filepath, alone + ".exr", "a border")
     expect_notes(scene)
     expect_gloss()
-    expect_glass(scene)
+    expect_glass()
+    expect_refusal()
     try:
         find_program("/nowhere/dspm")
         expect(False, "a missing program is an error")

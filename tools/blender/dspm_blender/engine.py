@@ -1,4 +1,6 @@
 """The render engine: F12 renders a frame, Render Animation all frames together."""
+import sys
+
 import bpy
 
 from .export_frames import animation_frames, export_frames
@@ -23,8 +25,15 @@ class DspmEngine(bpy.types.RenderEngine):
                 self._rendering(depsgraph).show(self, depsgraph.scene.frame_current)
         except Exception as problem:
             if request:
-                request.error = str(problem)
+                request.error = str(problem)  # which its operator tells
+            else:
+                self._tell(str(problem))
             self.error_set(str(problem))
+
+    def _tell(self, problem):
+        """Ends an animation, too. Without windows Blender shows no error that is set, and a script gets this one."""
+        self.report({"ERROR"}, problem)
+        print(problem, file=sys.stderr, flush=True)
 
     def _rendering(self, depsgraph):
         if not self.is_animation:
