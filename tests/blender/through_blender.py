@@ -123,6 +123,24 @@ def expect_glass():
     expect(run.returncode == 0, f"dspm takes clear glass: {run.stderr}")
 
 
+def expect_shadow_catcher(scene):
+    """Of two objects with one mesh only the catcher is one. It darkens what is behind the picture."""
+    ground = next(each for each in scene.objects if each.data and each.type == "MESH" and each.data.materials[0].name == "ground")
+    ground.is_shadow_catcher = True
+    twin = ground.copy()
+    twin.is_shadow_catcher, twin.scale, twin.location = False, (0.01, 0.01, 0.01), (0, 0, -1)
+    scene.collection.objects.link(twin)
+    path = os.path.join(folder, "catcher.dsc")
+    bpy.ops.export_scene.dspm(filepath=path, animation=False)
+    with open(path) as file:
+        catchers = [line for line in file if '"bool shadowcatcher" true' in line]
+    expect(len(catchers) == 1 and f'"string name" "{ground.name}"' in catchers[0], f"one shape is a catcher, not: {catchers}")
+    subprocess.run([program, path, "-o", path[:-4] + ".exr", "--float", "--compression", "none", "--quiet"], check=True,
+                   capture_output=True)
+    alpha = Exr(path[:-4] + ".exr").channels["A"]
+    expect(alpha.min() < 0.9 < alpha.max(), f"a catcher is see-through where it has no shadow, not {alpha.min()} to {alpha.max()}")
+
+
 def expect_refusal():
     """What dspm refuses is an error of Blender's operator, in dspm's words."""
     refusing, preferences = os.path.join(folder, "refusing"), bpy.context.preferences.addons["dspm_blender"].preferences
@@ -155,6 +173,7 @@ def main():
     expect_notes(scene)
     expect_gloss()
     expect_glass()
+    expect_shadow_catcher(scene)
     expect_refusal()
     try:
         find_program("/nowhere/dspm")

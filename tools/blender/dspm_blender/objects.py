@@ -7,8 +7,8 @@ from .textures import file_name
 class Placement:
     """An object or instance over the frames."""
 
-    def __init__(self, name, params, block):
-        self.name, self.params, self.block, self.matrices = name, params, block, []
+    def __init__(self, name, block):
+        self.name, self.block, self.matrices = name, block, []
 
 
 class Objects:
@@ -17,7 +17,7 @@ class Objects:
     def __init__(self, folder, materials):
         self.folder, self.materials = folder, materials
         self.geometries, self.stems = {}, set()
-        self.placements = {}  # (geometry's key, materials' names) -> {the instance's key: Placement}
+        self.placements = {}  # (geometry's key, materials' names, parameters) -> {the instance's key: Placement}
 
     def see(self, frame, instance, block):
         """`block` is the Dynamic block that it comes and goes with, or None."""
@@ -29,30 +29,30 @@ class Objects:
             self.geometries[key] = Geometry(self._stem(key[-1]), self.folder)
         self.geometries[key].see(frame, object.data)
         names = tuple(self.materials.see(frame, material) for material in slots(object))
-        placement = self.placements.setdefault((key, names), {}).setdefault(
-            instance_key(instance), Placement(object.name, hidden(object), block))
+        placement = self.placements.setdefault((key, names, tuple(parameters(object))), {}).setdefault(
+            instance_key(instance), Placement(object.name, block))
         placement.matrices.append((frame, instance.matrix_world.copy()))
 
     def lines(self, all_frames):
         for geometry in self.geometries.values():
             geometry.finish()
-        for i, ((key, names), placements) in enumerate(self.placements.items()):
-            geometry, placements = self.geometries[key], list(placements.values())
+        for i, ((key, names, params), placements) in enumerate(self.placements.items()):
+            geometry, params, placements = self.geometries[key], dict(params), list(placements.values())
             if len(placements) == 1:
-                yield from self._alone(geometry, names, placements[0], all_frames)
+                yield from self._alone(geometry, names, params, placements[0], all_frames)
             else:
-                yield from self._many(f"{geometry.name}.{i}", geometry, names, placements, all_frames)
+                yield from self._many(f"{geometry.name}.{i}", geometry, names, params, placements, all_frames)
 
-    def _alone(self, geometry, names, placement, all_frames):
+    def _alone(self, geometry, names, params, placement, all_frames):
         inside = lambda frames: self._shapes(
-            geometry, names, placement.name, frames, all_frames, placement.params, True)
+            geometry, names, placement.name, frames, all_frames, params, True)
         return in_block(placement.block,
                         placed(placement.name, placement.matrices, all_frames, inside, geometry.deforms()))
 
-    def _many(self, name, geometry, names, placements, all_frames):
+    def _many(self, name, geometry, names, params, placements, all_frames):
         frames = list(range(1, all_frames + 1))
         yield f"ObjectBegin {quoted(name)}"
-        yield from indented(self._shapes(geometry, names, name, frames, all_frames, placements[0].params, False))
+        yield from indented(self._shapes(geometry, names, name, frames, all_frames, params, False))
         yield "ObjectEnd"
         for placement in placements:
             yield from in_block(placement.block, placed(
@@ -92,6 +92,9 @@ def instance_key(instance):
     return (instance.parent.name_full, tuple(instance.persistent_id), instance.object.name_full)
 
 
-def hidden(object):
-    """Seen by nothing but shadow rays is seen by nothing here."""
-    return {} if object.visible_camera or object.visible_glossy or object.visible_diffuse else {"float alpha": 0.0}
+def parameters(object):
+    """Of its shapes: pairs. Seen by nothing but shadow rays is seen by nothing here."""
+    if not (object.visible_camera or object.visible_glossy or object.visible_diffuse):
+        yield "float alpha", 0.0
+    if object.is_shadow_catcher:
+        yield "bool shadowcatcher", True
