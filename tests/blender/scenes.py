@@ -224,7 +224,36 @@ def second_map(tree):
     return paint
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted)
+def turned():
+    """Pictures that are scaled, turned and moved by Mapping: as a point, as a texture, after one another, and mirrored."""
+    empty(camera=(0, 0, 9), target=(0, 0, 0), lens=45)
+    mappings = (("POINT", (.2, .1, 0), .5, (2, 1, 1)),), (("TEXTURE", (.3, -.1, 0), .7, (.6, .6, 1)),), \
+               (("VECTOR", (5, 5, 0), 1.2, (2, .7, 1)), ("POINT", (.3, 0, 0), math.pi / 2, (.8, .8, 1))), \
+               (("POINT", (0, .2, 0), -2.4, (-1.5, 1, 1)),)
+    for i, chain in enumerate(mappings):
+        sheet = plane(2, material(f"sheet {i}", lambda tree: mapped(tree, chain)))
+        sheet.location = (2.4 * (i % 2) - 1.2, 2.4 * (i // 2) - 1.2, 0)
+    sky((1, 1, 1, 1), 1)
+
+
+def mapped(tree, chain):
+    picture = texture(tree, image("corner", lambda x, y: (x, ((x > .5) & (y > .3)) * .9, y), 64, 64, True))
+    output = tree.nodes.new("ShaderNodeTexCoord").outputs["UV"]
+    for kind, move, angle, size in chain:
+        node = tree.nodes.new("ShaderNodeMapping")
+        node.vector_type = kind
+        for name, value in (("Location", move), ("Rotation", (0, 0, angle)), ("Scale", size)):
+            if name in node.inputs:
+                node.inputs[name].default_value = value
+        tree.links.new(output, node.inputs["Vector"])
+        output = node.outputs["Vector"]
+    tree.links.new(output, picture.inputs["Vector"])
+    paint = bsdf(tree, "Diffuse")
+    tree.links.new(picture.outputs["Color"], paint.inputs["Color"])
+    return paint
+
+
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, turned)
 
 
 # What they are made of.

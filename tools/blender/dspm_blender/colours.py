@@ -86,34 +86,54 @@ def placement(colours, source):
     if node.projection != "FLAT":
         colours.notes.add(f"{colours.named(node)}: {node.projection.lower()} projection; texture coordinates stand in")
     wrap = {"EXTEND": "clamp", "CLIP": "black"}.get(node.extension, "repeat")
-    scale, offset, uv_set = mapping(colours, source.input("Vector").source())
-    return Place(scale, offset, wrap, "point" if node.interpolation == "Closest" else "bilinear", uv_set)
+    matrix, offset, uv_set = mapping(colours, source.input("Vector").source())
+    scale, rotation, is_straight = scale_and_turn(matrix)
+    if not is_straight:
+        colours.notes.add(f"{colours.named(node)}: its mapping shears pictures; a turn stands in")
+    return Place(scale, tuple(map(float, offset)), rotation, wrap, "point" if node.interpolation == "Closest" else "bilinear", uv_set)
 
 
 def mapping(colours, source):
-    """(scale, offset, set) of texture coordinates."""
+    """(matrix, offset, set) of texture coordinates."""
     if source is None or (source.node.bl_idname == "ShaderNodeTexCoord" and source.socket.name == "UV"):
-        return (1.0, 1.0), (0.0, 0.0), 1
+        return np.eye(2), np.zeros(2), 1
     node = source.node
     if node.bl_idname == "ShaderNodeUVMap":
         uv_set = layers.uv_set(node.uv_map, bpy.data.meshes)
         if uv_set is None:
             colours.notes.add(f"{colours.named(node)}: a mesh keeps two UV maps; the one for rendering stands in for {node.uv_map}")
-        return (1.0, 1.0), (0.0, 0.0), uv_set or 1
+        return np.eye(2), np.zeros(2), uv_set or 1
     if node.bl_idname != "ShaderNodeMapping":
         colours.notes.add(f"{colours.named(node)}: {source.socket.name} of {node.bl_label} places no pictures; UVs stand in")
-        return (1.0, 1.0), (0.0, 0.0), 1
-    inner_scale, inner_offset, uv_set = mapping(colours, source.input("Vector").source())
+        return np.eye(2), np.zeros(2), 1
+    inner, inner_offset, uv_set = mapping(colours, source.input("Vector").source())
     move, turn, size = (colours.of(source.input(name)).mean().colour() for name in ("Location", "Rotation", "Scale"))
-    if any(abs(angle) > 1e-6 for angle in turn):
-        colours.notes.add(f"{colours.named(node)}: pictures are not turned")
-    if node.vector_type == "TEXTURE":
-        size = [1 / each if each else 1.0 for each in size]
-        move = [-each * factor for each, factor in zip(move, size)]
+    if any(abs(angle) > 1e-6 for angle in turn[:2]):
+        colours.notes.add(f"{colours.named(node)}: pictures are turned about Z only")
+    move, size, turned = np.array(move[:2]), np.array(size[:2]), rotated(turn[2])
+    if node.vector_type == "TEXTURE":  # the way back: moved, turned, and then scaled
+        outer = np.diag([1 / each if each else 1.0 for each in size]) @ turned.T
+        move = -outer @ move
+    else:
+        outer = turned @ np.diag(size)
     if node.vector_type in {"VECTOR", "NORMAL"}:
-        move = (0.0, 0.0)
-    scale = tuple(a * b for a, b in zip(inner_scale, size))
-    return scale, tuple(a * b + c for a, b, c in zip(inner_offset, size, move)), uv_set
+        move = np.zeros(2)
+    return outer @ inner, outer @ inner_offset + move, uv_set
+
+
+def rotated(angle):
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def scale_and_turn(matrix):
+    """(scale, degrees, is that all?) of a matrix that scales and then turns."""
+    (ux, vx), (uy, vy) = matrix
+    angle = np.arctan2(uy, ux) if ux or uy else np.arctan2(-vx, vy)
+    if abs(np.sin(angle)) < 1e-7:
+        angle = 0.0  # mirrored
+    left = rotated(angle).T @ matrix
+    is_straight = np.abs(left - np.diag(left.diagonal())).max() <= 1e-5 * np.abs(matrix).max()
+    return tuple(map(float, left.diagonal())), float(np.degrees(angle)), is_straight
 
 
 def value(colours, source):

@@ -7,9 +7,10 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Place:
-    """How a picture lies on texture coordinates: those times `scale` plus `offset`; what is outside of 0..1."""
+    """How a picture lies on texture coordinates: those times `scale`, turned, plus `offset`; what is outside of 0..1."""
     scale: tuple = (1.0, 1.0)
     offset: tuple = (0.0, 0.0)
+    rotation: float = 0.0  # in degrees, from u towards v
     wrap: str = "repeat"
     filter: str = "bilinear"
     uv_set: int = 1

@@ -26,7 +26,7 @@ def normal_map(tree, source):
         return {}
     if source.node.space != "TANGENT":
         tree.note(source, "normals are taken along the surface")
-    if (field.place.scale, field.place.offset) != (Place.scale, Place.offset):
+    if (field.place.scale, field.place.offset, field.place.rotation) != (Place.scale, Place.offset, Place.rotation):
         tree.note(source, "normal maps cover the texture coordinates once")
     file, _ = tree.textures.picture(field, f"{tree.name}, normals")
     return {"string normalmap": file, "float normalscale": tree.number(source, "Strength")}

@@ -61,7 +61,8 @@ class Textures:
         params = {"string filename": file, "string encoding": encoding, "string wrap": place.wrap, "string filter": place.filter}
         if place.uv_set != 1:
             params["integer uvset"] = place.uv_set
-        for name, value, default in zip(("uscale", "vscale", "udelta", "vdelta"), place.scale + place.offset, (1, 1, 0, 0)):
+        names = ("uscale", "vscale", "udelta", "vdelta", "rotation")
+        for name, value, default in zip(names, (*place.scale, *place.offset, place.rotation), (1, 1, 0, 0, 0)):
             if value != default:
                 params[f"float {name}"] = value
         return Directive("Texture", wanted, kind, "imagemap").with_params(params)
