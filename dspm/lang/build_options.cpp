@@ -81,9 +81,15 @@ void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directi
 
 void SceneBuilder::camera(Directive& directive) {
   warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
-  scene_.camera = CameraUse{plugin_use(directive), state_.ctm};
-  scene_.coordinate_systems["camera"] = state_.ctm.inverse();
+  const Motion place = scene_is_whole_ ? place_of_replacing_camera() : state_.ctm;
+  scene_.camera = CameraUse{plugin_use(directive), place};
+  scene_.coordinate_systems["camera"] = place.inverse();
   if (scene_is_whole_) state_.ctm = {};
+}
+
+/// Without a transform before it, it is another lens: it stands where the other one does.
+Motion SceneBuilder::place_of_replacing_camera() const {
+  return scene_.camera && state_.ctm == Motion() ? scene_.camera->camera_from_world : state_.ctm;
 }
 
 void SceneBuilder::frames(const Directive& directive) {

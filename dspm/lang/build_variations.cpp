@@ -260,10 +260,12 @@ bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
   if (!is_camera && directive.info->kind != DirectiveKind::integrator) return false;
   if (is_camera ? variation.camera.has_value() : variation.integrator.has_value())
     diagnostics_.error(directive.where, fmt::format("a second {} in this variation", directive.info->name));
-  if (is_camera)
-    variation.camera = CameraUse{plugin_use(directive), std::exchange(state_.ctm, {})};
-  else
+  if (is_camera) {
+    variation.camera = CameraUse{plugin_use(directive), place_of_replacing_camera()};
+    state_.ctm = {};
+  } else {
     variation.integrator = plugin_use(directive);
+  }
   return true;
 }
 

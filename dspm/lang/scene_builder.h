@@ -61,6 +61,7 @@ class SceneBuilder {
   bool apply_thing(Directive& directive);
 
   void camera(Directive& directive);
+  Motion place_of_replacing_camera() const;
   void frames(const Directive& directive);
   void option(const Directive& directive);
   void color_space(const Directive& directive);

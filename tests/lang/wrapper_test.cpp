@@ -74,6 +74,19 @@ TEST_F(Wrapper, ALaterJobOfTheIncludingFileReplacesTheScenes) {
   expect_near(scene.shapes.at(1).world_from_object.at(Moment()), Matrix4());
 }
 
+TEST_F(Wrapper, ACameraWithoutATransformStaysWhereTheScenesStands) {
+  put("scene.dsc", kScene);
+  put("main.dsc",
+      "Include \"scene.dsc\"\nCamera \"b\"\nVariationBegin \"v\" Camera \"c\" VariationEnd\n"
+      "VariationBegin \"w\" Translate 0 0 5 Camera \"c\" Translate 1 0 0 VariationEnd");
+  EXPECT_EQ(parse({"main.dsc"}), "");
+  EXPECT_EQ(scene.camera->type, "b");
+  const Matrix4 place = scene.camera->camera_from_world.at(Moment());
+  EXPECT_NEAR(Transform(place).point({}).z, 9, 1e-5f);
+  expect_near(scene.axes.at(0).variations.at(0).camera->camera_from_world.at(Moment()), place);
+  expect_near(scene.axes.at(0).variations.at(1).camera->camera_from_world.at(Moment()), Matrix4::translate(0, 0, 5));
+}
+
 TEST_F(Wrapper, ItsCameraMayMove) {
   put("scene.dsc", std::string("Frames 9\nKeyframe 1 Translate 1 0 0 KeyframeEnd\n") + kScene);
   put("main.dsc",
