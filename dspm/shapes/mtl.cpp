@@ -26,7 +26,7 @@ Param number(std::string name, float value) {
 bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0], value[1], value[2]}) > 0; }
 
 /// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass; 1 is without highlights.
-bool is_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
+bool is_of_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
 bool has_highlights(const tinyobj::material_t& m) {
   return m.illum != 1 && (is_positive(m.specular) || !m.specular_texname.empty());
 }
@@ -44,16 +44,17 @@ float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(expo
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, std::vector<std::string>& complaints, MtlLeftOut& left_out)
-      : path_(path), left_out_(left_out), pictures_(path, complaints, left_out) {}
+  /// `by_blender`: which has meanings of its own for illum, Ns, Ka and Tf. (Facts from what Blender 3.4 writes.)
+  Reader(const std::filesystem::path& path, bool by_blender, std::vector<std::string>& complaints, MtlLeftOut& left_out)
+      : path_(path), by_blender_(by_blender), left_out_(left_out), pictures_(path, complaints, left_out) {}
 
   FileMaterial material(const tinyobj::material_t& m) {
     made_ = {path_, trimmed(m.name), {}, {}, {}, {}};
     const bool shines = is_positive(m.emission) || !m.emissive_texname.empty(),
-               has_holes = !m.alpha_texname.empty() || (m.dissolve < 1 && !is_glass(m.illum));
-    if (is_glass(m.illum))
+               has_holes = !m.alpha_texname.empty() || (m.dissolve < 1 && !is_glass(m));
+    if (is_glass(m))
       glass(m, shines || has_holes);
-    else if (is_physically_based(m) || has_highlights(m))
+    else if (is_physically_based(m) || has_highlights(m) || metallic(m) > 0 || transmission(m) > 0)
       principled(m);
     else
       matte(m, shines || has_holes);
@@ -66,6 +67,19 @@ class Reader {
   }
 
  private:
+  /// Blender's 6 and 9 are of an alpha below 1.
+  bool is_glass(const tinyobj::material_t& m) const { return !by_blender_ && is_of_glass(m.illum); }
+  /// Blender's 3 and 6 are of metal, as much as Ka says.
+  float metallic(const tinyobj::material_t& m) const {
+    return by_blender_ && m.metallic == 0 && (m.illum == 3 || m.illum == 6) ? m.ambient[0] : m.metallic;
+  }
+  float transmission(const tinyobj::material_t& m) const { return by_blender_ ? in_unit(m.transmittance[0]) : 0; }
+  float roughness(const tinyobj::material_t& m) const {
+    if (m.roughness > 0) return m.roughness;
+    if (by_blender_) return 1 - std::sqrt(in_unit(m.shininess / 1000));
+    return is_physically_based(m) && m.shininess <= 1 ? 0 : roughness_of_exponent(m.shininess);
+  }
+
   /// `rich`: it has parameters that only "principled" knows.
   void glass(const tinyobj::material_t& m, bool rich) {
     const bool is_coloured =
@@ -95,18 +109,18 @@ class Reader {
     made_.type = "principled";
     const bool is_modern = is_physically_based(m);
     // Metal of the days before Pm.
-    const bool is_metal = !is_modern && !is_positive(m.diffuse) && m.diffuse_texname.empty();
+    const bool is_metal = !is_modern && !by_blender_ && !is_positive(m.diffuse) && m.diffuse_texname.empty();
     const MtlPicture specular{"map_Ks", m.specular_texname, m.specular_texopt};
     if (is_metal)
       colour_or_picture("basecolor", m.specular, specular);
     else
       colour_or_picture("basecolor", m.diffuse, diffuse_picture(m));
-    const bool by_exponent = m.roughness == 0 && m.shininess > 1;
-    number_or_picture("roughness", is_modern && !by_exponent ? m.roughness : roughness_of_exponent(m.shininess),
-                      {"map_Pr", m.roughness_texname, m.roughness_texopt});
-    number_or_picture("metallic", is_metal ? 1 : m.metallic, {"map_Pm", m.metallic_texname, m.metallic_texopt});
-    if (!is_modern && !is_metal) highlight(m, specular);
-    leave_out("map_Ks", is_modern && !m.specular_texname.empty());
+    number_or_picture("roughness", roughness(m), {"map_Pr", m.roughness_texname, m.roughness_texopt});
+    number_or_picture("metallic", is_metal ? 1 : metallic(m), {"map_Pm", m.metallic_texname, m.metallic_texopt});
+    if (transmission(m) > 0) add(number("transmission", transmission(m)));
+    const bool has_highlight = by_blender_ || !is_modern;
+    if (has_highlight && !is_metal) highlight(m, specular);
+    leave_out("map_Ks", !has_highlight && !m.specular_texname.empty());
     leave_out("map_Ns", !m.specular_highlight_texname.empty());
     if (m.ior > 1) add(number("eta", m.ior));
     layers(m);
@@ -148,7 +162,7 @@ class Reader {
   void alpha(const tinyobj::material_t& m) {
     if (const auto picture = pictures_.plain({"map_d", m.alpha_texname, m.alpha_texopt}, made_))
       made_.alpha = *picture;
-    else if (!is_glass(m.illum))
+    else if (!is_glass(m))
       add(number("alpha", in_unit(m.dissolve)));
   }
 
@@ -189,6 +203,7 @@ class Reader {
   }
 
   const std::filesystem::path& path_;
+  const bool by_blender_;
   MtlLeftOut& left_out_;
   MtlPictures pictures_;
   FileMaterial made_;
@@ -208,7 +223,7 @@ std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesyste
   std::map<std::string, int> numbers;
   std::string warning, error;
   tinyobj::LoadMtl(&numbers, &materials, &file, &warning, &error);
-  Reader reader(path, complaints, left_out);
+  Reader reader(path, text.starts_with("# Blender"), complaints, left_out);
   std::vector<FileMaterial> made;
   for (const tinyobj::material_t& m : materials) made.push_back(reader.material(m));
   return made;

@@ -130,8 +130,8 @@ TEST_F(Obj, ALineWithANumberThatIsNoneIsNamed) {
 /// The first material of an MTL file.
 class Mtl : public Obj {
  protected:
-  FileMaterial material(const std::string& statements) {
-    test::put_file(directory / "lib.mtl", "newmtl it\n" + statements);
+  FileMaterial material(const std::string& statements, const std::string& head = "") {
+    test::put_file(directory / "lib.mtl", head + "newmtl it\n" + statements);
     read("mtllib lib.mtl\nusemtl it\n" + kSquare + "f 1 2 3\n");
     return make({}).at(0).material.value();
   }
@@ -139,6 +139,28 @@ class Mtl : public Obj {
     return std::get<std::vector<float>>(material.params.find(name)->values).at(0);
   }
 };
+
+TEST_F(Mtl, OfBlenderHasBlendersMeanings) {
+  const auto by_blender = [&](const std::string& statements) {
+    return material("Ks .5 .5 .5\nNi 1.45\n" + statements,
+                    "# Blender 3.4.1 MTL File: 'a.blend'\n# www.blender.org\n\n");
+  };
+  const FileMaterial faded = by_blender("Ns 250\nKa 1 1 1\nKd .8 .1 .1\nd 0.5\nillum 9\n");
+  EXPECT_EQ(faded.type, "principled");
+  EXPECT_EQ(number(faded, "alpha"), 0.5f);
+  EXPECT_EQ(number(faded, "basecolor"), 0.8f);
+  EXPECT_FLOAT_EQ(number(faded, "roughness"), 0.5f);
+  EXPECT_EQ(number(faded, "metallic"), 0);
+  EXPECT_EQ(number(faded, "specular"), 1);
+  EXPECT_EQ(number(by_blender("Ns 1000\nKd 1 1 1\nillum 2\n"), "roughness"), 0);
+  const FileMaterial metal = by_blender("Ns 360\nKa .75 .75 .75\nKd .9 .6 .3\nillum 3\n");
+  EXPECT_EQ(number(metal, "metallic"), 0.75f);
+  EXPECT_EQ(number(metal, "basecolor"), 0.9f);
+  EXPECT_FLOAT_EQ(number(metal, "roughness"), 0.4f);
+  const FileMaterial glass = by_blender("Ns 1000\nKd 1 1 1\nTf 1 1 1\nPr 0\nillum 2\n");
+  EXPECT_EQ(number(glass, "transmission"), 1);
+  EXPECT_EQ(number(glass, "eta"), 1.45f);
+}
 
 TEST_F(Mtl, IlluminationModelsOfGlassAreDielectric) {
   for (const char* illum : {"4", "6", "7", "9"}) {
