@@ -105,9 +105,13 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
 }
 
 std::string Results::written() const {
-  if (written_.empty()) return {};
-  const std::string first = output_.name(*written_.begin()).string();
-  return written_.size() > 1 ? fmt::format("{} to {}", first, output_.name(*written_.rbegin()).string()) : first;
+  const auto from_to = [&](auto name) {
+    const std::string first = name(*written_.begin()).string();
+    return written_.size() > 1 ? fmt::format("{} to {}", first, name(*written_.rbegin()).string()) : first;
+  };
+  const std::string images = from_to([&](FileFrame frame) { return output_.name(frame); });
+  if (!job_.denoiser) return images;
+  return images + "; with less noise: " + from_to([&](FileFrame frame) { return output_.denoised_name(frame); });
 }
 
 void Results::say_end(double seconds, bool interrupted) const {
@@ -115,9 +119,10 @@ void Results::say_end(double seconds, bool interrupted) const {
   const std::string what = interrupted ? "interrupted" : "done";
   const std::string missing = left > 0 ? fmt::format(", {} not begun", counted(left, "frame")) : "";
   if (written_.empty()) return messages_.say("{} before the first iteration; there are no images", what);
-  if (faults_.any())
-    return messages_.say("{} after {}, but not all files could be written{}", what, readable_time(seconds), missing);
-  messages_.say("{} after {}: {}{}", what, readable_time(seconds), written(), missing);
+  // Not only in this process: parts and a resumed run's earlier iterations count.
+  const std::string after = fmt::format("{} after {} of rendering", what, readable_time(seconds));
+  if (faults_.any()) return messages_.say("{}, but not all files could be written{}", after, missing);
+  messages_.say("{}: {}{}", after, written(), missing);
 }
 
 void Results::write_index() const {
