@@ -53,9 +53,19 @@ void add(CLI::App& app, Options& o) {
                "print a table of times, counts and what more threads would do; with FILE: as JSON");
 }
 
-void check(const Options& o) {
-  if (!o.outfile.empty() && !is_image_name(o.outfile))
+void check_outfile(const Options& o) {
+  if (o.outfile.empty()) return;
+  if (o.task == Task::to_dsc) {
+    if (std::filesystem::path(o.outfile).extension() != ".dsc")
+      throw UsageError("-o " + o.outfile + ": --to-dsc writes a .dsc");
+    if (o.scenes.size() > 1) throw UsageError("-o " + o.outfile + ": --to-dsc writes a file for each scene");
+  } else if (!is_image_name(o.outfile)) {
     throw UsageError(fmt::format("-o {}: images are written as {}", o.outfile, kImageNames));
+  }
+}
+
+void check(const Options& o) {
+  check_outfile(o);
   if (!o.contact_sheet.empty() && !is_sheet_name(o.contact_sheet))
     throw UsageError(fmt::format("--contact-sheet {}: the sheet is a {}", o.contact_sheet, kSheetNames));
   if (const std::string kind = std::filesystem::path(o.index).extension();

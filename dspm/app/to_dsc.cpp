@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 std::string write_one(const std::string& scene, const Options& options, Messages& messages) {
   if (!gltf::is_gltf_name(scene)) throw UsageError(fmt::format("--to-dsc {}: it is not a .glb or .gltf", scene));
-  const std::string stem = fs::path(scene).stem().string(), name = stem + ".dsc";
+  const fs::path out = options.outfile.empty() ? fs::path(scene).stem() += ".dsc" : fs::path(options.outfile);
+  const std::string name = out.filename().string(), stem = out.stem().string();
   gltf::Translation translation;
   try {
     translation = gltf::translate(scene, stem, gltf_settings_of(options));
@@ -29,10 +30,13 @@ std::string write_one(const std::string& scene, const Options& options, Messages
   for (const std::string& note : translation.notes) diagnostics.note({}, fmt::format("{}: {}", scene, note));
   const std::string text = format_scene({name, translation.text}, diagnostics).value_or(translation.text);
   messages.show(diagnostics);
-  if (!translation.files.empty()) fs::create_directories(stem);
-  for (const auto& [file, bytes] : translation.files) write_file(file, bytes());
-  write_file(name, text);
-  return fmt::format("{}, and {} in {}/\n", name, counted(translation.files.size(), "file"), stem);
+  const fs::path folder = out.parent_path();  // of it, which the scene's names of files are relative to
+  if (const fs::path needed = translation.files.empty() ? folder : folder / stem; !needed.empty())
+    fs::create_directories(needed);
+  for (const auto& [file, bytes] : translation.files) write_file(folder / file, bytes());
+  write_file(out, text);
+  return fmt::format("{}, and {} in {}/\n", out.string(), counted(translation.files.size(), "file"),
+                     (folder / stem).string());
 }
 
 }  // namespace

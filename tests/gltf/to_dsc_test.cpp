@@ -42,7 +42,12 @@ TEST(ToDsc, RendersTheSameImages) {
   const Outcome written = run(directory, {"--to-dsc", "toy.gltf", "--fps", "2"});
   ASSERT_EQ(written.code, 0) << written.err;
   EXPECT_EQ(written.out, "toy.dsc, and 5 files in toy/\n");
+  const Outcome elsewhere = run(directory, {"--to-dsc", "toy.gltf", "--fps", "2", "-o", "there/left.dsc"});
+  EXPECT_EQ(elsewhere.out, "there/left.dsc, and 5 files in there/left/\n") << elsewhere.err;
+  EXPECT_EQ(run(directory, {"--to-dsc", "toy.gltf", "-o", "left.exr"}).code, 2);
   std::filesystem::remove(directory / "toy.gltf");
+  const Outcome moved = run(directory, Arguments{"there/left.dsc", "-o", "moved.####.pfm"} + quick);
+  ASSERT_EQ(moved.code, 0) << moved.err;
   const Outcome again = run(directory, Arguments{"toy.dsc", "-o", "again.####.pfm"} + quick);
   ASSERT_EQ(again.code, 0) << again.err;
   for (const char* frame : {"0001", "0002", "0003"}) {
@@ -50,6 +55,7 @@ TEST(ToDsc, RendersTheSameImages) {
     EXPECT_FALSE(image.empty());
     EXPECT_TRUE(image == contents(directory / fmt::format("again.{}.pfm", frame))) << frame;
   }
+  EXPECT_TRUE(contents(directory / "moved.0002.pfm") == contents(directory / "own.0002.pfm"));
 }
 
 TEST(ToDsc, WantsGltf) {
