@@ -35,6 +35,7 @@ std::span<const Section> sections() {
       {"rays", "the same rays in dspm's trees and in Embree", measure_rays},
       {"sppm", "one frame, against other renderers", measure_sppm},
       {"reading", "scenes' text and meshes in bytes per second", measure_reading},
+      {"denoise", "error and flicker after 16 iterations, with --denoise and without", measure_denoise},
   };
   return kSections;
 }

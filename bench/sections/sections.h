@@ -27,5 +27,6 @@ Findings measure_queries(const Setup& setup);
 Findings measure_rays(const Setup& setup);
 Findings measure_sppm(const Setup& setup);
 Findings measure_reading(const Setup& setup);
+Findings measure_denoise(const Setup& setup);
 
 }  // namespace dspm
