@@ -80,7 +80,7 @@ ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesy
   KeptWarnings warnings;
   {
     const py::gil_scoped_release without_python;
-    static std::mutex one_at_a_time;  // the files that it reads are told from all others' by when they are read
+    static std::mutex one_at_a_time;  // a scene's files are those that were read while it was loaded
     const std::lock_guard lock(one_at_a_time);
     forget_files_read();
     const auto all = std::make_shared<WithFiles>(std::move(made));

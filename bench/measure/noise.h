@@ -11,4 +11,8 @@ namespace dspm {
 ///   a and b of different seeds:  twice its variance, whatever the truth
 double relative_square(const Image& a, const Image& b, const Image& truth);
 
+/// Likewise of (a - b) (a - c), between -1 and 1. b and c two references that share no noise: the squared error of a, free
+/// of theirs.
+double relative_product(const Image& a, const Image& b, const Image& c, const Image& truth);
+
 }  // namespace dspm

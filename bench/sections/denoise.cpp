@@ -1,9 +1,11 @@
 // What --denoise makes of images after few iterations: their error and flicker, with and without.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "bench/measure/convergence.h"
+#include "bench/measure/noise.h"
+#include "bench/measure/run.h"
 #include "bench/report/progress.h"
 #include "bench/report/table.h"
 #include "bench/sections/sections.h"
@@ -38,22 +40,24 @@ Choices choices_of(const Example& example) {
   return choices;
 }
 
-/// Two independent ones: the product of the distances from both is free of their own noise.
-using References = std::array<Images, 2>;
+/// Two long runs that share no noise, and their mean.
+struct References {
+  Images a, b, mean;
+};
+
+References references_of(const Scene& scene, const Example& example, const Job& job, int iterations) {
+  References references{rendered(scene, example.integrator, job, kReferenceSeed, iterations),
+                        rendered(scene, example.integrator, job, kReferenceSeed + 1, iterations),
+                        {}};
+  references.mean = mean_of(references.a, references.b);
+  return references;
+}
 
 double relative_error(const Images& images, const References& truth) {
-  double sum = 0, count = 0;
-  for (std::size_t f = 0; f < images.size(); ++f) {
-    const Image &a = truth[0][f], &b = truth[1][f];
-    const double floor = error_floor(a);
-    for (std::size_t p = 0; p < a.pixels.size(); ++p) {
-      const Rgb from_a = images[f].pixels[p] - a.pixels[p], from_b = images[f].pixels[p] - b.pixels[p];
-      const double scale = 0.5 * (luminance(a.pixels[p]) + luminance(b.pixels[p])) + floor;
-      for (int c = 0; c < 3; ++c, ++count)
-        sum += std::clamp(static_cast<double>(from_a[c]) * from_b[c] / (scale * scale), -1., 1.);
-    }
-  }
-  return std::sqrt(std::max(0., sum / count));
+  double sum = 0;
+  for (std::size_t f = 0; f < images.size(); ++f)
+    sum += relative_product(images[f], truth.a[f], truth.b[f], truth.mean[f]);
+  return std::sqrt(std::max(0., sum / static_cast<double>(images.size())));
 }
 
 /// Through x / (x + half), as eyes and film see it.
@@ -69,16 +73,14 @@ double flicker_of(const Images& frames, float half) {
 
 /// What they flicker more than the truth does.
 double flicker_of(const Images& images, const References& truth, float half) {
-  const double of_truth = flicker_of(mean_of(truth[0], truth[1]), half), all = flicker_of(images, half);
+  const double of_truth = flicker_of(truth.mean, half), all = flicker_of(images, half);
   return std::sqrt(std::max(0., all * all - of_truth * of_truth));
 }
 
 float half_of_median(const Image& image) {
-  std::vector<float> values;
+  std::vector<double> values;
   for (const Rgb& pixel : image.pixels) values.push_back(luminance(pixel));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return 0.5f * *middle;
+  return static_cast<float>(median(std::move(values)) / 2);
 }
 
 std::vector<std::string> measure_one(const Example& example, int reference_iterations) {
@@ -90,10 +92,7 @@ std::vector<std::string> measure_one(const Example& example, int reference_itera
     plain.push_back(run.integrator->estimate(f));
     filtered.push_back(denoised(Denoiser::own, plain.back(), *run.integrator, f, {}));
   }
-  References truth;
-  for (std::size_t r = 0; r < truth.size(); ++r)
-    truth[r] = rendered(*run.scene, example.integrator, loaded.job, kReferenceSeed + static_cast<int>(r),
-                        reference_iterations);
+  const References truth = references_of(*run.scene, example, loaded.job, reference_iterations);
   const double before = relative_error(plain, truth), after = relative_error(filtered, truth);
   const auto& size = loaded.job.settings.crop;
   std::vector<std::string> cells = {example.name,
@@ -105,7 +104,7 @@ std::vector<std::string> measure_one(const Example& example, int reference_itera
                                     "",
                                     ""};
   if (plain.size() >= 3) {
-    const float half = half_of_median(truth[0].front());
+    const float half = half_of_median(truth.mean.front());
     cells[6] = fmt::format("{:.2f}%", 100 * flicker_of(plain, truth, half));
     cells[7] = fmt::format("{:.2f}%", 100 * flicker_of(filtered, truth, half));
   }

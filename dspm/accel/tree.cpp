@@ -101,7 +101,6 @@ class Tree::Builder {
       const Bounds3 box = with_margin(placed.shape->bounds(static_cast<int>(p)));
       pieces_[first_piece + i] = piece_of(placed, to_world, std::span(&box, 1));
     };
-    if (count == 1) return add_one(0);
     parallel_for(count, 1 << 12, add_one);
   }
 

@@ -1,10 +1,9 @@
 #include "dspm/app/coarse.h"
 
-#include <algorithm>
-
 #include "dspm/app/signals.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/session.h"
+#include "dspm/world/integrator_choice.h"
 
 namespace dspm {
 namespace {
@@ -40,7 +39,7 @@ class CoarseView final : public SessionObserver {
 std::unique_ptr<LoadedScene> load_coarsely(const Options& options, Messages& messages, KeptGeometry& kept) {
   Choices choices = options;
   choices.quick = true, choices.iterations = kIterations, choices.until_error = 0;
-  if (choices.photons) choices.photons = std::max(*choices.photons / (kQuickShare * kQuickShare), 1);
+  if (choices.photons) choices.photons = quick_photons(*choices.photons);
   auto loaded = std::make_unique<LoadedScene>(options.scenes, choices, messages, std::nullopt, &kept);
   loaded->job.settings.file = nullptr;  // so that nothing is learned
   return loaded;

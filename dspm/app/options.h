@@ -58,6 +58,8 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   int threads = 0;        // 0: all
   double time_limit = 0;  // seconds; 0: none
   double patience = 60;   // seconds before a message says who does not return
+  /// With several machines: the seconds of silence after which the run ends without one of them.
+  double longest_silence() const { return 10 * patience; }
 };
 
 /// `--help` and `--version`: text for standard output, and nothing else to do.

@@ -49,7 +49,7 @@ int with_render(const Options& options, const char* step, Link* others,
   std::optional<Leader> leader;
   if (others != nullptr)
     leader.emplace(
-        *others, [] { return InterruptRequests::signal() != 0; }, 10 * options.patience);
+        *others, [] { return InterruptRequests::signal() != 0; }, options.longest_silence());
   const int code = naming_memory_step(
       [&] { return watch.step(); },
       [&] {

@@ -57,7 +57,8 @@ int render_live(Options options, Link* others) {
   std::optional<Leader> leader;
   if (others != nullptr)
     leader.emplace(
-        *others, [&] { return is_interrupted() || (page != nullptr && page->end_wanted()); }, 10 * options.patience);
+        *others, [&] { return is_interrupted() || (page != nullptr && page->end_wanted()); },
+        options.longest_silence());
   LivePage live(*options.serve, options.view);
   page = &live;
   LiveMessages messages(options.quiet, live);

@@ -70,10 +70,9 @@ struct Sums {
 /// fn(some of the records, the number of the chunk that they are).
 template <class Fn>
 void for_each_chunk(Records records, Fn&& fn) {
-  if (records.size() <= kAtOnce) return fn(records, std::size_t{0});
-  parallel_for(chunk_count(static_cast<std::int64_t>(records.size()), kAtOnce), 1, [&](std::int64_t number) {
-    const std::size_t first = static_cast<std::size_t>(number) * kAtOnce;
-    fn(records.subspan(first, std::min(kAtOnce, records.size() - first)), static_cast<std::size_t>(number));
+  parallel_chunks(static_cast<std::int64_t>(records.size()), kAtOnce, [&](std::int64_t begin, std::int64_t end) {
+    const auto first = static_cast<std::size_t>(begin);
+    fn(records.subspan(first, static_cast<std::size_t>(end) - first), first / kAtOnce);
   });
 }
 
@@ -115,9 +114,7 @@ void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
 /// Halves boxes as long as that gains anything.
 void grow(Box& box, double most_worth) {
   std::vector<Sums> sums(static_cast<std::size_t>(chunk_count(static_cast<std::int64_t>(box.records.size()), kAtOnce)));
-  for_each_chunk(box.records, [&](Records records, std::size_t chunk) {
-    if (!records.empty()) sums[chunk] = Sums(records, box.box);
-  });
+  for_each_chunk(box.records, [&](Records records, std::size_t chunk) { sums[chunk] = Sums(records, box.box); });
   const Sums all = std::accumulate(sums.begin(), sums.end(), Sums(), [](Sums a, const Sums& b) { return a += b; });
   box.value = std::accumulate(all.values[0].begin(), all.values[0].end(), 0.0);
   if (box.records.size() < kLeastRecords) return;

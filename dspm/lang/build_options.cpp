@@ -87,7 +87,7 @@ void SceneBuilder::camera(Directive& directive) {
   if (scene_is_whole_) state_.ctm = {};
 }
 
-/// Without a transform before it, it is another lens: it stands where the other one does.
+/// Without a transform before it, it is another lens, where the other camera is.
 Motion SceneBuilder::place_of_replacing_camera() const {
   return scene_.camera && state_.ctm == Motion() ? scene_.camera->camera_from_world : state_.ctm;
 }

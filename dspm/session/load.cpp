@@ -95,8 +95,9 @@ std::string summary_of(const LoadedScene& loaded) {
   const SceneDescription& d = *loaded.description;
   const RenderSettings& settings = loaded.job.settings;
   return fmt::format("{}, {} x {} pixels, {}, {}, {}, {}", loaded.job.frames_in_words(), settings.width,
-                     settings.height, counted(count_directives(d.shapes), "shape"), counted(d.materials.size(), "material"),
-                     counted(d.lights.size() + d.area_lights.size(), "light"), loaded.job.integrator);
+                     settings.height, counted(count_directives(d.shapes), "shape"),
+                     counted(d.materials.size(), "material"), counted(d.lights.size() + d.area_lights.size(), "light"),
+                     loaded.job.integrator);
 }
 
 std::string variation_names(const std::vector<std::string>& files, const Choices& choices) {

@@ -22,9 +22,10 @@ class MemoryBound {
 
   /// What is held besides the scene and its integrator.
   struct Besides {
-    std::size_t writing = 0;  // bytes, while images are written
-    std::size_t states =
-        0;  // of the integrator, if several machines add up theirs; then there is another integrator, too
+    /// Bytes, while images are written.
+    std::size_t writing = 0;
+    /// Of the integrator, if several machines add up theirs: then there is a second integrator, too.
+    std::size_t states = 0;
   };
 
   /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the figures if

@@ -20,7 +20,7 @@ bool is_inner_file(const std::filesystem::path& path);
 /// Nullopt if nobody has offered it.
 std::optional<std::string> inner_file(const std::filesystem::path& path);
 
-/// Files that stand in place of those on disk, or beside them, as long as this lives. They count as read.
+/// Files that replace those on disk, or add to them, as long as this lives. They count as read.
 class FilesInMemory {
  public:
   explicit FilesInMemory(std::map<std::filesystem::path, std::string> files);

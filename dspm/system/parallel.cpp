@@ -87,14 +87,18 @@ int thread_count() {
 }
 
 void detail::run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context) {
+  const auto run_one = [&](std::int64_t c) {
+    if (Cancellable::is_cancelled()) throw Cancelled{};
+    body(context, c * grain, std::min(c * grain + grain, count));
+  };
+  if (chunk_count(count, grain) == 1) return run_one(0);  // nothing to share out
   LoopOrder order;
   LoopWork work;
   const auto run_some = [&](const tbb::blocked_range<std::int64_t>& chunks) {
     for (std::int64_t c = chunks.begin(); c < chunks.end(); ++c) {
       const LoopOrder::Chunk chunk(order);
       const LoopWork::Chunk worked(work);
-      if (Cancellable::is_cancelled()) throw Cancelled{};
-      body(context, c * grain, std::min(c * grain + grain, count));
+      run_one(c);
     }
   };
   const auto run_all = [&] {

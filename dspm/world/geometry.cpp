@@ -23,19 +23,13 @@
 namespace dspm {
 namespace {
 
-/// The union of box_of(primitive), by all threads if there are many.
+/// The union of box_of(primitive).
 template <class BoxOf>
 Bounds3 union_of(int primitives, const BoxOf& box_of) {
   constexpr int kGrain = 4096;
   std::vector<Bounds3> parts(static_cast<std::size_t>(chunk_count(primitives, kGrain)));
-  const auto add = [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t i = begin; i < end; ++i)
-      parts[static_cast<std::size_t>(begin / kGrain)].add(box_of(static_cast<int>(i)));
-  };
-  if (parts.size() > 1)
-    parallel_chunks(primitives, kGrain, add);
-  else
-    add(0, primitives);
+  parallel_for(primitives, kGrain,
+               [&](std::int64_t i) { parts[static_cast<std::size_t>(i / kGrain)].add(box_of(static_cast<int>(i))); });
   Bounds3 all;
   for (const Bounds3& part : parts) all.add(part);
   return all;

@@ -66,7 +66,7 @@ class Geometry::Joining {
     first_ = &use, open_ = std::move(source);
   }
 
-  /// Those that are not to be absorbed, or of which there is something to say, are told apart.
+  /// Those that cannot be absorbed, or that have messages, become directives of their own.
   void add_run(const ShapeUse& first) {
     constexpr std::size_t kTogether = 256, kAtATime = 64 * kTogether;
     const std::size_t count = first.run->count();

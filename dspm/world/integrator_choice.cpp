@@ -44,7 +44,7 @@ void take_photons_in_proportion(ParamList& list, const std::vector<ParamInfo>& d
   const int asked = integer_of(list, "photons", integer_of(list, kPhotonsAlias, usual));
   if (asked <= 0) return;
   std::erase_if(list.params, [](const Param& param) { return param.name == kPhotonsAlias; });
-  set_integer(list, "photons", std::max(1, asked / (kQuickShare * kQuickShare)));
+  set_integer(list, "photons", quick_photons(asked));
 }
 
 /// The plugin for the scene's own directive.
@@ -89,6 +89,8 @@ std::string_view stand_in_for(std::string_view name) {
       std::find_if(std::begin(kStandIns), std::end(kStandIns), [&](const StandIn& each) { return each.name == name; });
   return found == std::end(kStandIns) ? std::string_view() : found->by;
 }
+
+int quick_photons(int photons) { return std::max(1, photons / (kQuickShare * kQuickShare)); }
 
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin) {
   return describe(plugin, Scene{}, RenderSettings{});

@@ -24,6 +24,9 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
 /// name. Empty: none does. "vcm" does it without merging, as bidirectional path tracing.
 std::string_view stand_in_for(std::string_view name);
 
+/// Photons of a quick look, as many for each of its fewer pixels as `photons` of the whole picture.
+int quick_photons(int photons);
+
 /// How the integrator describes its parameters.
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
 

@@ -168,19 +168,27 @@ struct Run {
   std::function<bool()> end_wanted = [] { return false; };
 };
 
-Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
-  Machines machines(hands, run.end_wanted);
+/// All frames of the scene, shared out, in blocks of four iterations.
+struct SharedOut {
   const Loaded loaded;
-  Messages messages(true);
-  machines.leader().expect("this scene");
+  Messages messages{true};
   const FrameList& frames = loaded.scene.job.frames;
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
-  const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
-  const auto integrator =
-      machines.leader().share_out(make(), make(), frames, 0, {run.known_end < 0 ? run.end : run.known_end, 4});
-  if (!run.before.empty()) load_state(run.before, *integrator);
-  for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) integrator->iterate(i, *scene);
-  return sum_of(*integrator, static_cast<int>(frames.size()));
+  std::unique_ptr<Integrator> integrator;
+
+  SharedOut(Leader& leader, int known_end) {
+    const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
+    leader.expect("this scene");
+    integrator = leader.share_out(make(), make(), frames, 0, {known_end, 4});
+  }
+};
+
+Sum led(const std::vector<Hand>& hands, const Run& run = {}) {
+  Machines machines(hands, run.end_wanted);
+  const SharedOut work(machines.leader(), run.known_end < 0 ? run.end : run.known_end);
+  if (!run.before.empty()) load_state(run.before, *work.integrator);
+  for (int i = run.begin; i < run.end; i = Block::from(i, run.end, 4).end) work.integrator->iterate(i, *work.scene);
+  return sum_of(*work.integrator, static_cast<int>(work.frames.size()));
 }
 
 /// The same without machines: each block by itself, added in their order.
@@ -227,20 +235,14 @@ TEST(Together, AHelperThatFailsEndsTheRun) {
 TEST(Together, AMachineThatHangsEndsTheRun) {
   Machines machines(
       {{.hangs = true}, {}}, [] { return false; }, 0.2);
-  const Loaded loaded;
-  Messages messages(true);
-  machines.leader().expect("this scene");
-  const FrameList& frames = loaded.scene.job.frames;
-  const std::unique_ptr<Scene> scene = loaded.scene.world->scene(frames);
-  const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
-  const auto integrator = machines.leader().share_out(make(), make(), frames, 0, {0, 4});
+  const SharedOut work(machines.leader(), 0);
   try {
-    for (int i = 0; i < 1'000'000; i += 4) integrator->iterate(i, *scene);
+    for (int i = 0; i < 1'000'000; i += 4) work.integrator->iterate(i, *work.scene);
     ADD_FAILURE() << "nothing was thrown";
   } catch (const MachineFailed& error) {
     EXPECT_EQ(error.what(), std::string("hanged has not answered for 0.2s"));
   }
-  EXPECT_GT(sum_of(*integrator, 3).images.size(), 0u);  // what was added up before can be written
+  EXPECT_GT(sum_of(*work.integrator, 3).images.size(), 0u);  // what was added up before can be written
   EXPECT_THROW(machines.leader().end(), MachineFailed);
   for (int i = 0; i < 1000 && !machines.network().is_abandoned(); ++i)  // by the thread of the post
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
