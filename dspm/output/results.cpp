@@ -105,6 +105,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
 }
 
 std::string Results::written() const {
+  if (written_.empty()) return "";
   const auto from_to = [&](auto name) {
     const std::string first = name(*written_.begin()).string();
     return written_.size() > 1 ? fmt::format("{} to {}", first, name(*written_.rbegin()).string()) : first;
