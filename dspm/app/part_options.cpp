@@ -59,7 +59,7 @@ void check_part(const Options& o) {
           {!o.index.empty(), "--index"},
           {!o.video.empty(), "--video"},
           {o.write_every.seconds > 0 || o.write_every.iterations > 0, "--write-every"}},
-         "a part writes no images, --merge does");
+         "a part writes no images, --merge does, and takes it");
 }
 
 void check_merge(const Options& o) {

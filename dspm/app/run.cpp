@@ -79,23 +79,18 @@ SessionSettings Render::session_settings() const {
   settings.block = options_.block.value_or(4);
   settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> sum,
                                                       std::unique_ptr<Integrator> own, int all) {
-    refuse_if_not_in_parts(*sum, "mpirun");
+    expect_parts(loaded_.job, *sum, "mpirun");
     return leader_->share_out(std::move(sum), std::move(own), intervals_[i], memory_.for_integrator(i), {all, block});
   };
   return settings;
 }
 
-void Render::refuse_if_not_in_parts(const Integrator& integrator, const char* asked_by) const {
-  if (const std::string why = integrator.why_not_in_parts(); !why.empty())
-    throw UsageError(fmt::format("{}: {} cannot be rendered in parts: {}", asked_by,
-                                 in_words("integrator", loaded_.job.integrator), why));
-}
-
 void Render::say_end_of_part() const {
   int least = report_.iterations.empty() ? 0 : report_.iterations.front();
   for (const int iterations : report_.iterations) least = std::min(least, iterations);
-  messages_.say("{} after {}: {} in {}, {}", InterruptRequests::signal() != 0 ? "interrupted" : "done",
-                readable_time(report_.seconds), options_.part.in_words(), checkpoints_.path().string(),
+  messages_.say("{} after {}: {} in {}, {}; --merge writes the images",
+                InterruptRequests::signal() != 0 ? "interrupted" : "done", readable_time(report_.seconds),
+                options_.part.in_words(), checkpoints_.path().string(),
                 counted(static_cast<std::size_t>(least), "iteration"));
 }
 

@@ -19,6 +19,7 @@
 #include "dspm/output/step_log.h"
 #include "dspm/scene/scene.h"
 #include "dspm/serve/live_page.h"
+#include "dspm/session/can_part.h"
 #include "dspm/session/session.h"
 
 namespace dspm {
@@ -60,7 +61,7 @@ class Render final : public SessionObserver {
     announce(scene, integrator, iterations);
     onlookers_.emplace(loaded_.job, options_, View(options_.view), messages_);
     if (live_ != nullptr) live_->begin_run(loaded_.job, scene, integrator, iterations, false);
-    if (is_part()) refuse_if_not_in_parts(integrator, "--part");
+    if (is_part()) expect_parts(loaded_.job, integrator, "--part");
     checkpoints_.begin(intervals_, integrator);
   }
   IntervalProgress interval_begins(std::size_t index, Integrator& integrator) override {
@@ -100,7 +101,6 @@ class Render final : public SessionObserver {
   SessionSettings session_settings() const;
   void say_end_of_part() const;
   /// Throws UsageError.
-  void refuse_if_not_in_parts(const Integrator& integrator, const char* asked_by) const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.
   bool is_of_no_use() const { return live_ != nullptr && live_->is_restarting(); }

@@ -11,6 +11,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/frame_intervals.h"
+#include "dspm/session/part.h"
 #include "dspm/session/session.h"
 #include "dspm/system/memory_use.h"
 #include "dspm/system/readable.h"
@@ -27,6 +28,7 @@ struct Way {
   std::size_t bytes = 0;  // likewise
 
   std::string option() const {
+    if (frames * iterations == 1) return "(one machine)";
     const std::string of_iterations = iterations > 1 ? fmt::format("1/{}", iterations) : "";
     if (frames == 1) return of_iterations;
     return fmt::format("frames:1/{}{}{}", frames, iterations > 1 ? "," : "", of_iterations);
@@ -40,7 +42,7 @@ double seconds_of(Work&& work) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Tries the way's largest part; `loading`: seconds until the scene is there. False: frames do not part so often.
+/// Tries the way's largest part; `loading`: seconds until the scene is there. False: frames or iterations are too few.
 bool try_out(Way& way, const LoadedScene& loaded, double loading, Messages& messages) {
   const FrameIntervals frames(*loaded.description, loaded.job.frames);
   std::vector<FrameList> parts = frames.deal(way.frames);
@@ -57,7 +59,8 @@ bool try_out(Way& way, const LoadedScene& loaded, double loading, Messages& mess
   });
   const int all = loaded.job.iterations(*integrator);
   if (all == 0) throw UsageError("--plan: of how many iterations? Give --iterations");
-  const int share = std::max(1, (all + way.iterations - 1) / way.iterations);
+  if (all < way.iterations) return false;
+  const int share = Part{1, way.iterations}.share_of(all);
   const double first = seconds_of([&] { integrator->iterate(0, *scene); });
   const double usual = seconds_of([&] { integrator->iterate(1, *scene); });
   const double learning = std::max(0.0, first - usual);  // later intervals take it over
@@ -70,12 +73,15 @@ bool try_out(Way& way, const LoadedScene& loaded, double loading, Messages& mess
 
 std::string plan_parts(const LoadedScene& loaded, double loading, int machines, Messages& messages) {
   std::vector<Way> ways;
+  const auto consider = [&](Way way) {
+    if (try_out(way, loaded, loading, messages)) ways.push_back(way);
+    loaded.job.settings.file->forget();
+  };
   for (int frames = machines; frames >= 1; --frames)  // the process's peak of memory only grows
-    if (machines % frames == 0) {
-      Way way{frames, machines / frames};
-      if (try_out(way, loaded, loading, messages)) ways.push_back(way);
-      loaded.job.settings.file->forget();
-    }
+    if (machines % frames == 0) consider({frames, machines / frames});
+  if (ways.empty())
+    throw UsageError(fmt::format("--plan {}: neither frames nor iterations make so many parts", machines));
+  consider({1, 1});
   const auto best =
       std::min_element(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.seconds < b.seconds; });
   std::string text = fmt::format("{:<24} {:>12} {:>12}\n", "--part", "time", "memory");

@@ -8,6 +8,7 @@
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/block.h"
+#include "dspm/session/can_part.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/cancellation.h"
@@ -72,12 +73,9 @@ double Session::time_share(std::size_t index) const {
 
 int Session::iterations_of(const Integrator& integrator) const {
   const int all = loaded_.job.iterations(integrator);
-  const Part& part = settings_.part;
   if (all == 0) return 0;
-  if (all < part.of)
-    throw UsageError(fmt::format("--part {}/{}: {} cannot make so many parts", part.number, part.of,
-                                 counted(static_cast<std::size_t>(all), "iteration")));
-  return part.share_of(all);
+  expect_enough_iterations(all, settings_.part, fmt::format("--part {}/{}", settings_.part.number, settings_.part.of));
+  return settings_.part.share_of(all);
 }
 
 void Session::render_interval(std::size_t index) {

@@ -130,7 +130,7 @@ TEST_F(Farm, SlurmRunsThemAndPartsGoOnThatWereKilled) {
   const std::string conf = "SLURM_CONF=" + slurm.conf() + " ";
   write_job({"--parts", "2", "--iterations", "600", "--float", "-o", "it's.exr", "--checkpoint-every", "1"});
   ASSERT_EQ(shell(conf + "sh farm.sh > submitted"), 0);
-  const std::filesystem::path part = directory / "tiny.parts/1.ck";
+  const std::filesystem::path part = directory / "tiny.parts/1-of-2.ck";
   ASSERT_TRUE(comes_true(
       [&] { return std::filesystem::exists(part) && CheckpointFile(part).intervals().front().iterations > 2; }));
   ASSERT_EQ(shell(conf + "scontrol requeue $(sed 's/parts: \\([0-9]*\\).*/\\1/' submitted)_1 2> requeued"), 0)
@@ -140,16 +140,58 @@ TEST_F(Farm, SlurmRunsThemAndPartsGoOnThatWereKilled) {
   expect_images({"--iterations", "600"}, 600);
 }
 
-TEST_F(Farm, OtherKindsNameTheSameCommands) {
-  const Arguments arguments = {"tiny.dsc", "--parts", "5", "--photons", "300", "-o", "it's.exr", "--farm"};
-  const std::string openjd = run(directory, arguments + Arguments{"openjd"}).out;
-  const std::string flamenco = run(directory, arguments + Arguments{"flamenco"}).out;
-  EXPECT_NE(openjd.find("range: 1-5\n"), std::string::npos);
-  EXPECT_NE(openjd.find("tiny.dsc --photons=300 --part {{Task.Param.part}}/5 $keep"), std::string::npos) << openjd;
-  EXPECT_NE(openjd.find("--merge tiny.parts/*.ck '--outfile=it'\\''s.exr'"), std::string::npos);
-  EXPECT_NE(flamenco.find("default: 5,"), std::string::npos);
-  EXPECT_NE(flamenco.find("tiny.dsc --photons=300 --part ${number}/${job.settings.parts} $keep"), std::string::npos);
-  EXPECT_NE(flamenco.find("'--outfile=it'\\\\''s.exr'"), std::string::npos) << flamenco;
+/// Of the other kinds, by stand-ins for their schedulers, which hold the job to what is published of them.
+TEST_F(Farm, OtherKindsAreWhatTheirSchedulersTake) {
+  const std::string here = std::filesystem::path(__FILE__).parent_path().string();
+  const std::pair<const char*, std::string> kinds[] = {{"flamenco", "node " + here + "/flamenco.js"},
+                                                       {"openjd", "python3 " + here + "/openjd.py"}};
+  std::filesystem::rename(directory / "tiny.dsc", directory / "a \"tiny\" $one.dsc");
+  for (const auto& [kind, scheduler] : kinds) {
+    const Outcome job = run(directory, {"a \"tiny\" $one.dsc", "--parts", "3", "--iterations", "6", "--seed=9",
+                                        "--float", "-o", "it's.exr", "--farm", kind});
+    ASSERT_EQ(job.code, 0) << job.err;
+    put_file(directory / "job", job.out);
+    const int code = WEXITSTATUS(shell(scheduler + " job > tasks"));
+    if (code == 77 || code == 127) GTEST_SKIP() << "SKIPPED: it takes node, and python3 with yaml";
+    ASSERT_EQ(code, 0) << kind << "\n" << job.out;
+    ASSERT_EQ(shell("sh tasks > said 2>&1"), 0) << contents(directory / "said");
+    std::filesystem::copy(directory / "a \"tiny\" $one.dsc", directory / "tiny.dsc",
+                          std::filesystem::copy_options::overwrite_existing);
+    expect_images({"--iterations", "6", "--seed", "9"}, 6);
+    for (const char* frame : {"1", "2", "3"})
+      std::filesystem::remove(directory / (std::string("it's.000") + frame + ".exr"));
+    EXPECT_TRUE(directory.has("a \"tiny\" $one.parts/3-of-3.ck"));
+    std::filesystem::remove_all(directory / "a \"tiny\" $one.parts");
+  }
+}
+
+TEST_F(Farm, AnotherNumberOfPartsBeginsAnew) {
+  std::filesystem::create_directory(directory / "bin");
+  put_file(directory / "bin/sbatch", kStandIn);
+  std::filesystem::permissions(directory / "bin/sbatch", std::filesystem::perms::owner_all);
+  const std::string call = "mkdir -p run && cp tiny.dsc run && cd run && PATH=../bin:$PATH sh ../farm.sh > said";
+  for (const char* parts : {"2", "3"}) {
+    write_job({"--parts", parts, "--iterations", "6", "--float", "-o", "../it's.exr"});
+    ASSERT_EQ(shell(call), 0);
+    expect_images({"--iterations", "6"}, 6);
+  }
+}
+
+TEST_F(Farm, JobsWhosePartsWouldFailAreRefused) {
+  const auto refused = [&](const Arguments& arguments, int code, const std::string& message) {
+    const Outcome outcome = run(directory, arguments + Arguments{"--farm", "slurm"});
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  };
+  refused({"tiny.dsc", "--parts", "9", "--iterations", "8"}, 2,
+          "--parts 9: 8 iterations cannot make so many parts; ask for fewer, or for more --iterations");
+  refused({"tiny.dsc", "--iterations", "0"}, 2, "of how many iterations? Give --iterations or --time-limit");
+  refused({"missing.dsc"}, 1, "missing.dsc");
+  put_file(directory / "wrong.dsc", "Shape \"spere\"\n");
+  refused({"wrong.dsc"}, 1, "wrong.dsc:1");
+  put_file(directory / "tiny.dsc", tiny_scene("\"dsppm\"", "\"dsppm\" \"string estimator\" \"hj09\""));
+  refused({"tiny.dsc"}, 2, "cannot be rendered in parts: the radii of hj09 depend on the photons");
 }
 
 }  // namespace

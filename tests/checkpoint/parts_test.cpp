@@ -185,11 +185,15 @@ TEST_F(Parts, ArePlannedFromTrialIterations) {
     std::istringstream(line) >> way;
     ways.push_back(way);
   }
-  EXPECT_EQ(ways, (std::vector<std::string>{"--part", "frames:1/3,1/2", "frames:1/2,1/3", "1/6"}))
+  EXPECT_EQ(ways, (std::vector<std::string>{"--part", "frames:1/3,1/2", "frames:1/2,1/3", "1/6", "(one"}))
       << "three frames make no six parts\n"
       << plan;
   EXPECT_NE(plan.find("fastest"), std::string::npos);
+  const std::string of_one_frame = good({"tiny.dsc", "--plan", "6", "--iterations", "24", "--frames", "2"}).out;
+  EXPECT_NE(of_one_frame.find("\n1/6 "), std::string::npos) << of_one_frame;
+  EXPECT_NE(of_one_frame.find("\n(one machine) "), std::string::npos) << of_one_frame;
   expect_refused({"tiny.dsc", "--plan", "2", "--iterations", "0"}, 2, "--plan: of how many iterations?");
+  expect_refused({"tiny.dsc", "--plan", "7", "--iterations", "6"}, 2, "--plan 7: neither frames nor iterations");
 }
 
 TEST_F(Parts, OfOtherRendersAreRefusedByName) {
@@ -224,7 +228,8 @@ TEST_F(Parts, AreRefusedWhereTheyMakeNoSense) {
   const Arguments part = {"tiny.dsc", "--part", "1/2", "--checkpoint", "a"};
   expect_refused(part + Arguments{"--until-error", "2%"}, 2, "--part and --until-error exclude each other");
   expect_refused(part + Arguments{"-o", "a.exr"}, 2, "--part and -o exclude each other: a part writes no images");
-  expect_refused(part + Arguments{"--iterations", "1"}, 2, "--part 1/2: 1 iteration cannot make so many parts");
+  expect_refused(part + Arguments{"--iterations", "1"}, 2,
+                 "--part 1/2: 1 iteration cannot make so many parts; ask for fewer, or for more --iterations");
   expect_refused({"tiny.dsc", "--part", "1/2"}, 2, "--part: which file keeps it? Give --checkpoint");
   for (const char* wrong : {"0/2", "3/2", "1", "a/b", "1/2/3", "1/100000"})
     expect_refused({"tiny.dsc", "--checkpoint", "a", "--part", wrong}, 2, std::string("--part ") + wrong);
