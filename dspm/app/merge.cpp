@@ -31,7 +31,7 @@ class Merge {
         messages_(messages),
         results_(loaded.job, *loaded.world, options, other_files(options), true, messages,
                  [] { return InterruptRequests::signal() != 0; }),
-        checkpoints_(loaded.job, checkpoint_of(options), nullptr, messages) {
+        checkpoints_(loaded.job, loaded.world->sampling(), checkpoint_of(options), nullptr, messages) {
     report_.threads = thread_count();
   }
 

@@ -29,6 +29,22 @@ void keep_guide(const Options& options, const Job& job) {
   if (!options.save_guide.empty()) save_guide(options.save_guide, job);
 }
 
+namespace {
+
+std::vector<Places> places_of(const std::vector<IntervalState>& begun) {
+  std::vector<Places> places;
+  for (const IntervalState& state : begun) places.push_back({state.frames, state.given_up});
+  return places;
+}
+
+std::vector<FrameList> frames_of(const std::vector<Places>& places) {
+  std::vector<FrameList> frames;
+  for (const Places& each : places) frames.push_back(each.frames);
+  return frames;
+}
+
+}  // namespace
+
 Render::Render(const LoadedScene& loaded, const Options& options, const Surroundings& around,
                std::unique_ptr<const CheckpointFile> resumed)
     : loaded_(loaded),
@@ -41,11 +57,14 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
       leader_(around.leader),
       results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
                [this] { return end_wanted(); }),
-      checkpoints_(loaded.job, options, std::move(resumed), messages_),
+      checkpoints_(loaded.job, loaded.world->sampling(), options, std::move(resumed), messages_),
+      begun_(places_of(checkpoints_.intervals())),
       intervals_(around.memory.plan(loaded.job, *loaded.world,
                                     {results_.bytes_while_writing() + Onlookers::bytes_at_most(loaded.job, options),
                                      around.leader != nullptr ? Leader::kStates : 0},
-                                    checkpoints_.intervals(), messages_, *this)) {
+                                    frames_of(begun_), messages_, *this)) {
+  const std::vector<IntervalState> states = checkpoints_.intervals();
+  for (std::size_t i = 0; i < states.size(); ++i) intervals_[i] = frames_going_on(states[i]);
   report_.threads = thread_count();
 }
 
@@ -74,13 +93,14 @@ int Render::run() {
 
 SessionSettings Render::session_settings() const {
   SessionSettings settings{options_.time_limit, options_.write_every, results_.bytes_while_writing()};
-  settings.part = options_.part;
+  settings.part = options_.part, settings.places = begun_;
   if (leader_ == nullptr) return settings;
   settings.block = options_.block.value_or(4);
   settings.share_out = [this, block = settings.block](std::size_t i, std::unique_ptr<Integrator> sum,
                                                       std::unique_ptr<Integrator> own, int all) {
     expect_parts(loaded_.job, *sum, "mpirun");
-    return leader_->share_out(std::move(sum), std::move(own), intervals_[i], memory_.for_integrator(i), {all, block});
+    const FrameList& frames = i < begun_.size() ? begun_[i].frames : intervals_[i];
+    return leader_->share_out(std::move(sum), std::move(own), frames, memory_.for_integrator(i), {all, block});
   };
   return settings;
 }

@@ -155,6 +155,7 @@ class Render final : public SessionObserver {
   Leader* leader_;
   Results results_;
   Checkpoints checkpoints_;
+  std::vector<Places> begun_;  // of the intervals that the resumed run began
   std::vector<FrameList> intervals_;
   int resumed_ = 0, saved_ = 0;  // iterations of the interval that the checkpoint held at first, and holds
   bool has_checkpoint_ = false;

@@ -32,6 +32,7 @@ constexpr int kMostIterations = 1'000'000'000;
 
 void persist(IntervalState& interval, StateStream& state) {
   state.list(interval.frames, kMostFrames);
+  state.value(interval.given_up);
   state.value(interval.iterations);
   state.value(interval.seconds);
   state.value(interval.offset);
@@ -85,6 +86,7 @@ void expect_possible(const KnownFrames& frames, const std::vector<IntervalState>
 void persist_head(CheckpointFile::Render& render, std::vector<IntervalState>& intervals, StateStream& state) {
   dspm::persist(render.facts, state);
   persist(render.frames, state);
+  state.text(render.sampling, kLongestName);
   persist(render.part, state);
   state.value(render.memory);
   persist(render.machines, state);
@@ -128,12 +130,20 @@ class Checksum {
 
 }  // namespace
 
+FrameList frames_going_on(const IntervalState& state) {
+  FrameList frames;
+  for (std::size_t j = 0; j < state.frames.size(); ++j)
+    if (!state.given_up.contains(static_cast<Frame>(j))) frames.push_back(state.frames[j]);
+  return frames;
+}
+
 void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file) {
   std::set<FileFrame> all;
   bool valid = true;
   for (const IntervalState& interval : intervals) {
-    valid = valid && !interval.frames.empty() && interval.frames.size() <= kMaxFrames;
-    for (const FileFrame frame : interval.frames) valid = all.insert(frame).second && valid;
+    const FrameList frames = frames_going_on(interval);
+    valid = valid && !frames.empty() && interval.frames.size() <= kMaxFrames;
+    for (const FileFrame frame : frames) valid = all.insert(frame).second && valid;
   }
   if (!valid) throw std::runtime_error(fmt::format("checkpoint {}: its frames are not possible", file));
 }
@@ -189,7 +199,7 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     persist_head(render_, intervals_, head);
     expect_possible(render_.frames, intervals_);
     for (const IntervalState& interval : intervals_)
-      render_.frames.rendered.insert(render_.frames.rendered.end(), interval.frames.begin(), interval.frames.end());
+      for (const FileFrame frame : frames_going_on(interval)) render_.frames.rendered.push_back(frame);
     for (const IntervalState& interval : intervals_)
       if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
           interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))
@@ -220,10 +230,10 @@ void CheckpointFile::load_by(std::size_t interval, Integrator& integrator) const
   }
 }
 
-bool CheckpointFile::copy(std::size_t interval, SavingStream& to) const {
+bool CheckpointFile::copy(const IntervalState& state, SavingStream& to) const {
   file_.clear();
-  file_.seekg(static_cast<std::streamoff>(intervals_[interval].offset));
-  return for_each_block(file_, intervals_[interval].size, [&](std::string_view block) { to.append(block); });
+  file_.seekg(static_cast<std::streamoff>(state.offset));
+  return for_each_block(file_, state.size, [&](std::string_view block) { to.append(block); });
 }
 
 std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesystem::path& path, const Render& render,
@@ -231,6 +241,7 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
                                                             const CheckpointFile* before) {
   std::unique_ptr<CheckpointFile> written(new CheckpointFile);
   written->path_ = path, written->render_ = render;
+  const std::vector<IntervalState> old = intervals;
   std::uint64_t offset = kHeadAt + head_bytes(written->render_, intervals);
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     if (state != nullptr && i == state->interval) intervals[i].size = *state_bytes(state->integrator);
@@ -245,7 +256,7 @@ std::unique_ptr<const CheckpointFile> CheckpointFile::write(const std::filesyste
   for (std::size_t i = 0; i < written->intervals_.size(); ++i)
     if (state != nullptr && i == state->interval)
       state->integrator.persist(saving);
-    else if (written->intervals_[i].size > 0 && !before->copy(i, saving))
+    else if (written->intervals_[i].size > 0 && !before->copy(old[i], saving))
       throw WriteError(path, "the previous checkpoint cannot be read");
   const std::uint32_t checksum = saving.checksum();
   file.write({reinterpret_cast<const char*>(&checksum), sizeof(checksum)});

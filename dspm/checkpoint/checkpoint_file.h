@@ -13,6 +13,7 @@
 
 #include "dspm/checkpoint/facts.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/math/frames.h"
 #include "dspm/session/frame_intervals.h"
 #include "dspm/session/part.h"
 
@@ -21,10 +22,14 @@ namespace dspm {
 /// How far an interval has come.
 struct IntervalState {
   FrameList frames;                    // by their places in the file of that time
+  FrameSet given_up = {};              // of these: others stand in for them
   int iterations = 0;                  // done; 0: no state
   double seconds = 0;                  // that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
+
+/// Those that were not given up.
+FrameList frames_going_on(const IntervalState& state);
 
 /// Throws std::runtime_error, naming the file, if a frame is there twice or too many are together.
 void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file);
@@ -32,7 +37,7 @@ void expect_frames(const std::vector<IntervalState>& intervals, const std::strin
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 8\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 9\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.
@@ -41,7 +46,8 @@ class CheckpointFile {
   /// The render that it belongs to.
   struct Render {
     std::vector<Fact> facts;
-    KnownFrames frames;  // those of the file
+    KnownFrames frames;         // those of the file
+    std::string sampling = {};  // World::sampling
     Part part = {};
     std::uint64_t memory = 0;                // bound of a part, which cuts it into intervals and batches; 0: none
     std::vector<std::string> machines = {};  // that worked on it
@@ -63,8 +69,8 @@ class CheckpointFile {
     std::size_t interval;
     Integrator& integrator;
   };
-  /// Writes `path` anew, with the state of one interval or of none; the other states come from `before`, which may be
-  /// null or the file that is replaced. Throws WriteError; the old file then stays.
+  /// Writes `path` anew, with the state of one interval or of none; the other states come from `before`, where
+  /// `intervals` say; it may be null or the file that is replaced. Throws WriteError; the old file then stays.
   static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const Render& render,
                                                      std::vector<IntervalState> intervals, const NewState* state,
                                                      const CheckpointFile* before);
@@ -76,7 +82,7 @@ class CheckpointFile {
   template <class Stream>
   void load_by(std::size_t interval, Integrator& integrator) const;
   /// False: it could not be read.
-  bool copy(std::size_t interval, SavingStream& to) const;
+  bool copy(const IntervalState& state, SavingStream& to) const;
 
   std::filesystem::path path_;
   std::uint64_t device_ = 0, inode_ = 0;

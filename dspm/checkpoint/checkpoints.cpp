@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "dspm/checkpoint/changes.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/machine.h"
 #include "dspm/system/readable.h"
-#include "dspm/world/frame_choice.h"
 
 namespace dspm {
 namespace {
@@ -70,7 +70,7 @@ void leave_to_others(const fs::path& path) {
 
 }  // namespace
 
-Checkpoints::Checkpoints(const Job& job, const CheckpointSettings& settings,
+Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
                          std::unique_ptr<const CheckpointFile> resumed, Messages& messages)
     : messages_(messages),
       path_(settings.checkpoint.empty() ? settings.resume : settings.checkpoint),
@@ -79,33 +79,27 @@ Checkpoints::Checkpoints(const Job& job, const CheckpointSettings& settings,
       last_(std::move(resumed)) {
   if (!writes()) return;
   if (settings.resume.empty() || !is_same_file(path_, settings.resume)) refuse_to_overwrite(path_);
-  render_ = {facts_of(job, all_frames(job)), frames_to_keep(job), settings.part};
+  render_ = {facts_of(job, all_frames(job)), frames_to_keep(job), sampling, settings.part};
   if (!settings.part.is_all()) render_.memory = settings.memory, render_.words = settings.words;
   render_.machines = {machine_in_words()};
   if (last_ == nullptr) return;
   refuse_another_part(last_->render(), render_, settings.resume);
   for (const std::string& machine : last_->render().machines)
     if (machine != render_.machines.front()) render_.machines.push_back(machine);
-  Diagnostics diagnostics;
-  const CheckpointFile::Render& then = last_->render();
-  compare(then.facts, facts_of(job, then.frames.all()), diagnostics);
-  diagnostics.throw_if_errors();
-  states_ = states_of(job);
+  const Changes changes(job, last_->render(), sampling);
+  has_changed_ = changes.any();
+  for (const IntervalState& state : last_->intervals())
+    if (!is_among(changes.anew(state), job.frames))
+      throw UsageError("--only-new: some frames have changed and start anew; resume without it first");
+  messages_.show(changes.warnings());
+  for (const IntervalState& state : last_->intervals())
+    if (IntervalState now = changes.after(state); !frames_going_on(now).empty()) states_.push_back(std::move(now));
   expect_frames(states_, settings.resume);
-  while (kept_ < states_.size() && !is_among(states_[kept_].frames, job.frames)) ++kept_;
+  while (kept_ < states_.size() && !is_among(frames_going_on(states_[kept_]), job.frames)) ++kept_;
 }
 
-std::vector<IntervalState> Checkpoints::states_of(const Job& job) const {
-  std::vector<IntervalState> states = last_->intervals();
-  for (IntervalState& state : states)
-    state.frames = moved(state.frames, last_->render().frames, job.description->frames);
-  return states;
-}
-
-std::vector<FrameList> Checkpoints::intervals() const {
-  std::vector<FrameList> intervals;
-  for (std::size_t i = kept_; i < states_.size(); ++i) intervals.push_back(states_[i].frames);
-  return intervals;
+std::vector<IntervalState> Checkpoints::intervals() const {
+  return {states_.begin() + static_cast<std::ptrdiff_t>(kept_), states_.end()};
 }
 
 double Checkpoints::seconds() const {
@@ -120,14 +114,14 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   if (!bytes) throw UsageError("--checkpoint: this integrator does not support checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
   const std::size_t before = states_.size();
-  for (std::size_t i = before - kept_; i < intervals.size(); ++i) states_.push_back({intervals[i]});
+  for (std::size_t i = before - kept_; i < intervals.size(); ++i) states_.push_back({.frames = intervals[i]});
   if (before > 0 && states_.size() > before) {
     std::size_t added = 0;
     for (std::size_t i = before; i < states_.size(); ++i) added += states_[i].frames.size();
-    messages_.say("{} added to the checkpoint's", counted(added, "frame"));
+    messages_.say("{} {} the checkpoint's", counted(added, "frame"), has_changed_ ? "start beside" : "added to");
   }
   // Takes the name at once, and keeps the resumed state even if nothing is left to do.
-  if (last_ == nullptr || !last_->is_at(path_) || states_.size() > before) {
+  if (last_ == nullptr || !last_->is_at(path_) || states_.size() > before || has_changed_) {
     if (last_ == nullptr || !last_->is_at(path_)) leave_to_others(path_);
     last_ = CheckpointFile::write(path_, render_, states_, nullptr, last_.get());
   }
@@ -150,7 +144,8 @@ IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrato
 void Checkpoints::save(const IntervalProgress& progress, Integrator& integrator) {
   if (!writes()) return;
   std::vector<IntervalState> states = last_->intervals();
-  for (std::size_t i = 0; i < states.size(); ++i) states[i].frames = states_[i].frames;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    states[i].frames = states_[i].frames, states[i].given_up = states_[i].given_up;
   IntervalState& state = states[kept_ + progress.index];
   state.iterations = progress.iterations, state.seconds = progress.seconds;
   if (!last_->is_at(path_)) leave_to_others(path_);

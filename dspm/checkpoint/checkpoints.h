@@ -23,14 +23,14 @@ struct CheckpointSettings {
 
 class Checkpoints {
  public:
-  /// `resumed`: the file of settings.resume, null if there is none; it goes on with the job's frames, and keeps others
-  /// as they are. Throws UsageError if a checkpoint would be lost, SceneError with what has changed since the one to
+  /// `sampling`: World::sampling() of the job's. `resumed`: the file of settings.resume, null if there is none; it goes
+  /// on with the job's frames, and keeps others as they are. Warns of those that start anew. Throws UsageError if a checkpoint would be lost, SceneError with what has changed since the one to
   /// resume, std::runtime_error if it is damaged.
-  Checkpoints(const Job& job, const CheckpointSettings& settings, std::unique_ptr<const CheckpointFile> resumed,
-              Messages& messages);
+  Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
+              std::unique_ptr<const CheckpointFile> resumed, Messages& messages);
 
   /// That the resumed run began and this one goes on with; empty if there are none.
-  std::vector<FrameList> intervals() const;
+  std::vector<IntervalState> intervals() const;
   /// Of the resumed run, over all intervals.
   double seconds() const;
 
@@ -45,15 +45,13 @@ class Checkpoints {
 
  private:
   bool writes() const { return !path_.empty(); }
-  /// Of the last checkpoint, with the frames' places in the file as it is now.
-  std::vector<IntervalState> states_of(const Job& job) const;
-
   Messages& messages_;
   std::filesystem::path path_;  // empty: none is written
   Interval every_;
   WriteSchedule schedule_;
   CheckpointFile::Render render_;
   std::vector<IntervalState> states_;           // of the last checkpoint
+  bool has_changed_ = false;                    // since the resumed one
   std::size_t kept_ = 0;                        // so many come first that this run does not go on with
   std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
 };

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFacts = 10'000'000, kMostText = 1 << 20;
 
 Fact digest_fact(std::string name, std::uint64_t digest, const SourceLocation& where = {}) {
-  return {std::move(name), fmt::format("{:016x}", digest), true, where};
+  return {std::move(name), fmt::format("{:016x}", digest), true, {}, {}, where};
 }
 
 void add_settings(const Job& job, std::vector<Fact>& facts) {
@@ -63,6 +63,25 @@ void add_order(const std::vector<ElementDigest>& elements, const PartOfScene& pa
   facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
 }
 
+/// Which Dynamic blocks each variation of the product has, at each moment: one that no frame has leaves no trace.
+void add_presence(const SceneDescription& description, const PartOfScene& part,
+                  const std::vector<ElementDigest>& elements, const FramesPart& frames, std::vector<Fact>& facts) {
+  std::vector<std::string> present(static_cast<std::size_t>(frames.combinations));
+  for (const ElementDigest& element : elements)
+    if (element.kind == ElementDigest::Kind::block)
+      part.for_each_with(element, [&](FileFrame f) {
+        present[description.frames.combination_of(f)] +=
+            fmt::format("{} {:x} {}\n", element.name, element.digest, description.frames.moment_index(f));
+      });
+  for (std::size_t c = 0; c < present.size(); ++c) {
+    const std::string& name = description.frames.combinations()[c].name;
+    facts.push_back(digest_fact(
+        name.empty() ? "which Dynamic blocks are there" : fmt::format("which Dynamic blocks are there in \"{}\"", name),
+        digest(present[c])));
+    if (!name.empty()) facts.back().scope = Fact::Scope::combination, facts.back().of = name;
+  }
+}
+
 /// As the scene names it, so that its folder may be moved.
 fs::path short_name(const fs::path& file, const fs::path& folder) {
   const fs::path relative = file.lexically_relative(folder);
@@ -78,7 +97,7 @@ void add_files(const SceneDescription& description, bool may_be_new, std::vector
   for (const auto& [path, content] : files_read())
     if (texts.count(path) == 0) {
       facts.push_back(digest_fact(fmt::format("file {}", short_name(path, folder).string()), content));
-      facts.back().may_be_new = may_be_new;
+      facts.back().may_be_new = may_be_new, facts.back().scope = Fact::Scope::file;
     }
 }
 
@@ -119,42 +138,52 @@ std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& frames) {
   const PartOfScene part(*job.description, frames);
   const bool is_all = frames.count() == job.description->frames.count();
   std::vector<Fact> facts;
-  std::vector<ElementDigest> elements = digests_of(*job.description, frames);
+  const std::vector<ElementDigest> elements = digests_of(*job.description, frames);
   add_order(elements, part, facts);
-  for (ElementDigest& element : elements) {
+  for (const ElementDigest& element : elements) {
     const bool may_be_new = !is_all && part.can_do_without(element);
-    std::uint64_t number = element.digest;
-    if (element.kind == ElementDigest::Kind::block)
-      number = digest(fmt::format("{:x} {}", number, part.presence_of(element)));
-    facts.push_back(digest_fact(std::move(element.name), number, element.where));
+    facts.push_back(digest_fact(element.name, element.digest, element.where));
     facts.back().may_be_new = may_be_new;
+    if (element.kind == ElementDigest::Kind::variation) {
+      const auto& axis = job.description->axes[static_cast<std::size_t>(element.axis)];
+      facts.back().scope = Fact::Scope::variation;
+      facts.back().of = axis.variations[static_cast<std::size_t>(element.variation)].name;
+    }
   }
+  add_presence(*job.description, part, elements, frames, facts);
   add_files(*job.description, !is_all, facts);
   return facts;
 }
 
-void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
-             const Since& since) {
+std::string Difference::in_words(const Since& since) const {
+  if (then == nullptr) return fmt::format("{} is new since {}", now->name, since.what);
+  if (now == nullptr) return fmt::format("{} has been removed since {}", then->name, since.what);
+  if (now->is_digest) return fmt::format("{} has changed since {}", now->name, since.what);
+  return fmt::format("{}: {} now, {} in {}", now->name, now->text, then->text, since.what);
+}
+
+std::vector<Difference> differences(const std::vector<Fact>& then, const std::vector<Fact>& now) {
   std::map<std::string_view, std::deque<const Fact*>> before;  // by name
   for (const Fact* fact : unmatched(then, now)) before[fact->name].push_back(fact);
+  std::vector<Difference> all;
   for (const Fact* fact : unmatched(now, then)) {
     std::deque<const Fact*>& same = before[fact->name];
-    if (same.empty()) {
-      if (!fact->may_be_new)
-        diagnostics.error(fact->where, fmt::format("{} is new since {}", fact->name, since.what), since.way_out);
-      continue;
+    if (!same.empty()) {
+      all.push_back({same.front(), fact});
+      same.pop_front();
+    } else if (!fact->may_be_new) {
+      all.push_back({nullptr, fact});
     }
-    const Fact& old = *same.front();
-    same.pop_front();
-    diagnostics.error(fact->where,
-                      fact->is_digest
-                          ? fmt::format("{} has changed since {}", fact->name, since.what)
-                          : fmt::format("{}: {} now, {} in {}", fact->name, fact->text, old.text, since.what),
-                      since.way_out);
   }
   for (const auto& [name, left] : before)
-    for (std::size_t i = 0; i < left.size(); ++i)
-      diagnostics.error({}, fmt::format("{} has been removed since {}", name, since.what), since.way_out);
+    for (const Fact* fact : left) all.push_back({fact, nullptr});
+  return all;
+}
+
+void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
+             const Since& since) {
+  for (const Difference& each : differences(then, now))
+    diagnostics.error(each.where(), each.in_words(since), since.way_out);
 }
 
 // One by one: a large count without contents must not allocate.
@@ -169,6 +198,9 @@ void persist(std::vector<Fact>& facts, StateStream& state) {
     std::uint8_t digest = facts[i].is_digest;
     state.value(digest);
     facts[i].is_digest = digest != 0;
+    state.value(facts[i].scope);
+    if (facts[i].scope > Fact::Scope::file) throw std::runtime_error("it is damaged");
+    state.text(facts[i].of, kMostText);
   }
 }
 

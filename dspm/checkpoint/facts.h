@@ -1,6 +1,7 @@
 // What a render depends on: a checkpoint keeps it, so that a render is never continued with another scene.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,17 @@ namespace dspm {
 
 /// Something that the images depend on; `text` is its value or a digest of it.
 struct Fact {
+  enum class Scope : std::uint8_t {
+    all,          // frames
+    variation,    // those that choose a variation of the name `of`
+    combination,  // those of the product's variation `of`
+    file,         // those whose other facts name it
+  };
+
   std::string name, text;
   bool is_digest = false;
+  Scope scope = Scope::all;
+  std::string of = {};
   SourceLocation where = {};  // in the scene; not kept in checkpoints
   bool may_be_new = false;    // it matters to no frame of the part; not kept either
 };
@@ -33,8 +43,17 @@ struct Since {
   const char* what = "the checkpoint";
   const char* way_out = "a checkpoint continues only the same scene; to start over, use another checkpoint";
 };
-/// An error for each fact that differs or is in only one of the lists (but for what may be new): in the order of `now`,
-/// then those only in `then`.
+/// A fact that has changed, or is in one of the lists only: the other pointer is null then.
+struct Difference {
+  const Fact *then, *now;
+
+  /// "material "legs" has changed since the checkpoint"
+  std::string in_words(const Since& since = {}) const;
+  SourceLocation where() const { return now != nullptr ? now->where : SourceLocation(); }
+};
+/// In the order of `now`, but for what may be new, then those only in `then`.
+std::vector<Difference> differences(const std::vector<Fact>& then, const std::vector<Fact>& now);
+/// An error for each.
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
              const Since& since = {});
 

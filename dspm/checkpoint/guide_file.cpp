@@ -18,7 +18,7 @@ namespace dspm {
 namespace {
 
 // The file: kMagic, a digest of the rest, the scene's facts, what was learned.
-constexpr std::string_view kMagic = "dspm guide 2\n";
+constexpr std::string_view kMagic = "dspm guide 3\n";
 constexpr const char* kWayOut =
     "a guide suits only the scene that it was learned for; without --guide, dspm learns anew";
 

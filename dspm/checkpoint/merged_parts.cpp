@@ -62,12 +62,16 @@ void MergedParts::expect_one_render() const {
 void MergedParts::expect_same(const Job& job) {
   Diagnostics diagnostics;
   const KnownFrames& then = render().frames;
+  const MovedFrames places(then, job.description->frames);
+  for (std::size_t c = 0; c < places.combinations().size(); ++c)
+    if (!places.combinations()[c])
+      diagnostics.error({}, fmt::format("variation {} of the parts is not there any more", then.names[c]), kWayOut);
+  diagnostics.throw_if_errors();
   const std::vector<Fact> now = facts_of(job, then.all());
   for (const auto& file : files_) compare(file->render().facts, now, diagnostics, {file->path().c_str(), kWayOut});
   diagnostics.throw_if_errors();
   expect_frames(files_.front()->intervals(), name_of(*files_.front()));
-  for (const IntervalState& state : files_.front()->intervals())
-    intervals_.push_back(moved(state.frames, then, job.description->frames));
+  for (const IntervalState& state : files_.front()->intervals()) intervals_.push_back(places.of(state.frames));
 }
 
 std::vector<int> MergedParts::missing() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dspm/math/frames.h"
-#include "dspm/world/variations.h"
 
 namespace dspm {
 namespace {
@@ -55,13 +54,6 @@ bool PartOfScene::can_do_without(const ElementDigest& element) const {
       return !chosen_[static_cast<std::size_t>(element.axis)][static_cast<std::size_t>(element.variation)];
     default: return !places(element);
   }
-}
-
-std::string PartOfScene::presence_of(const ElementDigest& block) const {
-  const std::vector<bool> present = presence(scene_, block.dynamic_block);
-  std::string signs;
-  for (const FileFrame f : frames_) signs += present[f.slot()] ? '+' : '-';
-  return signs;
 }
 
 }  // namespace dspm

@@ -8,6 +8,7 @@
 #include "dspm/lang/canonical.h"
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
+#include "dspm/world/variations.h"
 
 namespace dspm {
 
@@ -19,8 +20,13 @@ class PartOfScene {
   bool places(const ElementDigest& element) const;
   /// Whether the frames would be the same without it.
   bool can_do_without(const ElementDigest& element) const;
-  /// Of a Dynamic block: a sign for each frame, whether it is there.
-  std::string presence_of(const ElementDigest& block) const;
+  /// Calls fn(FileFrame) for each frame that has the Dynamic block.
+  template <class Fn>
+  void for_each_with(const ElementDigest& block, Fn&& fn) const {
+    const std::vector<bool> present = presence(scene_, block.dynamic_block);
+    for (const FileFrame f : frames_)
+      if (present[f.slot()]) fn(f);
+  }
 
  private:
   bool is_there(int block) const { return block < 0 || there_[static_cast<std::size_t>(block)]; }

@@ -103,12 +103,11 @@ class Digests {
     digests_.push_back({std::move(name), canonical.digest(), where, kind, dynamic_block});
   }
 
+  /// Not which variations there are: a run may go on with more or fewer.
   void add_frames() {
     Canonical frames;
     frames.number(part_.moments);
-    const std::vector<Combination>& all = scene_.frames.combinations();
-    for (int c = 0; c < part_.combinations; ++c) frames.text(all[static_cast<std::size_t>(c)].name);
-    add("the list of frames", scene_.frames_where, frames);
+    add("the number of frames", scene_.frames_where, frames);
   }
   void add_texture(const TextureUse& use, const std::string& where = {}) {
     add(named("texture", use.name) + where, use.where,

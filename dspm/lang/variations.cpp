@@ -121,28 +121,32 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
   }
 }
 
-/// The known ones first, in their order.
-std::vector<Combination> in_known_order(std::vector<Combination> combinations, const KnownFrames& known,
-                                        Diagnostics& diagnostics) {
+/// The known ones first, in their order. Some may not be there any more: the base is smaller then.
+FileFrames in_known_order(int moments, std::vector<Combination> combinations, const KnownFrames& known,
+                          Diagnostics& diagnostics) {
   std::map<std::string_view, std::size_t> places;
   for (std::size_t i = 0; i < combinations.size(); ++i) places.emplace(combinations[i].name, i);
   std::vector<Combination> ordered;
   std::vector<bool> taken(combinations.size());
-  for (const std::string& name : known.names) {
-    const auto found = places.find(name);
-    if (found == places.end()) {
-      diagnostics.error({},
-                        name.empty() ? "the checkpoint is of this scene without variations"
-                                     : fmt::format("variation {} of the checkpoint is not there any more", name),
-                        "variations can be added to a render, but not taken away");
-      continue;
-    }
+  FramesPart base{known.base.moments, 0};
+  for (std::size_t i = 0; i < known.names.size(); ++i) {
+    const auto found = places.find(known.names[i]);
+    if (found == places.end()) continue;
+    if (i < static_cast<std::size_t>(known.base.combinations)) ++base.combinations;
     taken[found->second] = true;
     ordered.push_back(combinations[found->second]);
   }
   for (std::size_t i = 0; i < combinations.size(); ++i)
     if (!taken[i]) ordered.push_back(std::move(combinations[i]));
-  return ordered;
+  if (base.combinations == 0) {
+    diagnostics.error({},
+                      known.names.front().empty() ? "the checkpoint is of this scene without variations"
+                                                  : "no variation that the checkpoint was begun with is there any more",
+                      "variations can be added to a render, and some may be taken away; to start over, use another "
+                      "checkpoint");
+    return {moments, std::move(ordered)};
+  }
+  return {moments, std::move(ordered), base};
 }
 
 }  // namespace
@@ -181,9 +185,8 @@ FileFrames frames_of(const SceneDescription& scene, const std::vector<std::strin
   if (scene.moments < known->moments)
     diagnostics.error(scene.frames_where, fmt::format("the checkpoint has {} frames", known->moments),
                       "frames can be added to a render, but not taken away");
-  combinations = in_known_order(std::move(combinations), *known, diagnostics);
   if (diagnostics.error_count() > 0) return {scene.moments, std::move(combinations)};
-  return {scene.moments, std::move(combinations), known->base};
+  return in_known_order(scene.moments, std::move(combinations), *known, diagnostics);
 } catch (const TooManyTried&) {
   diagnostics.error(scene.rules.front().where,
                     fmt::format("AxisExclude and AxisOnly leave too few: {} combinations were tried", kMostTried),

@@ -21,7 +21,7 @@ std::vector<Combination> matching_combinations(const std::vector<VariationAxis>&
 
 /// The scene's frames: all combinations if they are few enough, else those that `patterns` choose. Sampling must not
 /// depend on the choice as long as that is possible. Two of the same name are an error, as are too many. Those that are
-/// `known` keep their places; an error if some are not there any more.
+/// `known` and still there keep their order; an error if none is of the base.
 FileFrames frames_of(const SceneDescription& scene, const std::vector<std::string>& patterns,
                      const std::optional<KnownFrames>& known, Diagnostics& diagnostics);
 

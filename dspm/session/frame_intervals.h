@@ -14,6 +14,12 @@ namespace dspm {
 using FrameList = std::vector<FileFrame>;
 using FrameSpan = std::span<const FileFrame>;
 
+/// Those of an interval's integrator.
+struct Places {
+  FrameList frames;  // ascending; one that stands in for others is there several times
+  FrameSet given_up;
+};
+
 class FrameIntervals {
  public:
   /// Frames with different settings of the integrator are never together. Factors that move paths vary slowest, then those with the most places: frames that differ only in looks stay

@@ -85,7 +85,8 @@ void LoadedScene::make(const Choices& choices, Diagnostics& diagnostics, KeptGeo
   const StepTimer timer(steps[1]);
   load_modules(*description, diagnostics);
   job = make_job(*description, choices, diagnostics);
-  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept};
+  const WorldOptions world_options{job.settings.width, job.settings.height, job.accel, true, job.film.diagonal, kept,
+                                   &job.frames};
   world = std::make_unique<World>(*description, world_options, diagnostics);
   job.settings.file = std::make_shared<FileSample>(
       world->sample_frames(), [world = world.get()] { return world->scene(world->sample_frames()); });

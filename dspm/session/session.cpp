@@ -5,6 +5,7 @@
 #include <new>
 
 #include "dspm/integrators/error_estimate.h"
+#include "dspm/integrators/given_up.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
 #include "dspm/session/block.h"
@@ -81,7 +82,8 @@ int Session::iterations_of(const Integrator& integrator) const {
 void Session::render_interval(std::size_t index) {
   const Share time{Clock::now(), time_share(index)};
   observer_.step_begins("making the scene", "");
-  const std::unique_ptr<Scene> scene = loaded_.world->scene(intervals_[index]);
+  const Places places = index < settings_.places.size() ? settings_.places[index] : Places{intervals_[index], {}};
+  const std::unique_ptr<Scene> scene = loaded_.world->scene(places.frames);
   const auto make = [&](std::size_t bytes) {
     std::unique_ptr<Integrator> own = make_without_error(loaded_.job, *scene, messages_, bytes);
     if (!settings_.share_out) return own;
@@ -90,7 +92,8 @@ void Session::render_interval(std::size_t index) {
     return settings_.share_out(index, std::move(own), loaded_.job.make_without_error(*scene, shown_before, bytes), all);
   };
   const std::unique_ptr<Integrator> integrator =
-      with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index));
+      without_given_up(with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index)),
+                       static_cast<int>(places.frames.size()), places.given_up);
   const int iterations = iterations_of(*integrator);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
     throw UsageError(

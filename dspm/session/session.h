@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/scene/scene.h"
+#include "dspm/session/frame_intervals.h"
 #include "dspm/session/load.h"
 #include "dspm/session/memory_bound.h"
 #include "dspm/session/observer.h"
@@ -33,6 +34,7 @@ struct SessionSettings {
                                             std::unique_ptr<Integrator>, int all)>
       share_out = {};
   int block = 1;
+  std::vector<Places> places = {};  // of the first intervals, which earlier runs began; the others' are their frames
 };
 
 class Session {

@@ -15,9 +15,8 @@ namespace {
 constexpr float kLeeway = 1e-5f;  // relative, for rounding
 constexpr std::size_t kNamesListed = 5;
 constexpr const char* kWayOut =
-    "an added frame starts photons as the first frames of the checkpoint do; render these in a run of their own, "
-    "chosen "
-    "by --variation or --frames and without --resume";
+    "one choice of lights and one sphere serve all frames of a checkpoint, and those that it has must keep theirs; let "
+    "--variation or --frames choose the other frames here, and these in a run of their own, without --resume";
 
 bool is_within(const Bounds3& box, const BoundingSphere& sphere) {
   const Vec3 far{std::max(std::abs(box.low.x - sphere.center.x), std::abs(box.high.x - sphere.center.x)),
@@ -68,19 +67,21 @@ void expect_light(const std::vector<WorldLight>& lights, const LightChoices& cho
 
 }  // namespace
 
-void expect_covered(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
-                    const std::vector<WorldLight>& lights, const LightChoices& choices, Diagnostics& diagnostics) {
+void expect_covered(const SceneDescription& description, const std::function<bool(FileFrame)>& is_rendered,
+                    const Geometry& geometry, const BoundingSphere& sphere, const std::vector<WorldLight>& lights,
+                    const LightChoices& choices, Diagnostics& diagnostics) {
   const FileFrames& frames = description.frames;
   const FileFrame first(frames.base().count());
   if (first.index() == frames.count()) return;
   Faults faults(frames);
-  for (FileFrame f = first; f.index() < frames.count(); ++f) expect_light(lights, choices, f, faults);
+  for (FileFrame f = first; f.index() < frames.count(); ++f)
+    if (is_rendered(f)) expect_light(lights, choices, f, faults);
   for (const WorldShape& shape : geometry.shapes()) {
     if (shape.nowhere || !shape.present.any(first, FileFrame(frames.count()))) continue;
     const bool is_outside = !is_within(shape, sphere), shines = shape.emitter >= 0;
     const bool is_lit = shines && geometry.emitters()[static_cast<std::size_t>(shape.emitter)].is_hidden;
     shape.present.for_each([&](FileFrame f) {
-      if (f < first) return;
+      if (f < first || !is_rendered(f)) return;
       if (is_outside) faults.add("some of it lies outside of what the checkpoint was begun with", f);
       if (is_lit) faults.add("an area light is seen that was not in the frames that the checkpoint was begun with", f);
     });

@@ -2,9 +2,11 @@
 // the frames that were added to it since.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
 #include "dspm/world/bounding_sphere.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/light_choices.h"
@@ -12,8 +14,10 @@
 
 namespace dspm {
 
-/// An error for each reason why it does not, with the frames: their images would lack light.
-void expect_covered(const SceneDescription& description, const Geometry& geometry, const BoundingSphere& sphere,
-                    const std::vector<WorldLight>& lights, const LightChoices& choices, Diagnostics& diagnostics);
+/// An error for each reason why it does not, with the frames that are rendered and have it: their images would lack
+/// light.
+void expect_covered(const SceneDescription& description, const std::function<bool(FileFrame)>& is_rendered,
+                    const Geometry& geometry, const BoundingSphere& sphere, const std::vector<WorldLight>& lights,
+                    const LightChoices& choices, Diagnostics& diagnostics);
 
 }  // namespace dspm

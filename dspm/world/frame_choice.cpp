@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "dspm/lang/glob.h"
 #include "dspm/math/frames.h"
@@ -50,18 +52,33 @@ std::vector<bool> chosen_variations(const SceneDescription& description, const s
 std::vector<bool> rendered_before(const FileFrames& file, const Choices& choices) {
   std::vector<bool> rendered(static_cast<std::size_t>(file.count()));
   if (!choices.known) return rendered;
-  for (const FileFrame frame : moved(choices.known->rendered, *choices.known, file))
+  for (const FileFrame frame : MovedFrames(*choices.known, file).of(choices.known->rendered))
     if (frame.slot() < rendered.size()) rendered[frame.slot()] = true;
   return rendered;
 }
 
 }  // namespace
 
-std::vector<FileFrame> moved(const std::vector<FileFrame>& frames, const KnownFrames& known, const FileFrames& now) {
-  const FileFrames then(known);
+MovedFrames::MovedFrames(const KnownFrames& known, const FileFrames& now) : now_(now), then_(known) {
+  std::map<std::string_view, int> places;
+  for (std::size_t c = 0; c < now.combinations().size(); ++c)
+    places.emplace(now.combinations()[c].name, static_cast<int>(c));
+  for (const std::string& name : known.names) {
+    const auto found = places.find(name);
+    combinations_.push_back(found == places.end() ? std::nullopt : std::optional(found->second));
+  }
+}
+
+std::optional<FileFrame> MovedFrames::at(FileFrame frame) const {
+  const std::optional<int> combination = combinations_[then_.combination_of(frame)];
+  if (!combination) return std::nullopt;
+  return now_.frame(*combination, then_.moment_index(frame));
+}
+
+std::vector<FileFrame> MovedFrames::of(const std::vector<FileFrame>& frames) const {
   std::vector<FileFrame> result;
   for (const FileFrame frame : frames)
-    result.push_back(now.frame(static_cast<int>(then.combination_of(frame)), then.moment_index(frame)));
+    if (const std::optional<FileFrame> now = at(frame)) result.push_back(*now);
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -1,6 +1,7 @@
 // Which of a file's frames are rendered: --variation and --frames.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dspm/lang/description.h"
@@ -9,8 +10,23 @@
 
 namespace dspm {
 
-/// The same frames of the file as it is now.
-std::vector<FileFrame> moved(const std::vector<FileFrame>& frames, const KnownFrames& known, const FileFrames& now);
+/// Where frames that an earlier run knew are in the file as it is now.
+class MovedFrames {
+ public:
+  MovedFrames(const KnownFrames& known, const FileFrames& now);
+
+  /// By combination then: its number now. None: it is not there any more.
+  const std::vector<std::optional<int>>& combinations() const { return combinations_; }
+  int combination_then(FileFrame frame) const { return static_cast<int>(then_.combination_of(frame)); }
+  std::optional<FileFrame> at(FileFrame frame) const;
+  /// Those that are still there, ascending.
+  std::vector<FileFrame> of(const std::vector<FileFrame>& frames) const;
+
+ private:
+  const FileFrames& now_;
+  const FileFrames then_;
+  std::vector<std::optional<int>> combinations_;
+};
 
 /// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.
 std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices);

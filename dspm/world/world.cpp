@@ -7,6 +7,7 @@
 #include "dspm/lights/light_group.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
+#include "dspm/system/files_read.h"
 #include "dspm/world/coverage.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
@@ -106,7 +107,10 @@ struct World::Impl {
     lights = make_lights(text, geometry, looks, sphere, diagnostics);
     if (diagnostics.error_count() == 0) {
       light_choices = make_light_choices(lights, text.frames.base().count(), text.frames.count());
-      expect_covered(text, geometry, sphere, lights, light_choices, diagnostics);
+      const auto is_rendered = [&](FileFrame f) {
+        return options.rendered == nullptr || std::binary_search(options.rendered->begin(), options.rendered->end(), f);
+      };
+      expect_covered(text, is_rendered, geometry, sphere, lights, light_choices, diagnostics);
     }
     for (const WorldLight& light : lights) light_names.add(light.short_name);
     for (const WorldLight& light : lights)
@@ -210,6 +214,17 @@ struct World::Impl {
 World::World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics)
     : impl_(std::make_unique<Impl>(description, options, diagnostics)) {}
 World::~World() = default;
+
+std::string World::sampling() const {
+  std::string bytes;
+  const auto add = [&](float number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof(number)); };
+  for (const float number : {impl_->sphere.center.x, impl_->sphere.center.y, impl_->sphere.center.z}) add(number);
+  add(impl_->sphere.radius);
+  for (const WorldLight& light : impl_->lights) add(light.probability);
+  for (const std::vector<float>& choice : impl_->light_choices.probabilities)
+    for (const float probability : choice) add(probability);
+  return fmt::format("{:016x}", digest(bytes));
+}
 
 int World::frame_count() const { return impl_->description.frames.count(); }
 

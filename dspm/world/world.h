@@ -22,7 +22,8 @@ struct WorldOptions {
   std::string accel = {};     // a plugin's name; empty: what the scene says, else two-level
   bool check_meshes = true;   // look for holes and self-intersections in meshes that bound a body
   float film_diagonal = CameraContext().film_diagonal;
-  KeptGeometry* kept = nullptr;  // of scenes before, and for those to come; outlives the world
+  KeptGeometry* kept = nullptr;                      // of scenes before, and for those to come; outlives the world
+  const std::vector<FileFrame>* rendered = nullptr;  // ascending, of the file's frames; null: all
 };
 
 /// Where the camera of a frame stands, and what it does to points.
@@ -44,6 +45,8 @@ class World {
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
   /// At most 16 frames, spread over the file.
   std::vector<FileFrame> sample_frames() const;
+  /// In a text, what the file's first frames decide of sampling in all: the same text, the same sampling.
+  std::string sampling() const;
   /// The directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
   CameraMatrices camera_matrices(FileFrame frame) const;

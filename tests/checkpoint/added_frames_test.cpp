@@ -1,125 +1,11 @@
 // Resuming with frames that were added, or chosen, since: those that were there keep their state, and every image is,
 // bit by bit, that of a run of all frames with what the checkpoint's first frames decide.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "dspm/checkpoint/checkpoint_file.h"
-#include "dspm/image/exr.h"
-#include "dspm/image/image.h"
-#include "dspm/testing/test_scene.h"
-#include "dspm/world/choices.h"
-#include "dspm/world/job.h"
-#include "tests/support/process.h"
+#include "tests/checkpoint/chair.h"
 
 namespace dspm::test {
 namespace {
 
-struct Product {
-  std::string frames = "";
-  std::string first_legs = "", last_legs = "", first_seat = "", last_seat = "";  // more variations
-  std::string more = "";                                                         // of the scene
-  std::string oak = ".55 .38 .2";
-
-  std::string text() const {
-    return frames + R"(
-LookAt 0 .5 -4  0 .3 0  0 1 0
-Camera "perspective" "float fov" 40
-Film "rgb" "integer xresolution" 12 "integer yresolution" 8 "string filename" "chair.exr" "bool savefp16" false
-Integrator "dsppm" "integer iterations" 3 "integer photons" 500 "integer maxdepth" 5
-WorldBegin
-AttributeBegin
-  AreaLightSource "diffuse" "rgb L" [9 8 7] "string name" "key"
-  Translate 0 2.5 -1
-  Shape "sphere" "float radius" .4
-AttributeEnd
-LightSource "point" "rgb I" [3 3 3] "point3 from" [-2 1 -1] "string name" "fill"
-MakeNamedMaterial "legs" "string type" "diffuse" "rgb reflectance" [.5 .4 .3]
-MakeNamedMaterial "seat" "string type" "diffuse" "rgb reflectance" [.3 .4 .5]
-Material "diffuse" "rgb reflectance" [.6 .6 .6]
-AttributeBegin Translate 0 0 8 Shape "sphere" "float radius" 29 AttributeEnd
-NamedMaterial "legs"
-AttributeBegin Translate -.6 .1 0 Shape "sphere" "float radius" .5 AttributeEnd
-NamedMaterial "seat"
-AttributeBegin Translate .6 .1 0 Shape "sphere" "float radius" .5 AttributeEnd
-DynamicBegin "cushion" Translate 0 .9 0 Shape "sphere" "float radius" .3 DynamicEnd
-)" + more + "\nAxisBegin \"legs\"\n" +
-           first_legs + R"(VariationBegin "oak" MakeNamedMaterial "legs" "string type" "diffuse" "rgb reflectance" [)" +
-           oak + R"(] VariationEnd
-VariationBegin "steel" MakeNamedMaterial "legs" "string type" "conductor" "float roughness" .15 VariationEnd
-)" + last_legs +
-           "AxisEnd\nAxisBegin \"seat\"\n" + first_seat + R"(VariationBegin "plain" VariationEnd
-VariationBegin "dim" Hide "cushion" Light "key" "float scale" .2 VariationEnd
-)" + last_seat +
-           "AxisEnd\n";
-  }
-};
-
-std::string variation(const std::string& name, const std::string& contents) {
-  return fmt::format("VariationBegin \"{}\" {} VariationEnd\n", name, contents);
-}
-const std::string kBrass =
-    variation("brass", R"(MakeNamedMaterial "legs" "string type" "conductor" "rgb reflectance" [.8 .6 .3])");
-const std::string kDark = variation("dark", R"(Light "fill" "float scale" .1)");
-
-class AddedFrames : public testing::Test {
- protected:
-  void put(const std::string& text) { put_file(directory / "chair.dsc", text); }
-  Outcome dspm(const Arguments& arguments) { return run(directory, Arguments{"chair.dsc"} + arguments); }
-  Outcome good(const Arguments& arguments) {
-    Outcome outcome = dspm(arguments);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return outcome;
-  }
-  void begin(const Product& product, const Arguments& arguments = {}) {
-    put(product.text());
-    good(Arguments{"--checkpoint", "a"} + arguments);
-    known = CheckpointFile(directory / "a").render().frames;
-  }
-  std::filesystem::path file(const std::string& label) const {
-    const std::size_t space = label.find(' ');
-    const std::string number = space == label.npos ? "" : fmt::format(".{:04}", std::stoi(label.substr(space)));
-    return directory / fmt::format("chair.{}{}.exr", label.substr(0, space), number);
-  }
-  int iterations(const std::string& label) const { return read_exr_header(file(label)).integers.at("iterations"); }
-
-  /// The frames' labels, interval by interval.
-  std::vector<std::vector<std::string>> intervals() const {
-    const CheckpointFile checkpoint(directory / "a");
-    const FileFrames frames(checkpoint.render().frames);
-    std::vector<std::vector<std::string>> labels;
-    for (const IntervalState& interval : checkpoint.intervals()) {
-      labels.emplace_back();
-      for (const FileFrame frame : interval.frames) labels.back().push_back(frames.label(frame));
-    }
-    return labels;
-  }
-
-  /// The files against a run of all frames, in the same intervals, that knows what the checkpoint's first frames were.
-  void expect_all(const std::string& text, int iterations, std::size_t count) {
-    Choices choices;
-    choices.known = known;
-    TestScene reference(text, choices);
-    const FileFrames& frames = reference.job().description->frames;
-    std::size_t compared = 0;
-    for (const std::vector<std::string>& interval : intervals()) {
-      std::vector<FileFrame> together;
-      for (FileFrame f(0); f.index() < frames.count(); ++f)
-        if (std::find(interval.begin(), interval.end(), frames.label(f)) != interval.end()) together.push_back(f);
-      const std::unique_ptr<Scene> scene = reference.scene(together);
-      const std::unique_ptr<Integrator> made = reference.integrator(*scene);
-      for (int i = 0; i < iterations; ++i) made->iterate(i, *scene);
-      for (std::size_t j = 0; j < together.size(); ++j, ++compared)
-        EXPECT_EQ(read_image(file(frames.label(together[j]))), made->estimate(static_cast<Frame>(j)))
-            << frames.label(together[j]);
-    }
-    EXPECT_EQ(compared, count);
-  }
-
-  TemporaryDirectory directory;
-  KnownFrames known;
-};
+using AddedFrames = ChairTest;
 
 TEST_F(AddedFrames, AreThoseOfARunOfAll) {
   Product product;
@@ -211,13 +97,9 @@ DynamicEnd AttributeEnd)";
        "error: oak-lit, steel-lit: the light \"lamp\" shone in no frame that the checkpoint was begun with\n"},
       {with([&](Product& p) { p.more = far, p.last_seat = variation("wide", "Show \"far\""); }),
        "error: oak-wide, steel-wide: some of it lies outside of what the checkpoint was begun with\n"},
-      {with([&](Product& p) { p.last_seat = variation("soft", "Show \"cushion\""), p.oak = ".5 .5 .5"; }),
-       "material \"legs\" of variation \"oak\" has changed since the checkpoint"},
       {with([&](Product& p) { p.last_seat = variation("soft", "Show \"cushion\""); }),
-       "dynamic \"cushion\" has changed since the checkpoint"},
+       "which Dynamic blocks are there in \"oak-plain\" has changed since the checkpoint"},
       {with([&](Product& p) { p.more = "Shape \"sphere\""; }), "shape \"sphere\" is new since the checkpoint"},
-      {with([&](Product& p) { p.more = "AxisExclude \"steel\""; }),
-       "variation steel-plain of the checkpoint is not there any more"},
   };
   for (const Refused& each : all) {
     put(each.product.text());
@@ -226,6 +108,20 @@ DynamicEnd AttributeEnd)";
     EXPECT_NE(outcome.err.find(each.told), std::string::npos) << each.told << "\n" << outcome.err;
     EXPECT_EQ(contents(directory / "a"), before);
   }
+}
+
+// Whoever does not choose them can go on.
+TEST_F(AddedFrames, ThatAreNotCoveredDisturbNoOthers) {
+  Product product;
+  begin(product, {"--iterations", "1"});
+  product.more = R"(DynamicBegin "far" Translate 0 0 90 Shape "sphere" DynamicEnd)";
+  product.last_seat = variation("wide", "Show \"far\"") + kDark;
+  put(product.text());
+  EXPECT_EQ(dspm({"--resume", "a", "--iterations", "2"}).code, 1);
+  good({"--resume", "a", "--iterations", "2", "--variation", "*-dark"});
+  EXPECT_EQ(iterations("oak-plain"), 2);
+  EXPECT_EQ(iterations("oak-dark"), 2);
+  EXPECT_FALSE(std::filesystem::exists(file("oak-wide")));
 }
 
 }  // namespace

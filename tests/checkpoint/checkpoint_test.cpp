@@ -232,7 +232,7 @@ TEST(Checkpoint, ThatOthersPutThereMeanwhileIsLeftAlone) {
   CheckpointSettings settings;
   settings.checkpoint = directory / "a";
   Messages messages(true);
-  Checkpoints checkpoints(test.job(), settings, nullptr, messages);
+  Checkpoints checkpoints(test.job(), "", settings, nullptr, messages);
   put_file(directory / "a", "precious");
   const auto scene = test.scene(test.all_frames());
   const auto integrator = test.integrator(*scene);

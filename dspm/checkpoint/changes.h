@@ -1,0 +1,37 @@
+// A checkpoint goes on although variations were edited or removed since: the frames that have them start anew, the others
+// keep their state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dspm/checkpoint/checkpoint_file.h"
+#include "dspm/math/frames.h"
+#include "dspm/world/frame_choice.h"
+#include "dspm/world/job.h"
+
+namespace dspm {
+
+class Changes {
+ public:
+  /// `sampling`: World::sampling() of the scene as it is now. Throws SceneError, with all that has changed, if no frame
+  /// can go on, or something has changed that matters to all of them.
+  Changes(const Job& job, const CheckpointFile::Render& then, const std::string& sampling);
+
+  bool any() const { return !diagnostics_.all().empty(); }
+  /// What starts anew and why, and what is not there any more.
+  const Diagnostics& warnings() const { return diagnostics_; }
+  /// Of an interval's state, in the places of the file as it is now. Those that do not go on are given up.
+  IntervalState after(const IntervalState& then) const;
+  /// Of an interval, those that start anew, in their places now.
+  FrameList anew(const IntervalState& then) const;
+
+ private:
+  bool goes_on(FileFrame then) const { return !anew_[static_cast<std::size_t>(moved_.combination_then(then))]; }
+
+  const MovedFrames moved_;
+  std::vector<bool> anew_;  // by combination then: it has changed, or is not there any more
+  Diagnostics diagnostics_;
+};
+
+}  // namespace dspm
