@@ -57,7 +57,7 @@ Onlookers::Onlookers(const Job& job, const OnlookerSettings& settings, const Vie
   if (!settings.preview) return;
   const Graphics graphics = graphics_of_stderr();
   if (graphics == Graphics::none)
-    messages.say("--preview shows nothing: this terminal knows neither kitty's images nor sixels");
+    messages.warn("--preview shows nothing: this terminal knows neither kitty's images nor sixels");
   else
     terminal_ = std::make_unique<Terminal>(graphics, job);
 }
@@ -121,7 +121,8 @@ void Onlookers::draw(const FrameList& interval, const Integrator& integrator) {
 void Onlookers::tell_fault() {
   if (!server_) return;
   if (const std::string fault = server_->take_fault(); !fault.empty())
-    messages_.say("the display server {} shows nothing ({}); it is tried again as rendering goes on", address_, fault);
+    messages_.warn(fmt::format("the display server {} shows nothing ({}); it is tried again as rendering goes on",
+                               address_, fault));
 }
 
 }  // namespace dspm

@@ -6,10 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "dspm/looking/shown_file.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/group_factor.h"
 #include "dspm/output/image_name.h"
 #include "dspm/output/relight.h"
+#include "dspm/output/view.h"
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/messages.h"
@@ -18,6 +20,8 @@ namespace dspm {
 namespace {
 
 bool is_image(const std::string& argument) { return std::filesystem::path(argument).extension() == ".exr"; }
+
+std::filesystem::path png_of(std::filesystem::path image) { return image.replace_extension(".png"); }
 
 }  // namespace
 
@@ -35,17 +39,24 @@ int relight_images(const Options& options) {
   if (!is_image(options.outfile)) throw UsageError("--relight: -o names the new images, which end with .exr");
 
   const std::filesystem::path pattern = options.outfile;
-  std::vector<NamedFile> read, written;
+  std::vector<NamedFile> read, written, shown;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const auto number = images.size() > 1 ? std::optional(Moment::numbered(static_cast<int>(i) + 1)) : std::nullopt;
     read.push_back({images[i], "an image"});
     written.push_back({image_name(pattern, number), "its new mix"});
+    if (options.png) shown.push_back({png_of(written.back().path), "its PNG"});
   }
-  expect_distinct(read, written);
+  std::vector<NamedFile> all = written;
+  all.insert(all.end(), shown.begin(), shown.end());
+  expect_distinct(read, all);
+  const View view(options.view);
   Messages messages(options.quiet);
   for (std::size_t i = 0; i < images.size(); ++i) {
     relight(images[i], factors, written[i].path);
     messages.say("{}", written[i].path.string());
+    if (shown.empty()) continue;
+    write_shown(written[i].path, view, shown[i].path);
+    messages.say("{}", shown[i].path.string());
   }
   return 0;
 }

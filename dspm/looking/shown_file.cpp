@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "dspm/image/png.h"
+
 namespace dspm {
 namespace {
 
@@ -36,6 +38,10 @@ bool names_an_image(const std::string& name) { return has_extension(name, kRadia
 Image shown_file(const std::filesystem::path& path, const View& view) {
   Image image = read_image(path);
   return has_extension(path, kRadiance) ? view.shown(std::move(image)) : image;
+}
+
+void write_shown(const std::filesystem::path& path, const View& view, const std::filesystem::path& png) {
+  write_png(png, shown_file(path, view), view.png());
 }
 
 std::vector<std::string> numbered_files(const std::string& pattern) {

@@ -1,7 +1,11 @@
 #include "dspm/output/contact_sheet.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "dspm/colour/rgb.h"
@@ -13,6 +17,14 @@ namespace dspm {
 namespace {
 
 constexpr int kGap = 8;  // pixels around images and labels
+
+/// Names of variations differ at either end, so the middle is left out.
+std::string shortened(std::string_view label, std::size_t most) {
+  if (label.size() <= most) return std::string(label);
+  if (most < 4) return std::string(label.substr(label.size() - most));
+  const std::size_t first = (most - 2) / 2, last = most - 2 - first;
+  return fmt::format("{}..{}", label.substr(0, first), label.substr(label.size() - last));
+}
 
 int label_height(int text_scale) { return kTextHeight * text_scale + kGap / 2; }
 
@@ -79,7 +91,7 @@ void ContactSheet::put(int i, const Image& image, std::string_view label) {
   }
   if (!layout_.style().labels) return;
   const int advance = kTextAdvance * layout_.text_scale;
-  const std::string_view fitting = label.substr(0, static_cast<std::size_t>(std::max(1, place.width() / advance)));
+  const std::string fitting = shortened(label, static_cast<std::size_t>(std::max(1, place.width() / advance)));
   const int left = place.x0 + (place.width() - advance * static_cast<int>(fitting.size())) / 2;
   draw_text(sheet_, left, place.y1 + kGap / 2, fitting, layout_.text_scale, Rgb(0.6f));
 }

@@ -24,6 +24,12 @@ std::vector<std::string> expanded(const std::string& name, const SceneDescriptio
   return parts.empty() ? std::vector{name} : parts;
 }
 
+std::string way_out(const std::string& name, const std::vector<std::string>& names) {
+  if (name == "cryptomatte") return "there are two, \"cryptoobject\" and \"cryptomaterial\"";
+  const std::string guess = did_you_mean(name, names);
+  return guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess;
+}
+
 /// The names that --aov takes, given what an integrator declares.
 std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) {
   std::vector<std::string> names, groups;
@@ -86,10 +92,8 @@ void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<st
   for (const std::string& name : asked) {
     const auto found = std::find_if(declared.begin(), declared.end(), [&](const auto& o) { return o.name == name; });
     if (found == declared.end()) {
-      const std::vector<std::string> names = names_for_aov(declared);
-      const std::string guess = did_you_mean(name, names);
       diagnostics.error({}, fmt::format("integrator \"{}\" has no output \"{}\"", integrator, name),
-                        guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess);
+                        way_out(name, names_for_aov(declared)));
       continue;
     }
     bool good = !found->channels.empty() && found->channels.size() <= 3;

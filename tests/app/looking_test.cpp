@@ -67,7 +67,7 @@ TEST(Looking, ProgressForPrograms) {
 
 TEST(Looking, WithoutATerminalThePreviewIsASentence) {
   const TinyDirectory directory;
-  const Outcome outcome = run(directory, {"tiny.dsc", "--preview"});
+  const Outcome outcome = run(directory, {"tiny.dsc", "--preview", "--quiet"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.err.find("--preview shows nothing: this terminal knows neither"), std::string::npos) << outcome.err;
 }

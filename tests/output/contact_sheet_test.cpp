@@ -101,6 +101,17 @@ TEST(ContactSheet, LongLabelsAreCutOff) {
   }
 }
 
+TEST(ContactSheet, CutLabelsStillTellVariationsApart) {
+  const auto sheet_with = [](const char* label) {
+    ContactSheet sheet(SheetLayout(1, 64, 48));
+    sheet.put(0, Image(64, 48), label);
+    return sheet.image();
+  };
+  EXPECT_FALSE(sheet_with("walnut-dark-petrol") == sheet_with("walnut-dark-crimson"));
+  EXPECT_FALSE(sheet_with("walnut-dark-petrol") == sheet_with("birch-dark-petrol"));
+  EXPECT_EQ(sheet_with("walnut-dark-petrol"), sheet_with("walnut-pale-petrol"));
+}
+
 TEST(ContactSheet, ATileHasTheWidthThatIsAskedFor) {
   const SheetLayout small(8, 640, 480, {.tile_width = 100}), large(8, 64, 48, {.tile_width = 128});
   EXPECT_EQ(small.image_width, 100);

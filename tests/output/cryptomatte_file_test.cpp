@@ -126,5 +126,13 @@ TEST(CryptomatteFile, AlphaIsChannelA) {
   EXPECT_LE(most, 1);
 }
 
+TEST(CryptomatteFile, ThereIsNoneOfThatNameAlone) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--aov", "cryptomatte"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("there are two, \"cryptoobject\" and \"cryptomaterial\""), std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace
 }  // namespace dspm::test

@@ -55,6 +55,18 @@ void expect_near(const Image& a, const Image& b, float tolerance) {
       EXPECT_NEAR(a.pixels[i][c], b.pixels[i][c], tolerance * std::max(1.f, std::abs(a.pixels[i][c]))) << i;
 }
 
+TEST(Relight, WritesThePngThatARenderWrites) {
+  TemporaryDirectory& directory = rendered();
+  const Outcome outcome =
+      run(directory, {"--relight", "a.0001.exr", "key 1", "-o", "shown.exr", "--png", "--view", "filmic"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "dspm: shown.exr\ndspm: shown.png\n");
+  const TemporaryDirectory other;
+  put_file(other / "a.dsc", scene("[20 20 20]", "[20 20 20]"));
+  ASSERT_EQ(run(other, {"a.dsc", "--frames", "1", "--png", "--view", "filmic"}).code, 0);
+  expect_near(read_image(directory / "shown.png"), read_image(other / "a.0001.png"), 0.01f);
+}
+
 TEST(Relight, ByOneChangesNothing) {
   TemporaryDirectory& directory = rendered();
   const Outcome outcome = run(directory, {"--relight", "a.0001.exr", "key 1", "-o", "same.exr"});
