@@ -100,7 +100,6 @@ class Render final : public SessionObserver {
   bool is_part() const { return !options_.part.is_all(); }
   SessionSettings session_settings() const;
   void say_end_of_part() const;
-  /// Throws UsageError.
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
   /// The scene has changed since.
   bool is_of_no_use() const { return live_ != nullptr && live_->is_restarting(); }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
@@ -26,6 +29,7 @@ float world_area(const PlacedShape& placed, int primitive) {
 // Cells of all primitives together, along a side of one primitive's table, and samples along a side of a cell. Few
 // enough that random numbers of 24 bits choose even the darkest.
 constexpr int kMostCells = 16384, kMostAlongSide = 64, kSamplesAlongCell = 4;
+constexpr int kCellsAtOnce = 256;  // at least, by one thread
 // The share of its mean that the darkest cell keeps: what the samples of a cell missed is still found.
 constexpr float kLeastShare = 0.2f;
 
@@ -47,12 +51,14 @@ void EmitterPoints::measure(const Brightness& brightness, const std::vector<floa
                             std::vector<float>& weights) {
   const double cells = std::sqrt(kMostCells / static_cast<double>(areas.size()));
   const int side = std::clamp(static_cast<int>(cells), 1, kMostAlongSide);
-  std::vector<std::vector<Rgb>> all;
+  std::vector<std::vector<Rgb>> all(areas.size());
+  parallel_for(static_cast<std::int64_t>(areas.size()), std::max(1, kCellsAtOnce / (side * side)), [&](std::int64_t p) {
+    all[static_cast<std::size_t>(p)] = brightness_of_cells(brightness, static_cast<int>(p), side);
+  });
   double area = 0, luminous = 0;
   for (std::size_t p = 0; p < areas.size(); ++p) {
-    all.push_back(brightness_of_cells(brightness, static_cast<int>(p), side));
     const float share = areas[p] / static_cast<float>(side * side);
-    for (const Rgb& cell : all.back()) {
+    for (const Rgb& cell : all[p]) {
       total_ += cell * share;
       area += static_cast<double>(share), luminous += static_cast<double>(luminance(cell) * share);
     }
