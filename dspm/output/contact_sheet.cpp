@@ -1,12 +1,11 @@
 #include "dspm/output/contact_sheet.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/shrink.h"
@@ -18,12 +17,35 @@ namespace {
 
 constexpr int kGap = 8;  // pixels around images and labels
 
-/// Names of variations differ at either end, so the middle is left out.
+std::vector<std::string_view> parts_of(std::string_view label) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0, end = 0; end != label.npos; begin = end + 1) {
+    end = label.find('-', begin);
+    parts.push_back(label.substr(begin, end - begin));
+  }
+  return parts;
+}
+
+/// Of each part so many characters at most: the first ones of words, the last ones of numbers.
+std::string with_short_parts(const std::vector<std::string_view>& parts, std::size_t most) {
+  std::string label;
+  for (const std::string_view part : parts) {
+    const bool is_number = part.find_first_not_of("0123456789") == part.npos;
+    const std::size_t begin = is_number && part.size() > most ? part.size() - most : 0;
+    if (!label.empty()) label += '-';
+    label += part.substr(begin, most);
+  }
+  return label;
+}
+
+/// Variations of a product may differ in any part of their names, so all parts get shorter.
 std::string shortened(std::string_view label, std::size_t most) {
   if (label.size() <= most) return std::string(label);
-  if (most < 4) return std::string(label.substr(label.size() - most));
-  const std::size_t first = (most - 2) / 2, last = most - 2 - first;
-  return fmt::format("{}..{}", label.substr(0, first), label.substr(label.size() - last));
+  const std::vector<std::string_view> parts = parts_of(label);
+  std::string longest = with_short_parts(parts, 1).substr(0, most);
+  for (std::size_t letters = 2; letters < most; ++letters)
+    if (std::string longer = with_short_parts(parts, letters); longer.size() <= most) longest = std::move(longer);
+  return longest;
 }
 
 int label_height(int text_scale) { return kTextHeight * text_scale + kGap / 2; }

@@ -107,9 +107,12 @@ TEST(ContactSheet, CutLabelsStillTellVariationsApart) {
     sheet.put(0, Image(64, 48), label);
     return sheet.image();
   };
-  EXPECT_FALSE(sheet_with("walnut-dark-petrol") == sheet_with("walnut-dark-crimson"));
-  EXPECT_FALSE(sheet_with("walnut-dark-petrol") == sheet_with("birch-dark-petrol"));
-  EXPECT_EQ(sheet_with("walnut-dark-petrol"), sheet_with("walnut-pale-petrol"));
+  const Image petrol = sheet_with("walnut-dark-petrol");
+  for (const char* other : {"walnut-dark-crimson", "walnut-pale-petrol", "birch-dark-petrol"})
+    EXPECT_FALSE(sheet_with(other) == petrol) << other;
+  EXPECT_EQ(petrol, sheet_with("wa-da-pe"));
+  EXPECT_EQ(sheet_with("evening-view-0012"), sheet_with("ev-vi-12"));
+  EXPECT_EQ(sheet_with("walnutandoak"), sheet_with("walnutand"));
 }
 
 TEST(ContactSheet, ATileHasTheWidthThatIsAskedFor) {
