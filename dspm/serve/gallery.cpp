@@ -61,7 +61,7 @@ const Gallery::Hung* Gallery::find(const Seen& seen) const {
 }
 
 bool Gallery::is_up_to_date(const Picture& picture, int iterations) const {
-  return picture.run == run_ && picture.iterations >= iterations;
+  return picture.run == run_ && picture.iterations >= iterations && !(picture.shrunk && iterations > 0);
 }
 
 std::vector<Wish> Gallery::wanted(int iterations, Clock::time_point now) const {

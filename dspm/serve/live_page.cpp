@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "dspm/image/image.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr std::chrono::milliseconds kTick(30);
 constexpr int kKeptWidth = 256;  // of the pictures that stay of earlier intervals
 constexpr int kCoarseHalvings = 2;
+constexpr double kShareOfASet = 0.005;  // of the whole run, for one picture of all that is looked at
 static_assert(1 << kCoarseHalvings == kQuickShare);
 
 double processor_seconds() {
@@ -58,6 +60,7 @@ void LivePage::begin_run(const Job& job, const Scene& scene, const Integrator& i
   job_ = &job, coarse_ = coarse, iterations_ = iterations;
   guided_ = job.settings.file != nullptr;
   progress_ = {}, outlook_ = {};
+  begin_ = processor_seconds();
   outputs_.clear();
   const std::vector<std::string>& asked = job.outputs;
   for (const OutputInfo& output : integrator.outputs())
@@ -78,22 +81,42 @@ void LivePage::iteration_done(const IntervalProgress& progress, const Exhibit& e
   progress_ = progress, outlook_ = outlook;
   // What was never seen, somebody waits for; after four iterations the noise has halved.
   const bool is_telling = progress.iterations == 1 || progress.iterations == 4;
-  show_pictures(exhibit, is_telling || pictures_.is_due() ? Gallery::kNewer : 0);
+  show_pictures(exhibit, is_telling || pictures_.is_due() ? Gallery::kNewer : 0, Size::affordable);
   show_state("rendering");
 }
 
-void LivePage::show_pictures(const Exhibit& exhibit, int iterations) {
+void LivePage::show_pictures(const Exhibit& exhibit, int iterations, Size size) {
   const std::vector<Wish> wishes = gallery_.wanted(iterations);
   if (wishes.empty()) return;
+  const int shrunk = size == Size::affordable ? halvings_to_afford(wishes) : 0;
   const Ration::Clock::time_point begin = Ration::Clock::now();
   const double spent = processor_seconds();
-  take(exhibit, wishes);
-  looking_ += processor_seconds() - spent;
+  take(exhibit, wishes, shrunk);
+  const double took = processor_seconds() - spent;
+  looking_ += took, pixels_ += pixels_of(wishes, shrunk);
   pictures_.took(begin);
 }
 
+/// Of their pictures, each halved so often more.
+double LivePage::pixels_of(const std::vector<Wish>& wishes, int shrunk) const {
+  double sum = 0;
+  for (const Wish& wish : wishes)
+    sum += std::ldexp(job_->settings.crop.count(), -2 * (std::max(wish.halvings - halvings(), 0) + shrunk));
+  return sum;
+}
+
+/// A short run of many large frames gets smaller pictures, which stand in for those that were wished for.
+int LivePage::halvings_to_afford(const std::vector<Wish>& wishes) const {
+  if (coarse_ || !(outlook_.share > 0) || pixels_ == 0) return 0;
+  const double run = (processor_seconds() - begin_) / outlook_.share;
+  const double a_pixel = looking_ / pixels_;
+  int shrunk = 0;
+  while (shrunk < kCoarseHalvings && pixels_of(wishes, shrunk) * a_pixel > kShareOfASet * run) ++shrunk;
+  return shrunk;
+}
+
 /// A few at a time: images are large, and their compression takes a thread for each.
-void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
+void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes, int shrunk) {
   std::vector<Picture> pictures;
   std::vector<Taken> batch;
   const auto finish_batch = [&] {
@@ -101,8 +124,9 @@ void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes) {
     pictures.resize(first + batch.size());
     parallel_for(static_cast<std::int64_t>(batch.size()), 1, [&](std::int64_t i) {
       const auto slot = static_cast<std::size_t>(i);
-      Picture& picture = pictures[first + slot] = picture_of(std::move(batch[slot]));
+      Picture& picture = pictures[first + slot] = picture_of(std::move(batch[slot]), shrunk);
       picture.iterations = exhibit.iterations, picture.coarse = coarse_;
+      picture.shrunk = shrunk > 0;
     });
     batch.clear();
   };
@@ -128,9 +152,9 @@ std::optional<LivePage::Taken> LivePage::take_one(const Exhibit& exhibit, const 
   return Taken{wish, &*output, std::move(image)};
 }
 
-Picture LivePage::picture_of(Taken taken) const {
+Picture LivePage::picture_of(Taken taken, int shrunk) const {
   Wish of_run = taken.wish;
-  of_run.halvings = std::max(taken.wish.halvings - halvings(), 0);
+  of_run.halvings = std::max(taken.wish.halvings - halvings(), 0) + shrunk;
   Picture picture = make_picture(of_run, *taken.output, std::move(taken.image));
   picture.wish = std::move(taken.wish);
   return picture;

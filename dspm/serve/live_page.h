@@ -84,15 +84,18 @@ class LivePage {
 
  private:
   /// Those of which there is none of this run after that many iterations.
-  void show_pictures(const Exhibit& exhibit, int iterations);
+  enum class Size { wished, affordable };
+  void show_pictures(const Exhibit& exhibit, int iterations, Size size = Size::wished);
+  int halvings_to_afford(const std::vector<Wish>& wishes) const;
+  double pixels_of(const std::vector<Wish>& wishes, int shrunk) const;
   struct Taken {
     Wish wish;
     const OutputInfo* output;
     Image image;
   };
-  void take(const Exhibit& exhibit, const std::vector<Wish>& wishes);
+  void take(const Exhibit& exhibit, const std::vector<Wish>& wishes, int shrunk = 0);
   std::optional<Taken> take_one(const Exhibit& exhibit, const Wish& wish) const;
-  Picture picture_of(Taken taken) const;
+  Picture picture_of(Taken taken, int shrunk) const;
   /// From the page's size to that of the run.
   int halvings() const;
   void show_state(const char* phase);
@@ -109,8 +112,9 @@ class LivePage {
   Outlook outlook_;
   std::string step_;
   Ration pictures_{0.012};
-  double looking_ = 0;  // processor time that pictures took
-  Server server_;       // last: its threads use the others
+  double begin_ = 0;                 // of the run, in processor time
+  double looking_ = 0, pixels_ = 0;  // processor time that pictures took, and what they showed
+  Server server_;                    // last: its threads use the others
 };
 
 /// Messages that appear on the page, too.

@@ -27,6 +27,7 @@ struct Picture {
   int iterations = 0;
   int run = 0;                // counted from 1
   bool coarse = false;        // from the iterations before the first of the full size
+  bool shrunk = false;        // more than was wished for
   std::uint64_t version = 0;  // grows with every picture
   std::string pixels;         // see packed()
 };

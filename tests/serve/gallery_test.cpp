@@ -47,6 +47,22 @@ TEST(Gallery, APictureIsWantedWhileSomeoneWaitsAndAMomentLonger) {
   EXPECT_TRUE(gallery.wanted(Gallery::kNewer, now + Gallery::kMoment).empty());
 }
 
+// During the run it serves; at its end someone may see all of it.
+TEST(Gallery, AShrunkPictureIsNoLastOne) {
+  Gallery gallery;
+  gallery.begin_run(8);
+  auto viewer = request(gallery, 1, {{kWish}});
+  wait_for_wishes(gallery, 1);
+  Picture shrunk = picture_of(kWish, 5);
+  shrunk.shrunk = true;
+  gallery.put({shrunk});
+  viewer.get();
+  EXPECT_TRUE(gallery.wanted(0).empty());
+  EXPECT_EQ(gallery.wanted(5), std::vector{kWish});
+  gallery.put({picture_of(kWish, 5)});
+  EXPECT_TRUE(gallery.wanted(5).empty());
+}
+
 TEST(Gallery, WhatAViewerHasIsNotSentAgain) {
   Gallery gallery;
   gallery.begin_run(8);
