@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "dspm/lang/described_options.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/params/errors.h"
+#include "dspm/world/sampler.h"
 
 namespace dspm {
 namespace {
@@ -30,6 +32,27 @@ std::string table_of(std::vector<ParamInfo> params) {
   return text;
 }
 
+/// All plugins, and what scenes give parameters without any.
+std::vector<CatalogueEntry> all_described() {
+  std::vector<CatalogueEntry> all = all_plugins();
+  for (const std::string& name : sampler_names())
+    all.push_back({"sampler", name, "dspm's own sequence, with pbrt's parameters", "dspm",
+                   [name] { return sampler_params(name); }});
+  all.push_back({"directive", "Option", "what holds for the whole scene: Option \"name\" value", "dspm",
+                 [] { return described_options(); }});
+  return all;
+}
+
+/// For a plugin that is of another kind than the name says: `light:diffuse`.
+std::string of_other_kinds(std::string_view name, const std::vector<CatalogueEntry>& entries) {
+  const std::size_t colon = name.find(':');
+  if (colon == name.npos) return "";
+  std::string found;
+  for (const CatalogueEntry& entry : entries)
+    if (entry.name == name.substr(colon + 1)) found += fmt::format("{}{}", found.empty() ? "" : ", ", full_name(entry));
+  return found.empty() ? "" : "there is " + found;
+}
+
 }  // namespace
 
 std::string list_plugins() {
@@ -49,7 +72,8 @@ std::string list_plugins() {
 std::string describe_plugins(std::string_view name) {
   std::string text;
   std::vector<std::string> names;
-  for (const CatalogueEntry& entry : all_plugins()) {
+  const std::vector<CatalogueEntry> entries = all_described();
+  for (const CatalogueEntry& entry : entries) {
     names.push_back(entry.name);
     names.push_back(full_name(entry));
     if (names.back() != name && entry.name != name) continue;
@@ -58,9 +82,10 @@ std::string describe_plugins(std::string_view name) {
                         params.empty() ? "" : table_of(params));
   }
   if (!text.empty()) return text;
-  const std::string guess = did_you_mean(name, names);
+  std::string hint = of_other_kinds(name, entries);
+  if (hint.empty()) hint = did_you_mean(name, names);
   throw UsageError(fmt::format("--describe {}: there is no such plugin; {}", name,
-                               guess.empty() ? "dspm --list shows all kinds and names" : guess));
+                               hint.empty() ? "dspm --list shows all kinds and names" : hint));
 }
 
 }  // namespace dspm

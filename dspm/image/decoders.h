@@ -30,7 +30,7 @@ Image decode_bmp(std::string_view bytes, ColorEncoding encoding);
 bool is_tga(std::string_view bytes);
 Image decode_tga(std::string_view bytes, ColorEncoding encoding);
 
-/// P1 to P6: the first picture of the file; numbers up to 65535.
+/// P1 to P7 (PAM): the first picture of the file; numbers up to 65535.
 bool is_pnm(std::string_view bytes);
 Image decode_pnm(std::string_view bytes, ColorEncoding encoding);
 

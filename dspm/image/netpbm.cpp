@@ -1,5 +1,6 @@
 // Netpbm's formats: a header of words, then numbers as text or in binary. PFM is their floating-point relative.
-// [Netpbm manual, pages pbm, pgm, ppm, pfm]
+// [Netpbm manual, pages pbm, pgm, ppm, pam, pfm]
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -80,11 +81,12 @@ void read_bits(NetpbmReader& reader, Image& image, bool text) {
   }
 }
 
-void read_numbers(NetpbmReader& reader, Image& image, bool text, bool grey, ColorEncoding encoding) {
-  const int most = reader.number<int>();
+/// 1 channel is grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha.
+void read_numbers(NetpbmReader& reader, Image& image, bool text, int channels, int most, ColorEncoding encoding) {
   if (most < 1 || most > 65535) NetpbmReader::fail("its largest value is not in 1..65535");
+  const bool grey = channels < 3, has_alpha = channels % 2 == 0;
   const std::vector<float> linear = decoding_table(encoding, most + 1);
-  const std::size_t bytes = most > 255 ? 2 : 1, count = image.pixels.size() * (grey ? 1 : 3);
+  const std::size_t bytes = most > 255 ? 2 : 1, count = image.pixels.size() * static_cast<std::size_t>(channels);
   const std::string_view data = text ? std::string_view() : reader.data(count * bytes);
   std::size_t at = 0;
   const auto next = [&] {
@@ -92,31 +94,61 @@ void read_numbers(NetpbmReader& reader, Image& image, bool text, bool grey, Colo
     if (text) value = reader.number<std::int64_t>();
     for (std::size_t i = 0; !text && i < bytes; ++i) value = value << 8 | static_cast<unsigned char>(data[at++]);
     if (value < 0 || value > most) NetpbmReader::fail("a value exceeds the largest that its header names");
-    return linear[static_cast<std::size_t>(value)];
+    return static_cast<std::size_t>(value);
   };
   for (Rgb& pixel : image.pixels) {
-    pixel = Rgb(next());
-    if (!grey) pixel.g = next(), pixel.b = next();
+    pixel = Rgb(linear[next()]);
+    if (!grey) pixel.g = linear[next()], pixel.b = linear[next()];
+    if (has_alpha) image.alpha.push_back(static_cast<float>(next()) / static_cast<float>(most));
   }
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 1; })) image.alpha.clear();
+}
+
+/// P7 has its header line by line, in any order.
+Image decode_pam(NetpbmReader& reader, std::size_t file_bytes, ColorEncoding encoding) {
+  constexpr std::string_view kTypes[] = {"BLACKANDWHITE",       "GRAYSCALE",       "RGB",
+                                         "BLACKANDWHITE_ALPHA", "GRAYSCALE_ALPHA", "RGB_ALPHA"};
+  std::int64_t width = 0, height = 0;
+  int channels = 0, most = 0;
+  for (std::string_view word = reader.word(); word != "ENDHDR"; word = reader.word()) {
+    if (word == "WIDTH")
+      width = reader.number<std::int64_t>();
+    else if (word == "HEIGHT")
+      height = reader.number<std::int64_t>();
+    else if (word == "DEPTH")
+      channels = reader.number<int>();
+    else if (word == "MAXVAL")
+      most = reader.number<int>();
+    else if (word != "TUPLTYPE")
+      NetpbmReader::fail("its header has a line that is not known");
+    else if (std::find(std::begin(kTypes), std::end(kTypes), reader.word()) == std::end(kTypes))
+      NetpbmReader::fail("its TUPLTYPE is neither grey nor RGB");
+  }
+  if (channels < 1 || channels > 4) NetpbmReader::fail("its DEPTH is not in 1..4");
+  Image image = sized_image(width, height, file_bytes);
+  read_numbers(reader, image, false, channels, most, encoding);
+  return image;
 }
 
 }  // namespace
 
 bool is_pnm(std::string_view bytes) {
-  return bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+  return bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '7' &&
          (is_space(bytes[2]) || bytes[2] == '#');
 }
 
 Image decode_pnm(std::string_view bytes, ColorEncoding encoding) {
   NetpbmReader reader(bytes);
   const int kind = reader.word()[1] - '0';
+  if (kind == 7) return decode_pam(reader, bytes.size(), encoding);
   const auto width = reader.number<std::int64_t>(), height = reader.number<std::int64_t>();
   Image image = sized_image(width, height, bytes.size());
   const bool text = kind <= 3;
   if (kind == 1 || kind == 4) {
     read_bits(reader, image, text);
   } else {
-    read_numbers(reader, image, text, kind == 2 || kind == 5, encoding);
+    const int most = reader.number<int>();
+    read_numbers(reader, image, text, kind == 2 || kind == 5 ? 1 : 3, most, encoding);
   }
   return image;
 }

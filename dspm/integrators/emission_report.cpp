@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/pilot_paths.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
@@ -54,19 +55,25 @@ std::string why_no_guide(const EmissionReport& report) {
       1 / report.gain);
 }
 
+/// What became of the paths that count as found.
+const char* found_in_words(const EmissionReport& report) {
+  return report.photons == kLightPaths ? "bring what the camera sees other than direct light"
+                                       : "are found by hit points";
+}
+
 std::string how_it_starts(const EmissionReport& report) {
   const std::string found = percent(report.share_found());
   if (report.start != EmissionReport::Start::guided)
-    return fmt::format("{}, {}. {} of {} pilot paths are found by hit points.", by_power(report), why_no_guide(report),
-                       found, report.paths);
+    return fmt::format("{}, {}. {} of {} pilot paths {}.", by_power(report), why_no_guide(report), found, report.paths,
+                       found_in_words(report));
   constexpr std::uint64_t kEnough = 100;  // for the variance
   const std::string pays = report.found_without >= kEnough
                                ? fmt::format(" The same variance takes {:.2g} of the time.", 1 / report.gain)
                                : "";
   return fmt::format(
-      "{}: start where a guide says, learned in {} rounds of {} pilot paths: {} of a round's are found by "
-      "hit points, {} without it.{}",
-      report.photons, report.rounds, report.paths, found, percent(ratio(report.found_without, report.paths)), pays);
+      "{}: start where a guide says, learned in {} rounds of {} pilot paths: {} of a round's {}, {} without it.{}",
+      report.photons, report.rounds, report.paths, found, found_in_words(report),
+      percent(ratio(report.found_without, report.paths)), pays);
 }
 
 }  // namespace
@@ -126,7 +133,7 @@ void EmissionReports::persist(StateStream& state) {
 
 std::string summary_of(const EmissionReport& report) {
   std::string text =
-      fmt::format("{}: {} of the paths are found by hit points", report.photons, percent(report.share_found()));
+      fmt::format("{}: {} of the paths {}", report.photons, percent(report.share_found()), found_in_words(report));
   if (report.start == EmissionReport::Start::guided)
     text += fmt::format(", {} without a guide", percent(ratio(report.found_without, report.paths)));
   if (report.goes_on != 0) text += "; they bring caustics, and camera paths what rough surfaces scatter";

@@ -46,6 +46,7 @@ struct PhotonSettings {
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool keep_ends = false;                 // the traces say which photons are of which path
   std::int64_t paths_per_trace = 2048;    // one thread traces them; fewer than these are better shared out
+  bool are_light_paths = false;           // reports call them so: what they bring needs no hit points that merge it
 };
 
 /// The results of a range of photon paths.

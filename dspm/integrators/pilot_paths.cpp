@@ -33,7 +33,9 @@ EmissionReport report_of(const PilotPaths& pilot, const Scene& scene, const Phot
                          const EmissionGuides& guides, bool guided) {
   using Start = EmissionReport::Start;
   EmissionReport report;
-  report.photons = photon.stream == Stream::caustic_photon ? "caustic photons" : "photons";
+  report.photons = photon.are_light_paths                    ? kLightPaths
+                   : photon.stream == Stream::caustic_photon ? "caustic photons"
+                                                             : "photons";
   report.start = !guided ? Start::asked_by_power : guides.are_off() ? Start::guide_would_not_pay : Start::guided;
   report.rounds = pilot.rounds, report.paths = pilot.of_a_round, report.cells = guides.cell_count();
   report.found_without = pilot.found_first, report.gain = pilot.gain;

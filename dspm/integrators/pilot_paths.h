@@ -12,6 +12,9 @@
 
 namespace dspm {
 
+/// What reports call paths of which only those count that bring more than direct light.
+inline constexpr const char* kLightPaths = "light paths";
+
 /// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
 struct FoundPath {
   std::size_t choice;  // of its frames

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/lang/described_options.h"
 #include "dspm/lang/scene_builder.h"
 #include "dspm/params/params.h"
 
@@ -16,8 +17,11 @@ namespace {
 
 using enum DirectiveKind;
 
-const std::vector<std::string> kOptions = {"seed", "disablepixeljitter", "disabletexturefiltering",
-                                           "displacementedgescale"};
+std::vector<std::string> option_names() {
+  std::vector<std::string> names;
+  for (const ParamInfo& option : described_options()) names.push_back(option.name);
+  return names;
+}
 /// They change pbrt's noise, its reports or how it computes, but not what its image converges to.
 constexpr std::string_view kOptionsWithoutEffect[] = {"disablewavelengthjitter", "msereferenceimage", "msereferenceout",
                                                       "rendercoordsys",          "pixelstats",        "wavefront"};
@@ -45,6 +49,17 @@ std::string normalized(std::string_view name) {
 }
 
 }  // namespace
+
+const std::vector<ParamInfo>& described_options() {
+  static const std::vector<ParamInfo> options = {
+      {"integer", "seed", "0", "",
+       "of the random numbers; --seed takes precedence, then the integrator's, the sampler's"},
+      {"bool", "disablepixeljitter", "false", "", "camera paths go through the middles of pixels"},
+      {"bool", "disabletexturefiltering", "false", "", "textures are looked up at points, not over footprints"},
+      {"float", "displacementedgescale", "1", "", "times \"edgelength\" of displaced meshes"},
+  };
+  return options;
+}
 
 bool SceneBuilder::apply_option(Directive& directive) {
   switch (directive.info->kind) {
@@ -130,12 +145,14 @@ void SceneBuilder::option(const Directive& directive) {
   } else if (is_without_effect(known)) {
     diagnostics_.note(name.where, fmt::format("Option \"{}\" has no effect on the image", name.text));
   } else if (known == "forcediffuse") {
+    if (value.text == "false") return;
     diagnostics_.unsupported(name.where, fmt::format("dspm has no Option \"{}\"", name.text),
                              "with --lenient, it has no effect");
   } else {
-    const std::string guess = did_you_mean(known, kOptions);
+    const std::vector<std::string> names = option_names();
+    const std::string guess = did_you_mean(known, names);
     diagnostics_.error(name.where, fmt::format("unknown Option \"{}\"", name.text),
-                       guess.empty() ? fmt::format("available: {}", fmt::join(kOptions, ", ")) : guess);
+                       guess.empty() ? fmt::format("available: {}", fmt::join(names, ", ")) : guess);
   }
 }
 

@@ -23,7 +23,8 @@ constexpr std::string_view kSamplers[] = {"lowdiscrepancy", "02sequence", "zerot
                                           "bestcandidate",  "adaptive",   "maxmindist"};
 constexpr std::string_view kIntegrators[] = {"directlighting", "whitted", "ao"};
 constexpr std::string_view kAccelerators[] = {"grid"};
-constexpr std::string_view kLights[] = {"exinfinite", "infinitesample", "area"};
+constexpr std::string_view kLights[] = {"exinfinite", "infinitesample"};
+constexpr std::string_view kAreaLights[] = {"area"};
 constexpr std::string_view kShapes[] = {"cone", "hyperboloid", "paraboloid", "heightfield", "heightfield2", "nurbs"};
 constexpr std::string_view kMaterials[] = {
     "matte",   "plastic",      "glass",     "mirror",       "metal", "uber", "disney", "substrate", "translucent",
@@ -63,8 +64,8 @@ Words old_types(DirectiveKind kind) {
     case DirectiveKind::sampler: return kSamplers;
     case DirectiveKind::integrator: return kIntegrators;
     case DirectiveKind::accelerator: return kAccelerators;
-    case DirectiveKind::light_source:
-    case DirectiveKind::area_light_source: return kLights;
+    case DirectiveKind::light_source: return kLights;
+    case DirectiveKind::area_light_source: return kAreaLights;
     case DirectiveKind::shape: return kShapes;
     case DirectiveKind::material:
     case DirectiveKind::make_named_material: return kMaterials;

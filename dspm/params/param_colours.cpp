@@ -66,8 +66,7 @@ ValueOrTexture<Rgb> ParamReader::rgb_or_texture(std::string_view name, std::stri
 
 ValueOrTexture<Rgb> ParamReader::take_colour(std::string_view name, Rgb fallback, std::string default_value,
                                              SpectrumRole role, bool textures, std::string_view sentence) {
-  Types types{ParamType::rgb, ParamType::spectrum, ParamType::blackbody};
-  if (role == SpectrumRole::unbounded) types.insert(types.begin(), ParamType::number);
+  Types types{ParamType::number, ParamType::rgb, ParamType::spectrum, ParamType::blackbody};
   if (textures) types.push_back(ParamType::texture);
   const Param* param = take(name, types, std::move(default_value), {}, sentence);
   if (!param)
@@ -95,7 +94,8 @@ std::optional<Rgb> ParamReader::colour(const Param& param, SpectrumRole role) {
     else if (role == SpectrumRole::albedo && max_component(rgb) > 1)
       wrong = "must lie in 0..1";
     else
-      return param.type == ParamType::rgb ? to_rec709(rgb, param.space, role) : rgb;
+      return role == SpectrumRole::unbounded && param.type == ParamType::number ? rgb
+                                                                                : to_rec709(rgb, param.space, role);
   }
   diagnostics_.error(param.values_where, fmt::format("{} {}", quoted(param.name), wrong));
   return std::nullopt;

@@ -68,6 +68,8 @@ const Param* ParamReader::take(std::string_view name, const Types& types, std::s
   if (described_) {
     described_->push_back(
         {words(types), std::string(name), std::move(default_value), std::string(unit), std::string(sentence)});
+    for (const auto& [alias, meant] : aliases_)
+      if (meant == name) described_->back().sentence += fmt::format(" (or \"{}\")", alias);
     return nullptr;
   }
   known_.emplace_back(name);

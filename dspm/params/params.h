@@ -117,7 +117,7 @@ class ParamReader {
                      std::string_view sentence);
   Vec3 point(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
   Vec3 vector(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
-  /// Given as rgb, spectrum or blackbody; if unbounded, also as one float. In Rec. 709, whatever the scene speaks in.
+  /// Given as rgb, spectrum, blackbody, or as one float for all of rgb. In Rec. 709, whatever the scene speaks in.
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
   /// Like rgb, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);

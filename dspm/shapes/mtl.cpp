@@ -24,6 +24,10 @@ Param number(std::string name, float value) {
 }
 
 bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0], value[1], value[2]}) > 0; }
+/// Neither black nor white.
+bool is_tint(const tinyobj::real_t (&value)[3]) {
+  return is_positive(value) && std::min({value[0], value[1], value[2]}) < 1;
+}
 
 /// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass; 1 is without highlights.
 bool is_of_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
@@ -61,6 +65,8 @@ class Reader {
     if (shines) emission(m);
     if (has_holes) alpha(m);
     relief(m);
+    if (is_glass(m)) leave_out_grounds(m);
+    leave_out("Tf", !is_glass(m) && !by_blender_ && is_tint(m.transmittance));
     leave_out("refl", !m.reflection_texname.empty());
     for (const auto& [statement, value] : m.unknown_parameter) leave_out(statement, true);
     return std::move(made_);
@@ -82,8 +88,7 @@ class Reader {
 
   /// `rich`: it has parameters that only "principled" knows.
   void glass(const tinyobj::material_t& m, bool rich) {
-    const bool is_coloured =
-        is_positive(m.transmittance) && *std::min_element(m.transmittance, m.transmittance + 3) < 1;
+    const bool is_coloured = is_tint(m.transmittance);
     rich |= is_coloured;
     made_.type = rich ? "principled" : "dielectric";
     add(number("eta", m.ior > 1 ? m.ior : kUsualEta));
@@ -96,6 +101,18 @@ class Reader {
       add(number("roughness", m.roughness * m.roughness));  // of Burley's parametrization, [Burley 2012]
       add(param_of(ParamType::boolean, "remaproughness", std::vector<bool>{false}, {}));
     }
+  }
+
+  /// Of glass, what lies below it in other models. Black and white say nothing.
+  void leave_out_grounds(const tinyobj::material_t& m) {
+    leave_out("Kd", m.diffuse_texname.empty() && is_tint(m.diffuse));
+    leave_out("Ks", m.specular_texname.empty() && is_tint(m.specular));
+    leave_out("map_Kd", !m.diffuse_texname.empty());
+    leave_out("map_Ks", !m.specular_texname.empty());
+    leave_out("map_Ns", !m.specular_highlight_texname.empty());
+    leave_out("map_Pr", !m.roughness_texname.empty());
+    leave_out("map_Pm", !m.metallic_texname.empty());
+    leave_out("map_Ps", !m.sheen_texname.empty());
   }
 
   void matte(const tinyobj::material_t& m, bool rich) {
@@ -160,8 +177,8 @@ class Reader {
   }
 
   void alpha(const tinyobj::material_t& m) {
-    if (const auto picture = pictures_.plain({"map_d", m.alpha_texname, m.alpha_texopt}, made_))
-      made_.alpha = *picture;
+    if (const auto file = pictures_.holes({"map_d", m.alpha_texname, m.alpha_texopt}, made_))
+      made_.alpha = *file;
     else if (!is_glass(m))
       add(number("alpha", in_unit(m.dissolve)));
   }
@@ -169,8 +186,8 @@ class Reader {
   /// Heights of a bump map are in the units of the scene. World takes pictures of normals, which many files have there,
   /// for what they are.
   void relief(const tinyobj::material_t& m) {
-    if (const auto picture = pictures_.plain({"norm", m.normal_texname, m.normal_texopt}, made_))
-      return add(param_of(ParamType::text, "normalmap", std::vector{picture->string()}, {}));
+    if (const auto normals = pictures_.add_normals({"norm", m.normal_texname, m.normal_texopt}, made_))
+      return add(param_of(ParamType::texture, "normaltexture", std::vector<std::string>{*normals}, {}));
     const bool is_bump = !m.bump_texname.empty();
     const MtlPicture heights = is_bump ? MtlPicture{"map_Bump", m.bump_texname, m.bump_texopt}
                                        : MtlPicture{"disp", m.displacement_texname, m.displacement_texopt};

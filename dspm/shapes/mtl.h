@@ -19,6 +19,9 @@ inline std::string of_picture(const std::string& parameter, const std::string& t
   return parameter + " of " + texture;
 }
 
+/// The texture of FileMaterial::alpha.
+inline std::string name_of_holes(const FileMaterial& of) { return "alpha of " + of.name + " in " + of.file.string(); }
+
 /// A name as OBJ and MTL files end them: with the line.
 std::string trimmed(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "dspm/system/file_access.h"
 
@@ -17,16 +18,21 @@ std::optional<std::string> MtlPictures::add(const MtlPicture& picture, bool is_s
   return name;
 }
 
-std::optional<std::filesystem::path> MtlPictures::plain(const MtlPicture& picture, const FileMaterial& of) {
+std::optional<std::filesystem::path> MtlPictures::holes(const MtlPicture& picture, FileMaterial& of) {
   const auto file = find(picture, of);
-  const tinyobj::texture_option_t& options = picture.options;
-  if (!file) return file;
-  leave_out(picture, "-s", options.scale[0] != 1 || options.scale[1] != 1, of);
-  leave_out(picture, "-o", options.origin_offset[0] != 0 || options.origin_offset[1] != 0, of);
-  leave_out(picture, "-clamp", options.clamp, of);
-  leave_out(picture, "-mm", options.brightness != 0 || options.contrast != 1, of);
-  leave_out_turbulence(picture, of);
+  if (file) add_options(picture, name_of_holes(of), false, of);
   return file;
+}
+
+std::optional<std::string> MtlPictures::add_normals(const MtlPicture& picture, FileMaterial& to) {
+  tinyobj::texture_option_t options = picture.options;
+  const float slopes = std::exchange(options.bump_multiplier, 1.f);
+  const auto name = add({picture.statement, picture.file, options}, true, to);
+  if (!name) return name;
+  std::vector<Param>& params = to.params.params;
+  params.push_back(param_of(ParamType::text, of_picture("encoding", *name), std::vector<std::string>{"linear"}, {}));
+  if (slopes != 1) params.push_back(param_of(ParamType::number, "normalscale", std::vector<float>{slopes}, {}));
+  return name;
 }
 
 std::optional<std::filesystem::path> MtlPictures::find(const MtlPicture& picture, const FileMaterial& of) {
@@ -59,12 +65,7 @@ void MtlPictures::add_options(const MtlPicture& picture, const std::string& text
   leave_out(picture, "-mm", options.brightness != 0, to);
   for (const char* channel : {"red", "green", "blue"})
     if (!is_spectrum && options.imfchan == *channel) say("channel", channel);
-  leave_out_turbulence(picture, to);
-}
-
-void MtlPictures::leave_out_turbulence(const MtlPicture& picture, const FileMaterial& of) {
-  const tinyobj::texture_option_t& options = picture.options;
-  leave_out(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0, of);
+  leave_out(picture, "-t", options.turbulence[0] != 0 || options.turbulence[1] != 0, to);
 }
 
 void MtlPictures::leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of) {

@@ -27,14 +27,15 @@ class MtlPictures {
 
   /// Adds an imagemap of that file to the material, with its options; its name, if the file is there.
   std::optional<std::string> add(const MtlPicture& picture, bool is_spectrum, FileMaterial& to);
-  /// Where a picture is of which only the file counts, if it is there.
-  std::optional<std::filesystem::path> plain(const MtlPicture& picture, const FileMaterial& of);
+  /// Where the picture of FileMaterial::alpha is, if it is there; adds its options.
+  std::optional<std::filesystem::path> holes(const MtlPicture& picture, FileMaterial& of);
+  /// add() of a picture of normals; -bm multiplies their slopes.
+  std::optional<std::string> add_normals(const MtlPicture& picture, FileMaterial& to);
 
  private:
   std::optional<std::filesystem::path> find(const MtlPicture& picture, const FileMaterial& of);
   void add_options(const MtlPicture& picture, const std::string& texture, bool is_spectrum, FileMaterial& to);
   void leave_out(const MtlPicture& picture, const char* option, bool is_there, const FileMaterial& of);
-  void leave_out_turbulence(const MtlPicture& picture, const FileMaterial& of);
 
   const std::filesystem::path& mtl_;
   std::vector<std::string>& complaints_;

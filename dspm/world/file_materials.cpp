@@ -31,7 +31,7 @@ TextureUse texture_use(const FileTexture& picture, const SourceLocation& where) 
 void add_holes_and_light(ParamList& params, std::vector<FileTexture>& textures, const FileMaterial& file,
                          const SourceLocation& where) {
   if (!file.alpha.empty()) {
-    const std::string name = fmt::format("alpha of {} in {}", file.name, file.file.string());
+    const std::string name = name_of_holes(file);
     textures.push_back({name, file.alpha, false});
     params.params.push_back(param_of(ParamType::texture, "alpha", std::vector{name}, where));
   }

@@ -19,6 +19,7 @@
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/integrator_choice.h"
 #include "dspm/world/output_choice.h"
+#include "dspm/world/sampler.h"
 
 namespace dspm {
 namespace {
@@ -40,39 +41,6 @@ bool asks_for_shadow_catchers(const SceneDescription& description) {
 int usual_samples(const SceneDescription& description) {
   if (description.dialect != Dialect::pbrt) return RenderSettings().default_iterations;
   return description.sampler && description.sampler->type == "independent" ? 4 : 16;
-}
-
-/// What dspm takes from the Sampler directive; the sequence is its own.
-struct SamplerSettings {
-  std::optional<int> pixel_samples, seed;
-};
-
-SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics) {
-  static const std::vector<std::string> kNames = {"zsobol",  "paddedsobol", "sobol",     "halton",
-                                                  "pmj02bn", "independent", "stratified"};
-  if (!use) return {};
-  if (std::find(kNames.begin(), kNames.end(), use->type) == kNames.end()) {
-    diagnostics.error(use->type_where, fmt::format("unknown sampler \"{}\"", use->type),
-                      did_you_mean(use->type, kNames));
-    return {};
-  }
-  diagnostics.note(use->where,
-                   fmt::format("the sampler's type \"{}\" has no effect: dspm has its own sequence", use->type));
-  ParamReader reader(use->params, fmt::format("sampler \"{}\"", use->type), use->where, diagnostics);
-  SamplerSettings settings;
-  const int samples = reader.integer("pixelsamples", 0, "", "camera paths per pixel"),
-            seed = reader.integer("seed", 0, "", "of the random numbers");
-  const int across = reader.integer("xsamples", 4, "", "strata"), down = reader.integer("ysamples", 4, "", "strata");
-  reader.text("randomization", "", "without effect");
-  reader.flag("jitter", true, "without effect");
-  if (reader.has("pixelsamples")) settings.pixel_samples = samples;
-  if (use->type == "stratified" && (reader.has("xsamples") || reader.has("ysamples")))
-    settings.pixel_samples = across * down;
-  if (reader.has("seed")) settings.seed = seed;
-  if (settings.pixel_samples && *settings.pixel_samples < 1)
-    reader.error("pixelsamples", "there must be at least one sample");
-  reader.finish();
-  return settings;
 }
 
 /// The object that a directive before WorldBegin asks for, or one of the usual type.
@@ -259,9 +227,12 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
   settings.in_camera_space = job.film.in_camera_space;
   if (!job.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
-    throw UsageError(
-        fmt::format("{} cannot hold {}: images with outputs besides radiance are .exr (--png writes PNGs, too)",
-                    job.film.filename, job.outputs.front()));
+    throw UsageError(fmt::format(
+        "{} cannot hold {}: images with outputs besides radiance are .exr; -o {} gives them, and with --png, "
+        "PNGs of the radiance as well{}",
+        job.film.filename, job.outputs.front(),
+        std::filesystem::path(job.film.filename).replace_extension(".exr").string(),
+        description.film && description.film->type == "gbuffer" ? "; Film \"rgb\" has no other outputs" : ""));
   settings.transparent = job.film.transparent;
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.filter_textures = !description.options.disable_texture_filtering;

@@ -39,6 +39,7 @@ class LightMaker {
 
   /// Of the frames in which the light, or what variations put in its place, is of that type.
   std::optional<WorldLight> make(const LightUse& own, const PluginUse& typed) {
+    if (is_of_shapes(typed)) return std::nullopt;
     const auto* plugin = light_plugins().find(typed.type, typed.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
     const std::vector<bool> present = presence(description_, own.dynamic_block);
@@ -104,6 +105,17 @@ class LightMaker {
     const Rgb& L = light.radiance;
     state.params.params.push_back(param_of(ParamType::rgb, "L", std::vector{L.r, L.g, L.b}, use.where));
     return state;
+  }
+
+  /// "area" is what pbrt-v3, Mitsuba and Blender call it.
+  bool is_of_shapes(const PluginUse& use) {
+    const bool is = light_plugins().find(use.type) == nullptr &&
+                    (use.type == "area" || area_light_plugins().find(use.type) != nullptr);
+    if (is)
+      diagnostics_.error(use.type_where,
+                         fmt::format("\"{}\" is a light that shapes emit, and no LightSource", use.type),
+                         "AreaLightSource \"diffuse\" makes lights of the shapes that follow it in its block");
+    return is;
   }
 
   std::string object_of(const Emitter& emitter) const {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "dspm/modules/all_plugins.h"
+#include "dspm/params/errors.h"
 
 namespace dspm {
 namespace {
@@ -41,6 +42,25 @@ TEST(Catalogue, DescribesParametersInColumnsAsWideAsTheirContents) {
       EXPECT_NE(line.at(column), ' ') << line;
     }
   EXPECT_GE(count, 5);
+}
+
+TEST(Catalogue, DescribesWhatNoPluginReads) {
+  EXPECT_NE(describe_plugins("sampler:halton").find("integer  pixelsamples"), std::string::npos);
+  EXPECT_NE(describe_plugins("independent").find("pixelsamples   4 "), std::string::npos);
+  EXPECT_NE(describe_plugins("Option").find("disablepixeljitter"), std::string::npos);
+  EXPECT_NE(describe_plugins("principled").find("index of refraction inside over outside (or \"ior\")"),
+            std::string::npos);
+}
+
+TEST(Catalogue, SaysWhichKindsHaveThatName) {
+  try {
+    describe_plugins("light:diffuse");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_EQ(error.what(),
+              std::string(
+                  "--describe light:diffuse: there is no such plugin; there is material:diffuse, area light:diffuse"));
+  }
 }
 
 // What dspm reads for all lights and all shapes is listed with what they read themselves.

@@ -21,6 +21,18 @@ TEST(FoundPhotons, AreInTheLogOfAGuidedRun) {
   EXPECT_FALSE(says(run(directory, {"tiny.dsc", "--integrator", "path"}).err, "found"));
 }
 
+// Whether they are merged or not: there may be no hit points that find them.
+TEST(FoundPhotons, AreLightPathsOfVcm) {
+  const TinyDirectory directory;
+  for (const char* merge : {"true", "false"}) {
+    put_file(directory / "vcm.dsc", tiny_scene("\"dsppm\"", "\"vcm\" \"bool merge\" " + std::string(merge)));
+    const std::string log = run(directory, {"vcm.dsc"}).err;
+    EXPECT_TRUE(says(log, "dspm: light paths: ")) << log;
+    EXPECT_TRUE(says(log, "% of the paths bring what the camera sees other than direct light")) << log;
+    EXPECT_FALSE(says(log, "hit points")) << log;
+  }
+}
+
 // Where nothing is learned, paths are only counted if somebody wants to know.
 TEST(FoundPhotons, AreCountedIfStatisticsAreWanted) {
   const TinyDirectory directory;

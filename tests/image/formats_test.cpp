@@ -134,6 +134,26 @@ TEST(Pnm, AllSixKinds) {
   expect_four_colours(decode_image("P6 2 2 255\n" + bytes({255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}), {}));
 }
 
+TEST(Pam, GreyAndColoursWithAndWithoutAlpha) {
+  const auto pam = [](const std::string& type, int depth, int most, const std::string& data) {
+    return "P7\n# by hand\nDEPTH " + std::to_string(depth) + "\nMAXVAL " + std::to_string(most) +
+           "\nWIDTH 2\nHEIGHT 1\nTUPLTYPE " + type + "\nENDHDR\n" + data;
+  };
+  const Image grey = decode_image(pam("GRAYSCALE_ALPHA", 2, 10, bytes({5, 10, 10, 4})), kLinear);
+  EXPECT_EQ(grey.pixels, (std::vector<Rgb>{Rgb(0.5f), Rgb(1)}));
+  EXPECT_EQ(grey.alpha, (std::vector<float>{1, 0.4f}));
+  const std::string file = pam("RGB_ALPHA", 4, 65535, bytes({255, 255, 0, 0, 0, 0, 255, 255}) + std::string(8, '\xff'));
+  const Image colours = decode_image(file, {});
+  EXPECT_EQ(colours.pixels, (std::vector<Rgb>{Rgb(1, 0, 0), Rgb(1)}));
+  EXPECT_TRUE(colours.alpha.empty()) << "opaque";
+  EXPECT_EQ(decode_image(pam("RGB", 3, 1, bytes({0, 1, 0, 0, 0, 1})), {}).at(1, 0), Rgb(0, 0, 1));
+  EXPECT_EQ(decode_image(pam("BLACKANDWHITE", 1, 1, bytes({0, 1})), {}).at(1, 0), Rgb(1)) << "unlike P4";
+  expect_errors_when_truncated(file);
+  EXPECT_NE(message_for(pam("CMYK", 4, 255, std::string(8, ' '))).find("TUPLTYPE"), std::string::npos);
+  EXPECT_NE(message_for(pam("RGB", 5, 255, std::string(10, ' '))).find("DEPTH"), std::string::npos);
+  EXPECT_NE(message_for("P7\nCOLOURS 3\n").find("not known"), std::string::npos);
+}
+
 TEST(Pnm, SixteenBits) {
   const std::string file = "P6 1 1 65535\n" + bytes({0x80, 0x01, 0, 1, 255, 255});
   const Rgb pixel = decode_image(file, kLinear).at(0, 0);

@@ -299,6 +299,11 @@ const Mistake kNames[] = {
      "    1 | Option \"forcediffuse\" true\n"
      "      |        ^~~~~~~~~~~~~~\n"
      "  with --lenient, it has no effect\n"},
+    {"Option \"forcediffuse\" false\nOption \"sede\" 1\nWorldBegin",
+     "scene.dsc:2:8: error: unknown Option \"sede\"\n"
+     "    2 | Option \"sede\" 1\n"
+     "      |        ^~~~~~\n"
+     "  did you mean \"seed\"?\n"},
     {"Option \"displacementedgescale\" 0\nWorldBegin",
      "scene.dsc:1:32: error: expected a number above 0\n"
      "    1 | Option \"displacementedgescale\" 0\n"

@@ -42,6 +42,13 @@ TEST(V3, Materials) {
        R"(Material "diffuse" "texture reflectance" "t" "texture displacement" "b")"},
       {R"(Material "mirror")", R"(Material "conductor" "rgb reflectance" [0.9 0.9 0.9])"},
       {R"(Material "glass" "float index" 1.33)", R"(Material "dielectric" "float eta" 1.33)"},
+      {R"(Material "glass" "rgb Kt" [1 1 1] "rgb Kr" [1 1 1])", R"(Material "dielectric")"},
+      {R"(Material "glass" "rgb Kt" [1 .5 .25] "float index" 1.33)",
+       R"(Material "principled" "float eta" 1.33 "float transmission" 1 "rgb basecolor" [1 0.25 0.0625]
+            "float roughness" 0)"},
+      {R"(Material "glass" "rgb Kt" [1 .5 .25] "float uroughness" .04 "float vroughness" .04
+            "bool remaproughness" "false")",
+       R"(Material "principled" "float transmission" 1 "rgb basecolor" [1 0.25 0.0625] "float roughness" 0.2)"},
       {R"(Material "glass" "float uroughness" .1 "float vroughness" .1 "bool remaproughness" "false")",
        R"(Material "dielectric" "float uroughness" 0.1 "float vroughness" 0.1 "bool remaproughness" false)"},
       {R"(Material "metal" "spectrum eta" "spds/Au.eta.spd" "spectrum k" "spds/metals/Au.k.spd" "float roughness" 0.2
@@ -76,6 +83,8 @@ TEST(V3, Materials) {
           MakeNamedMaterial "a" "string type" "mix" "string materials" ["a, open" "a, opaque"] "float amount" 0.75)"},
       {R"(Material "uber" "rgb Kd" [0 0 0] "rgb Kt" [1 1 1] "float index" 1.4)",
        R"(Material "dielectric" "float eta" 1.4)"},
+      {R"(Material "uber" "rgb Kd" [0 0 0] "rgb Kt" [.5 1 1] "float index" 1.4)",
+       R"(Material "principled" "float eta" 1.4 "float transmission" 1 "rgb basecolor" [0.25 1 1] "float roughness" 0)"},
   });
 }
 
@@ -244,6 +253,22 @@ TEST(V3, ParametersThatV3DidNotKnowAreDroppedAndNamed) {
   EXPECT_EQ(diagnostics.all()[0].message,
             "this scene is written for pbrt-v3, and is read as its translation to pbrt-v4; only close: "
             "matte (sigma has no effect); not known to v3 either: shininess of matte");
+}
+
+TEST(V3, WhatIsOnlyCloseSaysWhy) {
+  const auto remarks = [](const std::string& text) {
+    Diagnostics diagnostics;
+    upgraded(text, diagnostics);
+    const std::string message = diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
+    return message.substr(std::min(message.find(';'), message.size()));
+  };
+  EXPECT_EQ(remarks(R"(Material "uber" "rgb Ks" [.5 .5 .5])"),
+            "; only close: uber (its lobes become a coat over a matte ground)");
+  EXPECT_EQ(remarks(R"(Material "glass" "rgb Kr" [.5 .5 .5] "texture Kt" "t")"),
+            "; only close: glass (Kr has no effect), glass (Kt by a texture or a spectrum has no effect)");
+  EXPECT_EQ(remarks(R"(Material "glass")"), "");
+  EXPECT_EQ(remarks(R"(Texture "t" "color" "imagemap" "string filename" "a.png" "float gamma" 2.2)"),
+            "; not known to v3 either: float gamma of imagemap");
 }
 
 TEST(V3, CommentsStay) {

@@ -125,6 +125,7 @@ TEST(Layers, ThatNobodyHasAreErrors) {
   const Outcome png = render(directory, {"--aov", "N", "-o", "a.png"});
   EXPECT_EQ(png.code, 2);
   EXPECT_NE(png.err.find("a.png cannot hold N"), std::string::npos) << png.err;
+  EXPECT_NE(png.err.find("-o a.exr gives them"), std::string::npos) << png.err;
 }
 
 }  // namespace

@@ -233,7 +233,11 @@ TEST(ParamReader, ColoursInTheirForms) {
   EXPECT_EQ(read(rgb(40, 38, 34), SpectrumRole::albedo).second, who + "must lie in 0..1");
   EXPECT_EQ(read(rgb(-1, 0, 0), SpectrumRole::illuminant).second, who + "must not be negative");
   EXPECT_EQ(read(number("c", 1.5f), SpectrumRole::unbounded).first, Rgb(1.5f));
-  EXPECT_EQ(read(number("c", .5f), SpectrumRole::albedo).second, who + "must be rgb, spectrum or blackbody, not float");
+  EXPECT_EQ(read(number("c", .5f), SpectrumRole::albedo).first, Rgb(.5f));
+  EXPECT_EQ(read(number("c", 40), SpectrumRole::illuminant).first, Rgb(40));
+  EXPECT_EQ(read(number("c", 40), SpectrumRole::albedo).second, who + "must lie in 0..1");
+  EXPECT_EQ(read(param(ParamType::boolean, "c", std::vector<bool>{true}), SpectrumRole::albedo).second,
+            who + "must be float, rgb, spectrum or blackbody, not bool");
   EXPECT_NEAR(
       luminance(read(param(ParamType::blackbody, "c", std::vector<float>{4000}), SpectrumRole::illuminant).first), 1,
       1e-5);

@@ -260,7 +260,8 @@ TEST_F(Mtl, ReliefsAreNormalMapsOrHeights) {
   EXPECT_FALSE(bumpy.textures.at(0).is_spectrum);
   EXPECT_EQ(number(bumpy, of_picture("scale", bumpy.textures.at(0).name)), 0.02f);
   const FileMaterial bent = material("Pr .3\nnorm b.png\nmap_Bump b.png\n");
-  EXPECT_EQ(std::get<Texts>(bent.params.find("normalmap")->values), Texts{(directory / "b.png").string()});
+  EXPECT_EQ(std::get<Texts>(bent.params.find("normaltexture")->values), Texts{bent.textures.at(0).name});
+  EXPECT_EQ(bent.textures.at(0).file, directory / "b.png");
   EXPECT_EQ(bent.params.find("displacement"), nullptr);
   EXPECT_NE(material("disp b.png\n").params.find("displacement"), nullptr);
   EXPECT_EQ(test::messages(diagnostics), "");
@@ -290,11 +291,16 @@ TEST_F(Mtl, WhatIsLeftOutIsToldOnceByName) {
   test::put_file(directory / "a.png", "");
   test::put_file(directory / "lib.mtl",
                  "newmtl a\nKs 1 1 1\nmap_Ns a.png\nmap_Pc a.png\nnewmtl b\nKs 1 1 1\nmap_Ns a.png\nrefl b.png\n"
-                 "map_Kd -boost 2 -t 1 a.png\nmap_d -s 2 2 1 a.png\n");
+                 "map_Kd -boost 2 -t 1 a.png\nmap_d -s 2 2 1 -t 1 a.png\n"
+                 "newmtl c\nillum 7\nKd .5 .5 .5\nKs 1 1 1\nmap_Kd a.png\nmap_Ks a.png\nNi 1.5\n"
+                 "newmtl d\nillum 7\nKd 1 1 1\nKs .5 .5 .5\nTf .5 1 1\nnewmtl e\nillum 7\nKd .5 0 0\n"
+                 "newmtl f\nKd .5 0 0\nTf .5 .5 .5\n");
   read("mtllib lib.mtl\nusemtl a\n" + kSquare + "f 1 2 3\n");
   make({});
   EXPECT_EQ(test::messages(diagnostics),
-            "-s of map_d of material \"b\" is left out\n-t of map_Kd of material \"b\" is left out\nmap_Ns of "
+            "-t of map_Kd of material \"b\" is left out\n-t of map_d of material \"b\" is left out\n"
+            "Kd of material \"e\" is left out\nKs of material \"d\" is left out\nTf of material \"f\" is left out\n"
+            "map_Kd of material \"c\" is left out\nmap_Ks of material \"c\" is left out\nmap_Ns of "
             "material \"a\" and of 1 more is left out\nmap_Pc of "
             "material \"a\" is left out\nrefl of material \"b\" is left out\n");
 }

@@ -154,7 +154,7 @@ TEST(TexturePlugins, DescribeThemselves) {
   for (const auto& plugin : texture_plugins<float>()) check(plugin);
   const std::vector<ParamInfo> mix = describe(*texture_plugins<Rgb>().find("mix"), context);
   EXPECT_EQ(mix[0].name, "tex1");
-  EXPECT_EQ(mix[0].type, "rgb, spectrum, blackbody or texture");
+  EXPECT_EQ(mix[0].type, "float, rgb, spectrum, blackbody or texture");
   EXPECT_EQ(mix[2].type, "float or texture");
 }
 

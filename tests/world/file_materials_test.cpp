@@ -55,6 +55,21 @@ void expect_near(const Rgb& a, const Rgb& b) {
   EXPECT_NEAR(a.b, b.b, 1e-4);
 }
 
+/// The same everywhere, however the picture lies; but half of the slope is another normal.
+TEST_F(FileMaterials, NormalsAndHolesTakeTheOptionsOfPictures) {
+  put_picture("tilted.pfm", Rgb(0.65f, 0.5f, 0.95f)), put_picture("half.pfm", Rgb(0.5f));
+  const auto radiance = [&](const std::string& statement) {
+    put("m", "Kd 1 1 1\n" + statement);
+    return seen(shape("m"), light)[0].g;
+  };
+  const float tilted = radiance("norm tilted.pfm\n");
+  EXPECT_NEAR(tilted, 0.9f / std::hypot(0.3f, 0.9f), 1e-4);
+  EXPECT_NEAR(radiance("norm -s 2 3 -o .5 tilted.pfm\n"), tilted, 1e-4);
+  EXPECT_NEAR(radiance("norm -bm 2 tilted.pfm\n"), 0.9f / std::hypot(0.6f, 0.9f), 1e-4);
+  EXPECT_EQ(radiance("map_d -mm 0 0 half.pfm\n"), 0) << "all holes";
+  EXPECT_NEAR(radiance("map_d -mm 0 2 half.pfm\n"), 1, 1e-4) << "none";
+}
+
 TEST_F(FileMaterials, OfTheSameNameInTwoFilesAreTwo) {
   put("one", "Kd 0.5 0 0\n"), put("two", "Kd 0 0 0.25\n");
   const std::string both = shape("one") + "Translate 9 0 0 " + shape("two");

@@ -183,6 +183,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "    4 | LightSource \"point\" \"float photons\" 1e9 LightSource \"distant\"\n"
                 "      |                                         ^~~~~~~~~~~\n"
                 "  by power it would have 20%\n"},
+        Mistake{"LightSource \"area\" \"rgb L\" [1 1 1]",
+                "test.dsc:4:13: error: \"area\" is a light that shapes emit, and no LightSource\n"
+                "    4 | LightSource \"area\" \"rgb L\" [1 1 1]\n"
+                "      |             ^~~~~~\n"
+                "  AreaLightSource \"diffuse\" makes lights of the shapes that follow it in its block\n"},
         Mistake{"Shape \"sphere\" \"float caustics\" 1",
                 "test.dsc:4:16: error: parameter \"caustics\" of shape \"sphere\" must be bool, not float\n"
                 "    4 | Shape \"sphere\" \"float caustics\" 1\n"

@@ -74,7 +74,7 @@ std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& setti
   constexpr int kLeastLearning = 100'000;  // a picture may be small, and what light has to pass smaller
   PhotonSettings photon;
   photon.seed = render.seed, photon.max_depth = settings.max_depth;
-  photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = true;
+  photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = photon.are_light_paths = true;
   const HitPointSettings hit_point{.max_depth = settings.max_depth, .sample_direct = true};
   auto learned = emission_of_file(scene, render, photon, hit_point, std::max(settings.photons, kLeastLearning),
                                   settings.guided, statistics);

@@ -66,6 +66,9 @@ class Edit {
   /// `what` is translated, but does not look quite the same.
   void only_close(std::string what) { remarks_.only_close.insert(std::move(what)); }
 
+  /// Nor was it to v3, which ignored it.
+  void not_known(std::string what) { remarks_.unknown.insert(std::move(what)); }
+
   /// Further directives around this one.
   void before(Directive directive) { before_.push_back(std::move(directive)); }
   bool is_before(std::string_view defined) const;  // one that defines this name

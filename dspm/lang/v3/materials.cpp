@@ -18,7 +18,7 @@ constexpr Rule kMaterials[] = {
     {"matte", "diffuse", "Kd=reflectance sigma! bumpmap=displacement"},
     {"mirror", "conductor", "Kr=reflectance:rgb.9 bumpmap=displacement"},
     {"metal", "conductor", "eta k roughness:float.01 uroughness vroughness remaproughness bumpmap=displacement"},
-    {"glass", "dielectric", "Kr! Kt! index=eta eta uroughness:float0 vroughness:float0 remaproughness "
+    {"glass", "dielectric", "Kr:rgb1 Kt:rgb1 index=eta eta uroughness:float0 vroughness:float0 remaproughness "
                             "bumpmap=displacement"},
     {"plastic", "coateddiffuse", "Kd=reflectance:rgb.25 Ks:rgb.25 roughness:float.1 remaproughness "
                                  "bumpmap=displacement"},
@@ -65,16 +65,41 @@ float take_strength(Edit& edit, std::string_view name) {
 }
 
 void plastic(Edit& edit) {
-  edit.only_close("plastic");
+  edit.only_close("plastic (its lobes become a coat over a matte ground)");
   coat(edit, take_strength(edit, "Ks") * f0_of(1.5f));
 }
 
 /// Ks is what it reflects head-on [Ashikhmin and Shirley 2000].
 void substrate(Edit& edit) {
-  edit.only_close("substrate");
+  edit.only_close("substrate (its lobes become a coat over a matte ground)");
   const bool is_texture = !edit.texture("Ks").empty();
   const float strength = take_strength(edit, "Ks");
   coat(edit, is_texture ? f0_of(1.5f) : strength);
+}
+
+/// Each time that light passes the surface, it is multiplied by `through`: principled's does so by the root of its
+/// basecolor. Roughness is alpha by now, and principled's the root of it.
+void colour_glass(Edit& edit, const Rgb& through) {
+  edit.set_type("principled");
+  edit.set_number("transmission", 1);
+  edit.set_rgb("basecolor", through * through);
+  const auto u = edit.constant("uroughness"), v = edit.constant("vroughness");
+  const bool is_alpha = !edit.take_flag("remaproughness", true);
+  if (!edit.texture("uroughness").empty() || !edit.texture("vroughness").empty() || u != v)
+    edit.only_close("glass with Kt (of one roughness, and no texture of it)");
+  edit.take("uroughness"), edit.take("vroughness");
+  const float alpha = (mean(u.value_or(Rgb(0))) + mean(v.value_or(Rgb(0)))) / 2;
+  edit.set_number("roughness", is_alpha ? std::sqrt(alpha) : std::sqrt(std::sqrt(alpha)));
+}
+
+/// What passes has the colour Kt; what is mirrored is as bright as glass mirrors, if it has any Kr.
+void glass(Edit& edit) {
+  const auto mirrored = edit.constant("Kr"), through = edit.constant("Kt");
+  const bool is_given = mirrored != Rgb(1), is_texture = !through;
+  edit.take("Kr"), edit.take("Kt");
+  if (is_given) edit.only_close("glass (Kr has no effect)");
+  if (is_texture) return edit.only_close("glass (Kt by a texture or a spectrum has no effect)");
+  if (*through != Rgb(1)) colour_glass(edit, *through);
 }
 
 /// A mix of the material and nothing.
@@ -107,12 +132,13 @@ void uber(Edit& edit) {
               eta = edit.number("eta").value_or(1.5f);
   edit.take("Kt");
   if (through && mean(*through) > (matte ? mean(*matte) : 1)) {
-    edit.only_close("uber with Kt");
+    edit.only_close("uber with Kt (smooth glass, without Kd and Ks)");
     edit.set_type("dielectric");
     for (const std::string_view name : {"reflectance", "roughness", "uroughness", "vroughness", "remaproughness"})
       edit.take(name);
+    if (*through != Rgb(1)) colour_glass(edit, *through);
   } else {
-    if (rough + smooth > 0) edit.only_close("uber");
+    if (rough + smooth > 0) edit.only_close("uber (its lobes become a coat over a matte ground)");
     if (smooth > rough) {
       for (const std::string_view name : {"uroughness", "vroughness", "remaproughness"}) edit.take(name);
       edit.set_number("roughness", 0);
@@ -134,7 +160,7 @@ void translucent(Edit& edit) {
     return;
   }
   const std::string kd = edit.texture("reflectance");
-  if (kd.empty()) return edit.only_close("translucent");
+  if (kd.empty()) return edit.only_close("translucent (its colour is a spectrum, which is not halved)");
   const auto scaled = [&](const Rgb& by) { return std::vector{scaled_texture(edit, "spectrum", kd, mean(by))}; };
   edit.set(ParamType::texture, "reflectance", scaled(reflect));
   if (mean(transmit) == mean(reflect))
@@ -169,7 +195,7 @@ void thin_disney(Edit& edit) {
 
 /// v3's coat reflects a quarter of clear varnish, with an alpha from 0.1 to 0.001 [Burley 2012].
 void disney(Edit& edit) {
-  edit.only_close("disney");
+  edit.only_close("disney (its coat is GGX)");
   const float gloss = edit.number("clearcoatgloss").value_or(1);
   edit.take("clearcoatgloss");
   if (const auto coat = edit.number("coat")) {
@@ -211,6 +237,7 @@ void name_metals(Edit& edit) {
 }
 
 void finish(Edit& edit, std::string_view from) {
+  if (from == "glass") glass(edit);
   if (from == "plastic") plastic(edit);
   if (from == "substrate") substrate(edit);
   if (from == "uber") uber(edit);

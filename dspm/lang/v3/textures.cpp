@@ -36,6 +36,7 @@ void imagemap(Edit& edit) {
   const bool is_srgb = ending == ".png" || ending == ".PNG" || ending == ".tga" || ending == ".TGA";
   const Param* const gamma = edit.find("gamma");
   const bool is_flag = gamma != nullptr && gamma->type == ParamType::boolean;
+  if (gamma != nullptr && !is_flag) edit.not_known(fmt::format("{} gamma of imagemap", word_of(gamma->type)));
   const bool decodes = edit.take_flag("gamma", is_srgb);
   if (is_flag && decodes != is_srgb)
     edit.set(ParamType::text, "encoding", std::vector<std::string>{decodes ? "sRGB" : "linear"});

@@ -1,0 +1,23 @@
+// What dspm takes from the Sampler directive; the sequence of random numbers is its own.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+struct SamplerSettings {
+  std::optional<int> pixel_samples, seed;
+};
+
+SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics);
+
+/// pbrt's samplers, which are all the same here but for the parameters that they have.
+const std::vector<std::string>& sampler_names();
+std::vector<ParamInfo> sampler_params(const std::string& name);
+
+}  // namespace dspm
