@@ -113,23 +113,24 @@ class CoatedConductor final : public Bsdf {
     return if_rough(kCoat, is_coat_smooth(), coat()) | rest;
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     return w.reflection() ? f(w.wo, w.wi, lobes) : Rgb(0);
   }
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
-    return w.reflection() ? density(w.wo, w.wi, chances(w.wo.z, lobes)) : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
+    return w.reflection() ? w.share * density(w.wo, w.wi, chances(w.wo.z, lobes)) : 0;
   }
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
-    const auto all = chances(std::max(0.f, frame_.local(wo, frame_.side(wo)).z), this->lobes(0));
+    const auto all = chances(std::abs(frame_.local(wo, frame_.side(wo)).z), this->lobes(0));
     return (lobes & kCoat ? all[0] : 0) + (lobes & kMetal ? all[1] : 0) + (lobes & kMadeUp ? all[2] : 0);
   }
 
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (o.z <= 0 || !(lobes & this->lobes(0))) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!arriving || !(lobes & this->lobes(0))) return std::nullopt;
+    const Vec3 o = *arriving;
     const Chances chance = chances(o.z, lobes);
     const bool mirrors = u.z < chance[0] && is_coat_smooth();
     const std::optional<Vec3> i = mirrors           ? std::optional(Vec3{-o.x, -o.y, o.z})
@@ -137,12 +138,12 @@ class CoatedConductor final : public Bsdf {
                                   : u.z < chance[0] + chance[1] ? by_metal(o, u)
                                                                 : std::optional(cosine_hemisphere({u.x, u.y}));
     if (!i || i->z <= 0) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(*i, side);
-    if (!wi) return std::nullopt;
-    if (mirrors) return BsdfSample{*wi, mirrored(o) / chance[0], 0, true};
-    const float pdf = density(o, *i, chance);
+    const auto leaving = frame_.leave(*i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    if (mirrors) return BsdfSample{leaving->wi, mirrored(o) / (chance[0] * leaving->share), 0, true};
+    const float pdf = leaving->share * density(o, *i, chance);
     if (!(pdf > 0)) return std::nullopt;
-    return BsdfSample{*wi, f(o, *i, lobes) * (i->z / pdf), pdf, false};
+    return BsdfSample{leaving->wi, f(o, *i, lobes) * (i->z / pdf), pdf, false};
   }
 
  private:

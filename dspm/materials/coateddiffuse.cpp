@@ -65,36 +65,38 @@ class CoatedDiffuse final : public Bsdf {
     return coat_alpha >= std::max(least_alpha, 0.f) ? kBothLobes : kBase;
   }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     return w.reflection() ? f(w.wo, w.wi, lobes) : Rgb(0);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
-    return w.reflection() ? density(w.wo, w.wi, lobes) : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
+    return w.reflection() ? w.share * density(w.wo, w.wi, lobes) : 0;
   }
 
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
+    const auto arriving = frame_.arrive(wo, side, transport);
     const bool nothing_mirrors = eta_ == 1 && !(lobes & kBase);
-    if (!(lobes & kBothLobes) || o.z <= 0 || nothing_mirrors) return std::nullopt;
+    if (!(lobes & kBothLobes) || !arriving || nothing_mirrors) return std::nullopt;
+    const Vec3 o = *arriving;
     const float chance = chance_of_coat(o, lobes);
     const bool coat = u.z < chance;
     const Vec3 i = !coat     ? cosine_hemisphere({u.x, u.y})
                    : smooth_ ? Vec3{-o.x, -o.y, o.z}
                              : reflect(o, facets_.sample_visible(o, u.x, u.y));
     if (i.z <= 0) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(i, side);
-    if (!wi) return std::nullopt;
-    if (coat && smooth_) return BsdfSample{*wi, Rgb(fresnel_dielectric(o.z, eta_) / chance), 0, true};
-    const float pdf = density(o, i, lobes);
-    return BsdfSample{*wi, f(o, i, lobes) * (i.z / pdf), pdf, false};
+    const auto leaving = frame_.leave(i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    if (coat && smooth_)
+      return BsdfSample{leaving->wi, Rgb(fresnel_dielectric(o.z, eta_) / (chance * leaving->share)), 0, true};
+    const float pdf = leaving->share * density(o, i, lobes);
+    return BsdfSample{leaving->wi, f(o, i, lobes) * (i.z / pdf), pdf, false};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
-    return share_of(share_of_coat(std::max(0.f, frame_.local(wo, frame_.side(wo)).z)), lobes);
+    return share_of(share_of_coat(std::abs(frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 
   std::optional<Rgb> ratio_to(const Bsdf& other, LobeSet lobes) const override {

@@ -31,13 +31,14 @@ class SmoothConductor final : public Bsdf {
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? 1 : 0; }
   Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3&, Transport, LobeSet lobes) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & 1) || o.z <= 0) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave({-o.x, -o.y, o.z}, side);
-    if (!wi) return std::nullopt;
-    return BsdfSample{*wi, fresnel_conductor(o.z, index_.eta, index_.k), 0, true};
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & 1) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
+    const auto leaving = frame_.leave({-o.x, -o.y, o.z}, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    return BsdfSample{leaving->wi, fresnel_conductor(o.z, index_.eta, index_.k) / leaving->share, 0, true};
   }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
 
@@ -53,29 +54,30 @@ class RoughConductor final : public Bsdf {
 
   LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? 1 : 0; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     if (!(lobes & 1) || !w.reflection()) return {};
     const Vec3 m = normalize(w.wo + w.wi);
     return fresnel_conductor(dot(w.wo, m), index_.eta, index_.k) * facets_.reflection(w.wo, w.wi, m);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     if (!(lobes & 1) || !w.reflection()) return 0;
-    return facets_.reflection_density(w.wo, normalize(w.wo + w.wi));
+    return w.share * facets_.reflection_density(w.wo, normalize(w.wo + w.wi));
   }
 
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & 1) || o.z <= 0) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & 1) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
     const Vec3 m = facets_.sample_visible(o, u.x, u.y), i = reflect(o, m);
     if (i.z <= 0) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(i, side);
-    if (!wi) return std::nullopt;
+    const auto leaving = frame_.leave(i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
     const Rgb weight = fresnel_conductor(dot(o, m), index_.eta, index_.k) * facets_.visible_after(o, i);
-    return BsdfSample{*wi, weight, facets_.reflection_density(o, m), false};
+    return BsdfSample{leaving->wi, weight / leaving->share, leaving->share * facets_.reflection_density(o, m), false};
   }
 
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }

@@ -39,20 +39,22 @@ class SmoothDielectric final : public Bsdf {
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & kBothLobes) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
     const float fresnel = fresnel_dielectric(o.z, eta), chance = chance_of_reflection(fresnel, lobes);
     const bool reflected = u.z < chance;
     const std::optional<Vec3> i = reflected ? Vec3{-o.x, -o.y, o.z} : refract(o, {0, 0, 1}, eta);
     const float weight = reflected ? fresnel / chance : (1 - fresnel) / (1 - chance) * transport_scale(transport, eta);
     if (!i || weight == 0) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(*i, side);
-    if (!wi) return std::nullopt;
-    return BsdfSample{*wi, Rgb(weight), 0, true, reflected ? 1 : transport_scale(transport, eta)};
+    const auto leaving = frame_.leave(*i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    return BsdfSample{leaving->wi, Rgb(weight / leaving->share), 0, true,
+                      reflected ? 1 : transport_scale(transport, eta)};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
-    const float side = frame_.side(wo), cos_o = std::max(0.f, frame_.local(wo, side).z);
+    const float side = frame_.side(wo), cos_o = std::abs(frame_.local(wo, side).z);
     const float fresnel = fresnel_dielectric(cos_o, side > 0 ? eta_ : 1 / eta_);
     return share_of(fresnel, lobes);
   }
@@ -71,7 +73,7 @@ class RoughDielectric final : public Bsdf {
   bool transmits(LobeSet lobes) const override { return (lobes & kTransmission) != 0; }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+    const LocalPair w(frame_, wo, wi, transport);
     const std::optional<Facet> facet = facet_of(w, lobes);
     if (!facet) return {};
     if (w.reflection()) return Rgb(facet->fresnel * facets_.reflection(w.wo, w.wi, facet->m));
@@ -79,34 +81,36 @@ class RoughDielectric final : public Bsdf {
     return Rgb((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * scale);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     const std::optional<Facet> facet = facet_of(w, lobes);
     if (!facet) return 0;
     const float reflected = chance_of_reflection(facet->fresnel, lobes);
-    if (w.reflection()) return reflected * facets_.reflection_density(w.wo, facet->m);
-    return (1 - reflected) * refraction_density(facets_, w.wo, *facet);
+    if (w.reflection()) return w.share * reflected * facets_.reflection_density(w.wo, facet->m);
+    return w.share * (1 - reflected) * refraction_density(facets_, w.wo, *facet);
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo), eta = eta_from(side);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & kBothLobes) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
     const Vec3 m = facets_.sample_visible(o, u.x, u.y);
     const float fresnel = fresnel_dielectric(dot(o, m), eta), chance = chance_of_reflection(fresnel, lobes);
     const bool reflected = u.z < chance;
     const std::optional<Vec3> i = reflected ? reflect(o, m) : refract(o, m, eta);
     if (!i || (i->z > 0) != reflected) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(*i, side);
-    if (!wi) return std::nullopt;
+    const auto leaving = frame_.leave(*i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
     if (reflected) {
       const float weight = fresnel / chance * facets_.visible_after(o, *i);
-      return BsdfSample{*wi, Rgb(weight), chance * facets_.reflection_density(o, m), false};
+      return BsdfSample{leaving->wi, Rgb(weight / leaving->share),
+                        leaving->share * chance * facets_.reflection_density(o, m), false};
     }
     const float weight = (1 - fresnel) / (1 - chance) * facets_.visible_after(o, *i);
     const float pdf_w = (1 - chance) * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
     const float scale = transport_scale(transport, eta);
-    return BsdfSample{*wi, Rgb(weight * scale), pdf_w, false, scale};
+    return BsdfSample{leaving->wi, Rgb(weight * scale / leaving->share), leaving->share * pdf_w, false, scale};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
@@ -131,7 +135,7 @@ float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   if ((lobes & kBothLobes) == kBothLobes) return 1;
   const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
   Vec3 o = frame_.local(wo, side);
-  o.z = std::max(o.z, 1e-6f);
+  o.z = std::max(std::abs(o.z), 1e-6f);
   constexpr int kSteps = 16;
   float sum = 0;
   for (int i = 0; i < kSteps * kSteps; ++i) {

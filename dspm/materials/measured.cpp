@@ -34,27 +34,28 @@ class Measured final : public Bsdf {
   LobeSet lobes(float least_alpha) const override { return file_->alpha() >= least_alpha ? 1 : 0; }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+    const LocalPair w(frame_, wo, wi, transport);
     if (!(lobes & 1) || !w.reflection()) return {};
     return transport == Transport::radiance ? file_->f(w.wo, w.wi) : file_->f(w.wi, w.wo);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
-    return (lobes & 1) && w.reflection() ? file_->density(w.wo, w.wi) : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
+    return (lobes & 1) && w.reflection() ? w.share * file_->density(w.wo, w.wi) : 0;
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & 1) || o.z <= 0) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & 1) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
     const Vec3 i = file_->sample(o, {u.x, u.y});
     if (!(i.z > 0)) return std::nullopt;
-    const std::optional<Vec3> wi = frame_.leave(i, side);
-    const float pdf = file_->density(o, i);
-    if (!wi || !(pdf > 0)) return std::nullopt;
+    const auto leaving = frame_.leave(i, side, transport, u.x);
+    const float pdf = leaving ? leaving->share * file_->density(o, i) : 0;
+    if (!(pdf > 0)) return std::nullopt;
     const Rgb f = transport == Transport::radiance ? file_->f(o, i) : file_->f(i, o);
-    return BsdfSample{*wi, f * (i.z / pdf), pdf, false};
+    return BsdfSample{leaving->wi, f * (i.z / pdf), pdf, false};
   }
 
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }

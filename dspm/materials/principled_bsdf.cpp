@@ -41,36 +41,37 @@ LobeSet Principled::lobes(float least_alpha) const { return PrincipledLayers(*th
 
 Rgb Principled::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
   const ShadingFrame frame = this->frame();
-  const LocalPair w(frame, wo, wi);
+  const LocalPair w(frame, wo, wi, transport);
   if (!w.valid) return {};
   return PrincipledLayers(*this, frame, w.side).f(w.wo, w.wi, transport, lobes);
 }
 
 float Principled::pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const {
   const ShadingFrame frame = this->frame();
-  const LocalPair w(frame, wo, wi);
+  const LocalPair w(frame, wo, wi, transport);
   if (!w.valid) return 0;
   const PrincipledLayers layers(*this, frame, w.side);
-  return layers.density(w.wo, w.wi, transport, layers.chances(w.wo, transport, lobes));
+  return w.share * layers.density(w.wo, w.wi, transport, layers.chances(w.wo, transport, lobes));
 }
 
 std::optional<BsdfSample> Principled::sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const {
   const ShadingFrame frame = this->frame();
   const float side = frame.side(wo);
-  const Vec3 o = frame.local(wo, side);
-  if (o.z <= 0) return std::nullopt;
+  const auto arriving = frame.arrive(wo, side, transport);
+  if (!arriving) return std::nullopt;
+  const Vec3 o = *arriving;
   const PrincipledLayers layers(*this, frame, side);
   const PrincipledChances chances = layers.chances(o, transport, lobes);
   const auto drawn = layers.draw(o, u, transport, chances);
   if (!drawn) return std::nullopt;
-  const std::optional<Vec3> wi = frame.leave(drawn->i, side);
-  if (!wi) return std::nullopt;
+  const auto leaving = frame.leave(drawn->i, side, transport, u.x);
+  if (!leaving) return std::nullopt;
   const float scale = drawn->refracted ? transport_scale(transport, layers.eta()) : 1;
-  if (drawn->specular) return BsdfSample{*wi, drawn->weight * scale, 0, true, scale};
-  const float pdf_w = layers.density(o, drawn->i, transport, chances);
+  if (drawn->specular) return BsdfSample{leaving->wi, drawn->weight * (scale / leaving->share), 0, true, scale};
+  const float pdf_w = leaving->share * layers.density(o, drawn->i, transport, chances);
   if (!(pdf_w > 0)) return std::nullopt;
   const Rgb f = layers.f(o, drawn->i, transport, lobes);
-  return BsdfSample{*wi, f * (std::abs(drawn->i.z) / pdf_w), pdf_w, false, scale};
+  return BsdfSample{leaving->wi, f * (std::abs(drawn->i.z) / pdf_w), pdf_w, false, scale};
 }
 
 float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
@@ -78,7 +79,7 @@ float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   const float side = frame.side(wo);
   const PrincipledLayers layers(*this, frame, side);
   Vec3 o = frame.local(wo, side);
-  o.z = std::max(0.f, o.z);
+  o.z = std::abs(o.z);
   return layers.chances(o, Transport::flux, layers.lobes(0)).of(lobes);
 }
 

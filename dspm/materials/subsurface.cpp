@@ -68,30 +68,31 @@ class Subsurface final : public Bsdf {
   bool enters(const Vec3& w) const override { return frame_.side(w) < 0; }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+    const LocalPair w(frame_, wo, wi, transport);
     return w.valid ? Rgb(f(w, transport, lobes)) : Rgb(0);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair w(frame_, wo, wi);
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair w(frame_, wo, wi, transport);
     return w.valid ? density(w, lobes) : 0;
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & kBothLobes) || !arriving) return std::nullopt;
+    const Vec3 o = *arriving;
     const float mirrored = chance_of_mirror(o.z, side, lobes);
     if (u.z < mirrored) return mirror(wo, o, u, transport, lobes, mirrored);
     if (!(lobes & kBody)) return std::nullopt;
     const Vec3 i = cosine_hemisphere({u.x, u.y});
     if (i.z <= 0) return std::nullopt;
-    return drawn(wo, {i.x, i.y, -i.z}, side, transport, lobes);
+    return drawn(wo, {i.x, i.y, -i.z}, u, side, transport, lobes);
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    return share_of(chance_of_mirror(std::max(0.f, frame_.local(wo, side).z), side, kBothLobes), lobes);
+    return share_of(chance_of_mirror(std::abs(frame_.local(wo, side).z), side, kBothLobes), lobes);
   }
 
  private:
@@ -109,21 +110,22 @@ class Subsurface final : public Bsdf {
                                    float chance) const {
     if (!is_smooth()) {
       const Vec3 i = reflect(o, facets_.sample_visible(o, u.x, u.y));
-      return i.z > 0 ? drawn(wo, i, 1, transport, lobes) : std::nullopt;
+      return i.z > 0 ? drawn(wo, i, u, 1, transport, lobes) : std::nullopt;
     }
-    const std::optional<Vec3> wi = frame_.leave({-o.x, -o.y, o.z}, 1);
-    if (!wi) return std::nullopt;
-    return BsdfSample{*wi, Rgb((1 - boundary_->crosses(o.z)) / chance), 0, true};
+    const auto leaving = frame_.leave({-o.x, -o.y, o.z}, 1, transport, u.x);
+    if (!leaving) return std::nullopt;
+    return BsdfSample{leaving->wi, Rgb((1 - boundary_->crosses(o.z)) / (chance * leaving->share)), 0, true};
   }
 
   /// A sample with a density, in the direction i.
-  std::optional<BsdfSample> drawn(const Vec3& wo, const Vec3& i, float side, Transport transport, LobeSet lobes) const {
-    const std::optional<Vec3> wi = frame_.leave(i, side);
-    if (!wi) return std::nullopt;
-    const LocalPair w(frame_, wo, *wi);
+  std::optional<BsdfSample> drawn(const Vec3& wo, const Vec3& i, const Vec3& u, float side, Transport transport,
+                                  LobeSet lobes) const {
+    const auto leaving = frame_.leave(i, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    const LocalPair w(frame_, wo, leaving->wi, transport);
     if (!w.valid) return std::nullopt;
     const float pdf = density(w, lobes);
-    BsdfSample sample{*wi, Rgb(f(w, transport, lobes) * std::abs(w.wi.z) / pdf), pdf, false};
+    BsdfSample sample{leaving->wi, Rgb(f(w, transport, lobes) * std::abs(w.wi.z) / pdf), pdf, false};
     if (w.wi.z > 0) return sample;
     const bool inside = side > 0;
     if (transport == Transport::radiance) sample.eta_scale = inside ? 1 / boundary_->let_in : boundary_->let_in;
@@ -152,9 +154,9 @@ class Subsurface final : public Bsdf {
 
   float density(const LocalPair& w, LobeSet lobes) const {
     const float mirrored = chance_of_mirror(w.wo.z, w.side, lobes);
-    if (w.wi.z < 0) return lobes & kBody ? (1 - mirrored) * -w.wi.z / kPi : 0;
+    if (w.wi.z < 0) return lobes & kBody ? w.share * (1 - mirrored) * -w.wi.z / kPi : 0;
     if (w.side < 0 || !(lobes & kMirror) || is_smooth()) return 0;
-    return mirrored * facets_.reflection_density(w.wo, normalize(w.wo + w.wi));
+    return w.share * mirrored * facets_.reflection_density(w.wo, normalize(w.wo + w.wi));
   }
 
   ShadingFrame frame_;

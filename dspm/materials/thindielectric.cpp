@@ -31,20 +31,24 @@ class ThinDielectric final : public Bsdf {
   Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeSet) const override { return {}; }
   float pdf_w(const Vec3&, const Vec3&, Transport, LobeSet) const override { return 0; }
 
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo);
-    const Vec3 o = frame_.local(wo, side);
-    if (!(lobes & kBothLobes) || o.z <= 0) return std::nullopt;
-    const float chance = chance_of_reflection(share_of_reflection(o.z), lobes);
-    const bool reflected = u.z < chance;
-    const Rgb weight = reflected ? mirrored(o.z) / chance : passed(o.z) / (1 - chance);
-    const std::optional<Vec3> wi = reflected ? frame_.leave({-o.x, -o.y, o.z}, side) : -wo;
-    if (!wi || is_black(weight)) return std::nullopt;
-    return BsdfSample{*wi, weight, 0, true};
+    const float cos_o = std::abs(frame_.local(wo, side).z);
+    if (!(lobes & kBothLobes) || cos_o == 0) return std::nullopt;
+    const float chance = chance_of_reflection(share_of_reflection(cos_o), lobes);
+    if (u.z >= chance) {  // straight on, whatever the normals say
+      const Rgb weight = passed(cos_o) / (1 - chance);
+      return is_black(weight) ? std::nullopt : std::optional(BsdfSample{-wo, weight, 0, true});
+    }
+    const auto o = frame_.arrive(wo, side, transport);
+    if (!o) return std::nullopt;
+    const auto leaving = frame_.leave({-o->x, -o->y, o->z}, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    return BsdfSample{leaving->wi, mirrored(cos_o) / (chance * leaving->share), 0, true};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override {
-    return share_of(share_of_reflection(std::max(0.f, frame_.local(wo, frame_.side(wo)).z)), lobes);
+    return share_of(share_of_reflection(std::abs(frame_.local(wo, frame_.side(wo)).z)), lobes);
   }
 
  private:

@@ -60,7 +60,9 @@ std::vector<DensityCase> density_cases(const Material& material) {
     if (bsdf.lobes(1e-6f) == 0) return;  // fully specular: no density
     for (const Vec3& wo : directions())
       for (const LobeSet lobes : subsets_of(bsdf.all_lobes())) {
-        cases.push_back({point, wo, lobes, Transport::radiance});
+        // Where ns turns away from the camera, ng's horizon cuts through the middle of sharp lobes, which cells do not
+        // see; weights_agree covers it.
+        if (dot(wo, point.ng) * dot(wo, point.ns) > 0) cases.push_back({point, wo, lobes, Transport::radiance});
         if (!(point.ns == point.ng)) cases.push_back({point, wo, lobes, Transport::flux});
       }
   });

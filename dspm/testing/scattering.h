@@ -24,7 +24,7 @@ std::shared_ptr<const Material> material_of(const std::string& words);
 Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1);
 /// sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
 Verdict weights_agree(const Material& material);
-/// f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about a side.
+/// f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about light's side.
 Verdict keeps_to_sides(const Material& material);
 /// f for flux is f for radiance with the directions exchanged; on one side of a plain surface both are equal.
 Verdict is_reciprocal(const Material& material);

@@ -30,25 +30,27 @@ class Velvet final : public Bsdf {
 
   LobeSet lobes(float) const override { return 1; }
 
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair pair(frame_, wo, wi);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair pair(frame_, wo, wi, transport);
     return (lobes & 1) && pair.reflection() ? f(pair.wo.z, pair.wi.z) : Rgb(0);
   }
 
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet lobes) const override {
-    const LocalPair pair(frame_, wo, wi);
-    return (lobes & 1) && pair.reflection() ? density(pair.wo.z, pair.wi.z) : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
+    const LocalPair pair(frame_, wo, wi, transport);
+    return (lobes & 1) && pair.reflection() ? pair.share * density(pair.wo.z, pair.wi.z) : 0;
   }
 
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet lobes) const override {
-    const float side = frame_.side(wo), cos_o = frame_.local(wo, side).z;
-    if (!(lobes & 1) || cos_o <= 0) return std::nullopt;
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
+    const float side = frame_.side(wo);
+    const auto arriving = frame_.arrive(wo, side, transport);
+    if (!(lobes & 1) || !arriving) return std::nullopt;
+    const float cos_o = arriving->z;
     const Vec2 place{u.x, u.y};
     const Vec3 local = u.z < rim_chance(cos_o) ? uniform_hemisphere(place) : cosine_hemisphere(place);
-    const auto wi = frame_.leave(local, side);
-    if (!wi) return std::nullopt;
-    const float pdf_w = density(cos_o, local.z);
-    return BsdfSample{*wi, f(cos_o, local.z) * (local.z / pdf_w), pdf_w, false};
+    const auto leaving = frame_.leave(local, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    const float pdf_w = leaving->share * density(cos_o, local.z);
+    return BsdfSample{leaving->wi, f(cos_o, local.z) * (local.z / pdf_w), pdf_w, false};
   }
 
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }

@@ -57,6 +57,35 @@ TEST(Scattering, SharpLobesKeepTheirDigits) {
 
 TEST(Scattering, KeepsToTheSidesOfBothNormals) { expect_of_all(keeps_to_sides); }
 
+// Where ns turns away from the camera, as much is seen as from the direction's mirror image, and nothing turns black but
+// mirrors that reflect the body's own surface.
+TEST(Scattering, TheCameraSeesASurfaceThatNsTurnsAway) {
+  const SurfacePoint point = bent_surface();
+  const Vec3 across = normalize(cross(point.ns, point.ng)), down = cross(across, point.ns);
+  const auto along = [&](float up) { return normalize(down * (dot(down, point.ng) > 0 ? 1.f : -1.f) + point.ns * up); };
+  for (const Named& each : all_materials()) {
+    BsdfSlot slot;
+    const Bsdf& bsdf = each.material->bsdf(point, slot);
+    const PathRandom random(kSeed, Stream::setup, 10, 0);
+    for (const Vec3& w : {along(0.1f), along(0.1f) * -1.f}) {  // from outside and from inside
+      const Vec3 twin = w - point.ns * (2 * dot(w, point.ns));
+      ASSERT_GT(dot(w, point.ng) * dot(twin, point.ng), 0);
+      const auto seen = [&](const Vec3& wo) {
+        Rgb sum;
+        for (int n = 0; n < 2000; ++n)
+          if (const auto drawn = bsdf.sample(wo, three_numbers(random, n), Transport::radiance, bsdf.all_lobes()))
+            sum += drawn->weight / 2000;
+        return sum;
+      };
+      if (!is_specular(bsdf) || each.name.starts_with("principled")) {
+        EXPECT_GT(max_component(seen(w)), 0.005f) << each.name;
+      }
+      expect_near(seen(twin), seen(w), 2e-3f, each.name);
+      EXPECT_NEAR(bsdf.lobe_probability(w, 1), bsdf.lobe_probability(twin, 1), 1e-4f) << each.name;
+    }
+  }
+}
+
 TEST(Scattering, NothingGoesAlongTheSurface) {
   for (const Named& each : all_materials()) {
     BsdfSlot slot;

@@ -20,19 +20,22 @@ class HollowBsdf final : public Bsdf {
   HollowBsdf(const SurfacePoint& point, Fault fault) : frame_(point), fault_(fault), here_(point.p.x > 0) {}
 
   LobeSet lobes(float) const override { return 1; }
-  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeSet) const override {
-    return LocalPair(frame_, wo, wi).reflection() ? Rgb(is(Fault::f) ? kNan : 0.2f) : Rgb(0);
+  Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet) const override {
+    return LocalPair(frame_, wo, wi, transport).reflection() ? Rgb(is(Fault::f) ? kNan : 0.2f) : Rgb(0);
   }
-  float pdf_w(const Vec3& wo, const Vec3& wi, Transport, LobeSet) const override {
-    const LocalPair pair(frame_, wo, wi);
-    return pair.reflection() ? cosine_hemisphere_pdf_w(pair.wi.z) : 0;
+  float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet) const override {
+    const LocalPair pair(frame_, wo, wi, transport);
+    return pair.reflection() ? pair.share * cosine_hemisphere_pdf_w(pair.wi.z) : 0;
   }
-  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport, LobeSet) const override {
+  std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet) const override {
     const Vec3 local = cosine_hemisphere({u.x, u.y});
-    const auto wi = frame_.leave(local, frame_.side(wo));
-    if (!wi) return std::nullopt;
-    const Rgb weight(is(Fault::weight) ? kNan : 0.2f * kPi);
-    return BsdfSample{is(Fault::direction) ? *wi * kNan : *wi, weight, cosine_hemisphere_pdf_w(local.z), false};
+    const float side = frame_.side(wo);
+    if (!frame_.arrive(wo, side, transport)) return std::nullopt;
+    const auto leaving = frame_.leave(local, side, transport, u.x);
+    if (!leaving) return std::nullopt;
+    const Rgb weight(is(Fault::weight) ? kNan : 0.2f * kPi / leaving->share);
+    const Vec3 wi = is(Fault::direction) ? leaving->wi * kNan : leaving->wi;
+    return BsdfSample{wi, weight, leaving->share * cosine_hemisphere_pdf_w(local.z), false};
   }
   float lobe_probability(const Vec3&, LobeSet) const override { return 1; }
   std::optional<Rgb> lambertian(LobeSet) const override {
