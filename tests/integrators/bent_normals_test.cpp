@@ -12,7 +12,7 @@
 namespace dspm::test {
 namespace {
 
-constexpr int kMaterials = 6, kSettings = 4;
+constexpr int kMaterials = 8, kSettings = 4;
 
 /// The light shines up from just above the floor; the camera sees a piece of the floor beside light and mesh.
 std::string octahedron(const std::string& integrator, const std::string& light, const std::string& material) {
@@ -74,6 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{kSpot, R"("diffuse" "rgb reflectance" [.9 .9 .9])"},
                     Case{kSpot, R"("coateddiffuse" "rgb reflectance" [.9 .7 .5] "float roughness" 0.2)"},
                     Case{kSpot, R"("conductor" "float roughness" 0.3)"}, Case{kLamp, R"("conductor")"},
+                    Case{kSpot, R"("principled" "rgb basecolor" [.8 .5 .3] "float roughness" 0.5 "float coat" 1
+                      "float coatroughness" 0.4)"},
+                    Case{kSpot, R"("principled" "float metallic" 1 "float roughness" 0.6)"},
                     Case{kSpot, R"("dielectric" "float roughness" 0.2)"}, Case{kLamp, R"("dielectric")"}));
 
 /// Pictures that lean a floor's normals by 30 degrees towards +x: one of normals, and a slope.
