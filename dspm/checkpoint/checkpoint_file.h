@@ -22,7 +22,7 @@ namespace dspm {
 /// How far an interval has come.
 struct IntervalState {
   FrameList frames;                    // by their places in the file of that time
-  FrameSet given_up = {};              // of these: others stand in for them
+  FrameSet given_up = {};              // of these: other frames have their places
   int iterations = 0;                  // done; 0: no state
   double seconds = 0;                  // that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file

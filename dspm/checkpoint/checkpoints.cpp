@@ -56,7 +56,7 @@ void refuse_another_part(const CheckpointFile::Render& then, const CheckpointFil
   if (then.part != now.part)
     throw UsageError(
         fmt::format("--resume {}: it holds {}, and this run is {}, which begins with a --checkpoint of its own", file,
-                                 then.part.in_words(), now.part.in_words()));
+                    then.part.in_words(), now.part.in_words()));
   if (then.memory != now.memory)
     throw UsageError(fmt::format("--resume {}: parts keep their bound on memory, here {}", file,
                                  then.memory == 0 ? "none" : fmt::format("--memory {}", then.memory)));

@@ -24,8 +24,9 @@ struct CheckpointSettings {
 class Checkpoints {
  public:
   /// `sampling`: World::sampling() of the job's. `resumed`: the file of settings.resume, null if there is none; it goes
-  /// on with the job's frames, and keeps others as they are. Warns of those that start anew. Throws UsageError if a checkpoint would be lost, SceneError with what has changed since the one to
-  /// resume, std::runtime_error if it is damaged.
+  /// on with the job's frames, and keeps others as they are. Warns of those that start anew. Throws UsageError if a
+  /// checkpoint would be lost, SceneError with what has changed since the one to resume, std::runtime_error if it is
+  /// damaged.
   Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
               std::unique_ptr<const CheckpointFile> resumed, Messages& messages);
 

@@ -105,7 +105,7 @@ double LivePage::pixels_of(const std::vector<Wish>& wishes, int shrunk) const {
   return sum;
 }
 
-/// A short run of many large frames gets smaller pictures, which stand in for those that were wished for.
+/// A short run of many large frames gets smaller pictures, until there is time for those that were wished for.
 int LivePage::halvings_to_afford(const std::vector<Wish>& wishes) const {
   if (coarse_ || !(outlook_.share > 0) || pixels_ == 0) return 0;
   const double run = (processor_seconds() - begin_) / outlook_.share;

@@ -83,8 +83,8 @@ class LivePage {
   bool images_wanted() { return orders_.take_write(); }
 
  private:
-  /// Those of which there is none of this run after that many iterations.
   enum class Size { wished, affordable };
+  /// Those of which there is none of this run after that many iterations.
   void show_pictures(const Exhibit& exhibit, int iterations, Size size = Size::wished);
   int halvings_to_afford(const std::vector<Wish>& wishes) const;
   double pixels_of(const std::vector<Wish>& wishes, int shrunk) const;

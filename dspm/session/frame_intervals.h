@@ -16,7 +16,7 @@ using FrameSpan = std::span<const FileFrame>;
 
 /// Those of an interval's integrator.
 struct Places {
-  FrameList frames;  // ascending; one that stands in for others is there several times
+  FrameList frames;  // ascending; one that has the places of given-up frames is there several times
   FrameSet given_up;
 };
 

@@ -89,7 +89,8 @@ void Session::render_interval(std::size_t index) {
     if (!settings_.share_out) return own;
     const int all = iterations_of(*own);
     Diagnostics shown_before;
-    return settings_.share_out(index, std::move(own), loaded_.job.make_without_error(*scene, shown_before, bytes), all);
+    return settings_.share_out(index, places.frames, std::move(own),
+                               loaded_.job.make_without_error(*scene, shown_before, bytes), all);
   };
   const std::unique_ptr<Integrator> integrator =
       without_given_up(with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index)),

@@ -28,9 +28,9 @@ struct SessionSettings {
   double long_iteration = 5;
   Part part = {};  // of all iterations
   /// Makes of an interval's integrator, and of another one like it, one that other machines help: its iterate(i) does all
-  /// iterations of a block of that size. `all`: iterations of the interval; 0: until stopped. Empty: the integrator
-  /// iterates alone.
-  std::function<std::unique_ptr<Integrator>(std::size_t interval, std::unique_ptr<Integrator>,
+  /// iterations of a block of that size. `frames`: the integrator's; `all`: iterations of the interval, 0: until stopped.
+  /// Empty: the integrator iterates alone.
+  std::function<std::unique_ptr<Integrator>(std::size_t interval, const FrameList& frames, std::unique_ptr<Integrator>,
                                             std::unique_ptr<Integrator>, int all)>
       share_out = {};
   int block = 1;

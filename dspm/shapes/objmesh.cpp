@@ -17,13 +17,13 @@
 // map_Ke are "emission", d (but of glass) and map_d are "alpha", and take "principled" as well. norm is a normal map, and
 // so is map_Bump (bump) if it is a picture of normals; else its heights, times -bm, are in scene units, and so are those
 // of disp. Options of pictures: -s and -o place them at s = scale u + offset, -clamp on, -mm with a base of 0, and
-// -imfchan r, g or b of numbers; -bm of norm multiplies slopes; pictures of normals in map_Bump have none. -boost has no effect: it counters the blur
-// of smaller versions of a picture, and here pictures get as sharp as they are. Everything else is left out, with one
-// warning for each kind of statement. In files that begin with "# Blender", statements mean what Blender writes them
-// for: Ns = 1000 (1 - roughness)^2, illum 3 and 6 are metal, as much as Ka says, 6 and 9 go with d and are no glass, and
-// Tf is "transmission".
-// The scene may use these materials by their names (NamedMaterial, in later shapes), variations may replace them and dim
-// their lights, and a MakeNamedMaterial of the scene with the same name takes their place.
+// -imfchan r, g or b of numbers; -bm of norm multiplies slopes; pictures of normals in map_Bump have none. -boost has no
+// effect: it counters the blur of smaller versions of a picture, and here pictures get as sharp as they are. Everything
+// else is left out, with one warning for each kind of statement. In files that begin with "# Blender", statements mean
+// what Blender writes them for: Ns = 1000 (1 - roughness)^2, illum 3 and 6 are metal, as much as Ka says, 6 and 9 go
+// with d and are no glass, and Tf is "transmission". The scene may use these materials by their names (NamedMaterial,
+// in later shapes), variations may replace them and dim their lights, and a MakeNamedMaterial of the scene with the
+// same name takes their place.
 #include <algorithm>
 #include <stdexcept>
 
