@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -20,11 +21,12 @@ namespace {
 constexpr int kShare = 20;  // of the time, as a divisor
 
 /// The terminal of stderr: it answers to its own device, whatever standard input is.
-Graphics graphics_of_stderr() {
-  if (isatty(STDERR_FILENO) == 0) return Graphics::none;
+TerminalGraphics graphics_of_stderr() {
+  if (isatty(STDERR_FILENO) == 0) return {};
   const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY);
-  if (terminal < 0) return Graphics::none;
-  const Graphics graphics = ask_for_graphics(terminal);
+  if (terminal < 0) return {};
+  const char* kind = std::getenv("TERM");
+  const TerminalGraphics graphics = ask_for_graphics(terminal, kind == nullptr ? "" : kind);
   close(terminal);
   return graphics;
 }
@@ -32,7 +34,7 @@ Graphics graphics_of_stderr() {
 }  // namespace
 
 struct Onlookers::Terminal {
-  Terminal(Graphics graphics, const Job& job)
+  Terminal(const TerminalGraphics& graphics, const Job& job)
       : preview(graphics, size_of_terminal(STDERR_FILENO)),
         places(job),
         sheet(places.layout(job.settings.crop.width(), job.settings.crop.height(), {.max_width = preview.width()})) {
@@ -55,8 +57,8 @@ Onlookers::Onlookers(const Job& job, const OnlookerSettings& settings, const Vie
     : job_(job), view_(view), messages_(messages), address_(settings.display_server) {
   if (!address_.empty()) server_ = std::make_unique<DisplayServer>(address_);
   if (!settings.preview) return;
-  const Graphics graphics = graphics_of_stderr();
-  if (graphics == Graphics::none)
+  const TerminalGraphics graphics = graphics_of_stderr();
+  if (graphics.kind == Graphics::none)
     messages.warn("--preview shows nothing: this terminal knows neither kitty's images nor sixels");
   else
     terminal_ = std::make_unique<Terminal>(graphics, job);

@@ -40,7 +40,7 @@ std::string Preview::show(const Image& shown) {
   }
   const int up = rows + rows_below_;
   text += fmt::format("\r\x1b[{}A{}", up, kSaveCursor);
-  text += graphics_ == Graphics::kitty ? kitty_image(image, columns, rows) : sixel_image(image);
+  text += graphics_.kind == Graphics::kitty ? kitty_image(image, columns, rows) : sixel_image(image);
   return text + fmt::format("{}\x1b[{}B\r", kRestoreCursor, up);
 }
 

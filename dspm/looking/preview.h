@@ -1,6 +1,7 @@
 // An image in the terminal that is replaced by better ones, while lines of text go on below it.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -11,11 +12,11 @@ namespace dspm {
 
 class Preview {
  public:
-  Preview(Graphics graphics, const TerminalSize& size) : graphics_(graphics), size_(size) {}
+  Preview(const TerminalGraphics& graphics, const TerminalSize& size) : graphics_(graphics), size_(size) {}
 
   /// The most pixels that a preview has.
-  int width() const { return size_.columns * size_.cell_width; }
-  int height() const { return rows() * size_.cell_height; }
+  int width() const { return std::min(size_.columns * size_.cell_width, graphics_.max_width); }
+  int height() const { return std::min(rows() * size_.cell_height, graphics_.max_height); }
 
   /// What to print to show it: in the place of the one before if that is still on the screen, else below. The cursor
   /// begins and ends at the start of an empty line.
@@ -26,7 +27,7 @@ class Preview {
  private:
   int rows() const { return size_.rows * 2 / 3; }
 
-  Graphics graphics_;
+  TerminalGraphics graphics_;
   TerminalSize size_;
   int rows_shown_ = 0;  // of the image; 0: none
   int rows_below_ = 0;  // lines since

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <chrono>
+#include <cstdio>
+#include <string>
 
 namespace dspm {
 namespace {
@@ -43,6 +45,23 @@ std::size_t attributes_in(std::string_view answer) {
   return begin == answer.npos || answer.find('c', begin) == answer.npos ? answer.npos : begin + 3;
 }
 
+/// What the terminal says until it has told its attributes, which are asked for last, or has kept silent for too long.
+std::string answer_to(std::string_view query, int descriptor) {
+  std::string answer;
+  if (write(descriptor, query.data(), query.size()) < 0) return answer;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (attributes_in(answer) == answer.npos) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    pollfd one{descriptor, POLLIN, 0};
+    std::array<char, 256> bytes;
+    if (left.count() <= 0 || poll(&one, 1, static_cast<int>(left.count())) <= 0) break;
+    const ssize_t count = read(descriptor, bytes.data(), bytes.size());
+    if (count <= 0) break;
+    answer.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  return answer;
+}
+
 }  // namespace
 
 Graphics graphics_of_answer(std::string_view answer) {
@@ -54,23 +73,30 @@ Graphics graphics_of_answer(std::string_view answer) {
   return attributes.find(";4;", attributes.find(';', 1)) != attributes.npos ? Graphics::sixel : Graphics::none;
 }
 
-Graphics ask_for_graphics(int descriptor) {
-  if (isatty(descriptor) == 0) return Graphics::none;
-  if (tcgetpgrp(descriptor) != getpgrp()) return Graphics::none;  // in the background it would be stopped
+std::string_view graphics_query(std::string_view term) {
+  constexpr std::string_view kBoth = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[c", kAttributes = "\x1b[c";
+  return term.starts_with("tmux") || term.starts_with("screen") ? kAttributes : kBoth;
+}
+
+TerminalGraphics sixels_of_answer(std::string_view answer) {
+  TerminalGraphics sixels{Graphics::sixel};
+  constexpr std::string_view kSuccess = "\x1b[?2;0;";
+  const std::size_t begin = answer.find(kSuccess);
+  if (begin == answer.npos) return sixels;
+  int width = 0, height = 0;
+  const std::string numbers(answer.substr(begin + kSuccess.size()));
+  if (std::sscanf(numbers.c_str(), "%d;%dS", &width, &height) == 2 && width > 0 && height > 0)
+    sixels.max_width = width, sixels.max_height = height;
+  return sixels;
+}
+
+TerminalGraphics ask_for_graphics(int descriptor, std::string_view term) {
+  if (isatty(descriptor) == 0) return {};
+  if (tcgetpgrp(descriptor) != getpgrp()) return {};  // in the background it would be stopped
   const RawInput raw(descriptor);
-  if (!raw || write(descriptor, kGraphicsQuery.data(), kGraphicsQuery.size()) < 0) return Graphics::none;
-  std::string answer;
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (attributes_in(answer) == answer.npos) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-    pollfd one{descriptor, POLLIN, 0};
-    std::array<char, 256> bytes;
-    if (left.count() <= 0 || poll(&one, 1, static_cast<int>(left.count())) <= 0) break;
-    const ssize_t count = read(descriptor, bytes.data(), bytes.size());
-    if (count <= 0) break;
-    answer.append(bytes.data(), static_cast<std::size_t>(count));
-  }
-  return graphics_of_answer(answer);
+  if (!raw) return {};
+  const Graphics kind = graphics_of_answer(answer_to(graphics_query(term), descriptor));
+  return kind == Graphics::sixel ? sixels_of_answer(answer_to(kSixelsQuery, descriptor)) : TerminalGraphics{kind};
 }
 
 TerminalSize size_of_terminal(int descriptor) {

@@ -1,7 +1,7 @@
 // Terminals that show images: by kitty's graphics protocol, or as sixels.
 #pragma once
 
-#include <optional>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -11,14 +11,25 @@ namespace dspm {
 
 enum class Graphics { none, kitty, sixel };
 
-/// What a terminal's answers to kGraphicsQuery say.
+/// What a terminal's answers to graphics_query say.
 /// [kitty's protocol: sw.kovidgoyal.net/kitty/graphics-protocol; device attributes: DEC VT340, 4 is sixel]
 Graphics graphics_of_answer(std::string_view answer);
-/// Asks whether images are known, then for the device's attributes, which every terminal answers.
-inline constexpr std::string_view kGraphicsQuery = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[c";
+/// Asks whether images are known, then for the device's attributes, which every terminal answers. `term`, of $TERM, is
+/// its kind: tmux and screen, which do not know kitty's images, would take the first question for a title.
+std::string_view graphics_query(std::string_view term);
+
+struct TerminalGraphics {
+  Graphics kind = Graphics::none;
+  int max_width = std::numeric_limits<int>::max(), max_height = std::numeric_limits<int>::max();  // of an image
+};
+
+/// A sixel terminal, after it was asked for the largest image that it takes. xterm shows nothing of one that is wider or
+/// higher. [xterm, Control Sequences: XTSMGRAPHICS]
+TerminalGraphics sixels_of_answer(std::string_view answer);
+inline constexpr std::string_view kSixelsQuery = "\x1b[?2;4;0S\x1b[c";
 
 /// Asks the terminal behind `descriptor`; none if it does not answer within a part of a second, or is no terminal.
-Graphics ask_for_graphics(int descriptor);
+TerminalGraphics ask_for_graphics(int descriptor, std::string_view term);
 
 struct TerminalSize {
   int columns = 80, rows = 24;

@@ -36,9 +36,26 @@ TEST(Terminal, AnswersTellWhatItKnows) {
   EXPECT_EQ(graphics_of_answer(""), Graphics::none);
 }
 
+TEST(Terminal, TmuxAndScreenAreNotAskedForKittysImages) {
+  EXPECT_EQ(graphics_query("tmux-256color"), "\x1b[c");
+  EXPECT_EQ(graphics_query("screen.xterm-256color"), "\x1b[c");
+  for (const char* term : {"xterm-kitty", "xterm-256color", ""})
+    EXPECT_TRUE(graphics_query(term).starts_with("\x1b_G")) << term;
+}
+
+TEST(Terminal, SixelTerminalsTellTheLargestImage) {
+  const TerminalGraphics xterm = sixels_of_answer("\x1b[?2;0;1000;800S\x1b[?63;4;22c");
+  EXPECT_EQ(xterm.kind, Graphics::sixel);
+  EXPECT_EQ(xterm.max_width, 1000);
+  EXPECT_EQ(xterm.max_height, 800);
+  const int any = TerminalGraphics().max_width;
+  for (const char* answer : {"\x1b[?2;3S\x1b[?63;4c", "\x1b[?2;3;0S\x1b[?62;4c", "\x1b[?62;4c", "", "\x1b[?2;0;0;0S"})
+    EXPECT_EQ(sixels_of_answer(answer).max_width, any) << answer + 1;
+}
+
 TEST(Terminal, ADescriptorThatIsNoneAnswersNothing) {
   const int null = open("/dev/null", O_RDWR);
-  EXPECT_EQ(ask_for_graphics(null), Graphics::none);
+  EXPECT_EQ(ask_for_graphics(null, "xterm").kind, Graphics::none);
   EXPECT_EQ(size_of_terminal(null).columns, 80);
   close(null);
 }
@@ -142,7 +159,7 @@ TEST(Terminal, IsAskedAndAnswers) {
   const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY);
   EXPECT_EQ(size_of_terminal(terminal).cell_width, 10);
   EXPECT_EQ(size_of_terminal(terminal).cell_height, 20);
-  EXPECT_EQ(ask_for_graphics(terminal), Graphics::none)
+  EXPECT_EQ(ask_for_graphics(terminal, "xterm").kind, Graphics::none)
       << "it is not the terminal of this process: a job of another one";
   close(terminal);
   close(master);
@@ -154,8 +171,14 @@ int rows_of(const std::string& text, char letter) {
   return std::stoi(text.substr(text.rfind('[', end) + 1));
 }
 
+TEST(Preview, IsNoLargerThanTheTerminalTakes) {
+  Preview preview({Graphics::sixel, 50, 40}, {.columns = 40, .rows = 24, .cell_width = 10, .cell_height = 20});
+  EXPECT_NE(preview.show(stripes(100, 40)).find("\"1;1;50;20#"), std::string::npos);
+  EXPECT_NE(preview.show(stripes(50, 80)).find("\"1;1;25;40#"), std::string::npos);
+}
+
 TEST(Preview, StaysInItsPlaceWhileLinesFollow) {
-  Preview preview(Graphics::kitty, {.columns = 40, .rows = 24, .cell_width = 10, .cell_height = 20});
+  Preview preview({Graphics::kitty}, {.columns = 40, .rows = 24, .cell_width = 10, .cell_height = 20});
   EXPECT_EQ(preview.width(), 400);
   EXPECT_EQ(preview.height(), 16 * 20);
   const Image image = stripes(100, 95);  // five rows
