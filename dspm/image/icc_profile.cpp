@@ -9,7 +9,7 @@
 namespace dspm {
 namespace {
 
-constexpr Chromaticity kD50 = {0.34567, 0.35850};  // under which all profiles meet
+constexpr double kD50[] = {0.9642, 1, 0.8249};  // under which all profiles meet, as the ICC rounds it
 constexpr std::size_t kHeaderSize = 128, kTagSize = 12;
 
 /// Numbers are stored with the most significant byte first.
@@ -47,7 +47,7 @@ std::string header(std::size_t size) {
   for (const int part : {2017, 7, 7, 0, 0, 0}) text += number(static_cast<std::uint32_t>(part), 2);  // a date must be
   text += "acsp";
   text.resize(68, '\0');
-  text += fixed({0.9642, 1, 0.8249});
+  text += fixed({kD50[0], kD50[1], kD50[2]});
   text.resize(kHeaderSize, '\0');
   return text;
 }
@@ -61,14 +61,17 @@ struct Tag {
 
 std::string icc_profile(ColourSpace space, const std::string& name) {
   const Chromaticities& primaries = chromaticities(space);
-  const ColourMatrix adapted = adaptation(primaries.white, kD50), columns = adapted * xyz_from_rgb(primaries);
+  constexpr double kSum = kD50[0] + kD50[1] + kD50[2];
+  const ColourMatrix adapted = adaptation(primaries.white, {kD50[0] / kSum, kD50[1] / kSum}),
+                     columns = adapted * xyz_from_rgb(primaries);
   const auto column = [&](std::size_t i) { return xyz(columns[0][i], columns[1][i], columns[2][i]); };
   std::string chad = "sf32" + number(0);
   for (const auto& row : adapted) chad += fixed({row[0], row[1], row[2]});
-  std::vector<Tag> tags = {{"desc", in_words(name)}, {"cprt", in_words("CC0")}, {"wtpt", xyz(0.9642, 1, 0.8249)},
-                           {"chad", chad},           {"rXYZ", column(0)},       {"gXYZ", column(1)},
-                           {"bXYZ", column(2)},      {"rTRC", srgb_curve()},    {"gTRC", srgb_curve()},
-                           {"bTRC", srgb_curve()}};
+  std::vector<Tag> tags = {
+      {"desc", in_words(name)}, {"cprt", in_words("CC0")}, {"wtpt", xyz(kD50[0], kD50[1], kD50[2])},
+      {"chad", chad},           {"rXYZ", column(0)},       {"gXYZ", column(1)},
+      {"bXYZ", column(2)},      {"rTRC", srgb_curve()},    {"gTRC", srgb_curve()},
+      {"bTRC", srgb_curve()}};
   std::string table = number(static_cast<std::uint32_t>(tags.size())), contents;
   const std::size_t begin = kHeaderSize + 4 + kTagSize * tags.size();
   for (const Tag& tag : tags) {
