@@ -38,6 +38,25 @@ OCIO_NAMESPACE::ConstConfigRcPtr configuration() {
   return OCIO_NAMESPACE::Config::CreateFromFile(file);
 }
 
+/// By way of the space that the configuration works in: a view of data shows its numbers.
+OCIO_NAMESPACE::ConstTransformRcPtr steps(const OCIO_NAMESPACE::Config& config, const std::string& from,
+                                          const std::string& display, const std::string& view) {
+  namespace ocio = OCIO_NAMESPACE;
+  const std::string working = config.hasRole(ocio::ROLE_SCENE_LINEAR) ? ocio::ROLE_SCENE_LINEAR : from;
+  const std::string on = display.empty() ? config.getDefaultDisplay() : display;
+  const ocio::ColorSpaceTransformRcPtr enter = ocio::ColorSpaceTransform::Create();
+  enter->setSrc(from.c_str());
+  enter->setDst(working.c_str());
+  const ocio::DisplayViewTransformRcPtr show = ocio::DisplayViewTransform::Create();
+  show->setSrc(working.c_str());
+  show->setDisplay(on.c_str());
+  show->setView(view.empty() ? config.getDefaultView(on.c_str()) : view.c_str());
+  const ocio::GroupTransformRcPtr both = ocio::GroupTransform::Create();
+  both->appendTransform(enter);
+  both->appendTransform(show);
+  return both;
+}
+
 }  // namespace
 
 struct OcioView::Processor {
@@ -56,10 +75,7 @@ OcioView::OcioView(const std::string& display, const std::string& view) : proces
       for (const char* name : kRec709Names)
         if (config->getColorSpace(name) != nullptr && from == ocio::ROLE_SCENE_LINEAR) from = name;
     }
-    const std::string on = display.empty() ? config->getDefaultDisplay() : display;
-    const std::string what = view.empty() ? config->getDefaultView(on.c_str()) : view;
-    processor_->cpu = config->getProcessor(from.c_str(), on.c_str(), what.c_str(), ocio::TRANSFORM_DIR_FORWARD)
-                          ->getDefaultCPUProcessor();
+    processor_->cpu = config->getProcessor(steps(*config, from, display, view))->getDefaultCPUProcessor();
   } catch (const ocio::Exception& error) {
     throw std::runtime_error(std::string("OpenColorIO: ") + error.what());
   }

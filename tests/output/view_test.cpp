@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "dspm/image/encoding.h"
@@ -134,25 +133,91 @@ colorspaces:
         - !<ExponentTransform> {value: [0.5, 0.5, 0.5, 1]}
 )";
 
-TEST(View, OcioFollowsTheConfiguration) {
-  const test::TemporaryDirectory directory;
-  std::ofstream(directory / "config.ocio") << kConfiguration;
-  setenv("OCIO", (directory / "config.ocio").c_str(), 1);
-  std::optional<View> view;
+/// One that tells where ACES is, works in Rec. 709 at half the brightness, and has a view of data.
+constexpr const char* kAcesConfiguration = R"(ocio_profile_version: 1
+roles:
+  default: raw
+  aces_interchange: ACES
+  scene_linear: half
+displays:
+  screen:
+    - !<View> {name: Numbers, colorspace: raw}
+    - !<View> {name: Light, colorspace: light}
+colorspaces:
+  - !<ColorSpace>
+    name: raw
+    isdata: true
+  - !<ColorSpace>
+    name: light
+    isdata: false
+  - !<ColorSpace>
+    name: ACES
+    isdata: false
+    to_reference: !<MatrixTransform> {matrix: [2.52169, -1.13413, -0.38756, 0, -0.27648, 1.37272, -0.09624, 0, -0.01538, -0.15298, 1.16835, 0, 0, 0, 0, 1]}
+  - !<ColorSpace>
+    name: half
+    isdata: false
+    from_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
+)";
+
+/// The configuration that $OCIO names.
+class Configuration {
+ public:
+  explicit Configuration(const char* text) {
+    std::ofstream(directory_ / "config.ocio") << text;
+    setenv("OCIO", (directory_ / "config.ocio").c_str(), 1);
+  }
+  ~Configuration() { unsetenv("OCIO"); }
+  Configuration(const Configuration&) = delete;
+  Configuration& operator=(const Configuration&) = delete;
+
+ private:
+  test::TemporaryDirectory directory_;
+};
+
+bool is_built_with_ocio() {
+  const Configuration configuration(kConfiguration);
   try {
-    view = named("ocio");
+    named("ocio");
   } catch (const std::runtime_error& error) {
-    if (std::string(error.what()).find("built without") != std::string::npos) GTEST_SKIP() << error.what();
+    if (std::string(error.what()).find("built without") != std::string::npos) return false;
     throw;
   }
-  EXPECT_NEAR(linear_to_srgb(one_pixel(*view, Rgb(0.125f)).g), 0.5f, 1e-4);
+  return true;
+}
+
+class Ocio : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!is_built_with_ocio()) GTEST_SKIP() << "SKIPPED: needs libopencolorio-dev and -DDSPM_OCIO=ON";
+  }
+};
+
+TEST_F(Ocio, FollowsTheConfiguration) {
+  const Configuration configuration(kConfiguration);
+  EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio"), Rgb(0.125f)).g), 0.5f, 1e-4);
   EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio:screen/None"), Rgb(0.125f)).g), 0.125f, 1e-4);
   EXPECT_NEAR(linear_to_srgb(one_pixel(named("ocio", 1), Rgb(0.0625f)).g), 0.5f, 1e-4);
   EXPECT_THROW(named("ocio:screen/Thrice"), std::runtime_error);
-  setenv("OCIO", (directory / "missing.ocio").c_str(), 1);
+}
+
+TEST_F(Ocio, ConfigurationsThatAreNotThereAreErrors) {
+  setenv("OCIO", "/nowhere/config.ocio", 1);
   EXPECT_THROW(named("ocio"), std::runtime_error);
   unsetenv("OCIO");
   EXPECT_THROW(named("ocio"), std::runtime_error);
+}
+
+/// A view of data, such as Blender's "Raw", shows the numbers of the space that the configuration works in, and not those
+/// of the space by which dspm enters.
+TEST_F(Ocio, EntersByAcesAndShowsTheSpaceThatItWorksIn) {
+  const Configuration configuration(kAcesConfiguration);
+  const Rgb colour(0.5f, 0.25f, 0.125f);
+  const Rgb light = one_pixel(named("ocio:screen/Light"), colour), numbers = one_pixel(named("ocio:Numbers"), colour);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(linear_to_srgb(light[c]), colour[c], 1e-3);
+    EXPECT_NEAR(linear_to_srgb(numbers[c]), colour[c] / 2, 1e-3);
+  }
 }
 
 }  // namespace
