@@ -25,13 +25,11 @@ Image fitted(const Image& image, int width, int height) {
                 std::max(1, static_cast<int>(image.height * share)));
 }
 
-int ceiled(int a, int b) { return (a + b - 1) / b; }
-
 }  // namespace
 
 std::string Preview::show(const Image& shown) {
   const Image image = fitted(shown, width(), height());
-  const int rows = ceiled(image.height, size_.cell_height), columns = ceiled(image.width, size_.cell_width);
+  const int rows = (image.height + size_.cell_height - 1) / size_.cell_height;
   const bool in_place = rows_shown_ == rows && rows + rows_below_ < size_.rows;
   std::string text;
   if (!in_place) {
@@ -40,7 +38,7 @@ std::string Preview::show(const Image& shown) {
   }
   const int up = rows + rows_below_;
   text += fmt::format("\r\x1b[{}A{}", up, kSaveCursor);
-  text += graphics_.kind == Graphics::kitty ? kitty_image(image, columns, rows) : sixel_image(image);
+  text += graphics_.kind == Graphics::kitty ? kitty_image(image) : sixel_image(image);
   return text + fmt::format("{}\x1b[{}B\r", kRestoreCursor, up);
 }
 

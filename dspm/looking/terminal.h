@@ -37,8 +37,8 @@ struct TerminalSize {
 };
 TerminalSize size_of_terminal(int descriptor);
 
-/// The image at the cursor, which may then be anywhere below it. `columns` and `rows`: of kitty's cells that it covers.
-std::string kitty_image(const Image& shown, int columns, int rows);
+/// The image at the cursor, pixel by pixel. The cursor may then be anywhere below it.
+std::string kitty_image(const Image& shown);
 /// 216 colours with ordered dithering.
 std::string sixel_image(const Image& shown);
 

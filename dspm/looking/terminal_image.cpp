@@ -63,12 +63,11 @@ std::string runs(const std::vector<int>& bits) {
 
 }  // namespace
 
-std::string kitty_image(const Image& shown, int columns, int rows) {
+std::string kitty_image(const Image& shown) {
   const std::string data = base64(png_bytes(shown));
   std::string text;
   for (std::size_t at = 0; at < data.size(); at += kPayload) {
-    const std::string head =
-        at == 0 ? fmt::format("a=T,f=100,i={},p={},c={},r={},C=1,q=2,", kImageNumber, kPlacement, columns, rows) : "";
+    const std::string head = at == 0 ? fmt::format("a=T,f=100,i={},p={},C=1,q=2,", kImageNumber, kPlacement) : "";
     text += fmt::format("\x1b_G{}m={};{}\x1b\\", head, at + kPayload < data.size() ? 1 : 0, data.substr(at, kPayload));
   }
   return text;
