@@ -10,6 +10,7 @@
 
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
+#include "dspm/system/untouched.h"
 
 namespace dspm {
 
@@ -33,9 +34,11 @@ struct Bvh {
     float planes[6][kWidth];
     std::uint32_t child[kWidth];
 
+    static Node empty();
     void set_box(std::size_t i, const Bounds3& box);
     std::vector<Bounds3> boxes() const;
   };
+  using Nodes = UntouchedVector<Node>;
   /// The union of the pieces' frames, by child.
   using NodeFrames = std::array<FrameSet, kWidth>;
   /// Pieces order[first], ..., order[first + count - 1].
@@ -43,13 +46,13 @@ struct Bvh {
     std::uint32_t first, count;
   };
 
-  std::vector<Node> nodes;  // the root first; empty if there are no pieces
+  Nodes nodes;             // empty if there are no pieces
+  std::uint32_t root = 0;  // those before it are below it
   std::vector<NodeFrames> node_frames;
   std::vector<Leaf> leaves;
   std::vector<std::uint32_t> order;  // piece numbers
 
-  /// Call once the leaves are filled.
-  void forget_pieces() { leaves = {}, order = {}; }
+  const Node& root_node() const { return nodes[root]; }
   std::size_t memory() const {
     return nodes.capacity() * sizeof(Node) + node_frames.capacity() * sizeof(NodeFrames) +
            leaves.capacity() * sizeof(Leaf) + order.capacity() * sizeof(std::uint32_t);

@@ -142,9 +142,9 @@ class Builder {
     }
 
     const auto number = static_cast<std::uint32_t>(bvh_.nodes.size());
-    bvh_.nodes.emplace_back();
+    bvh_.nodes.push_back(Bvh::Node::empty());
     bvh_.node_frames.emplace_back();
-    for (std::size_t i = 0; i < children.size(); ++i) bvh_.nodes.back().set_box(i, children[i].bounds);
+    for (std::size_t i = 0; i < size; ++i) bvh_.nodes.back().set_box(i, children[i].bounds);
     for (std::size_t i = 0; i < size; ++i) {
       const Range& r = children[i];
       const std::uint32_t child = r.size <= leaf_size_ ? add_leaf(r) : add_node(r, level + 1);
@@ -166,6 +166,12 @@ class Builder {
 };
 
 }  // namespace
+
+Bvh::Node Bvh::Node::empty() {
+  Node node{};
+  for (std::size_t i = 0; i < kWidth; ++i) node.set_box(i, {});
+  return node;
+}
 
 void Bvh::Node::set_box(std::size_t i, const Bounds3& box) {
   for (int axis = 0; axis < 3; ++axis) {

@@ -20,8 +20,8 @@
 namespace dspm {
 namespace {
 
-// One level remains for leaves that are split into placed objects and triangles.
-constexpr unsigned kDepth = Bvh::kMaxDepth - 2;
+// Levels remain for leaves that are split into placed objects and triangles, and for the nodes of crowds.
+constexpr unsigned kDepth = Bvh::kMaxDepth - 3;
 
 /// For as long as the process runs: starting it takes a millisecond, longer than most trees.
 RTCDevice device() {
@@ -139,8 +139,7 @@ class Copy {
   }
 
   std::uint32_t new_node() {
-    Bvh::Node& node = bvh_.nodes.emplace_back();
-    for (std::size_t i = 0; i < Bvh::kWidth; ++i) node.set_box(i, {});
+    bvh_.nodes.push_back(Bvh::Node::empty());
     return static_cast<std::uint32_t>(bvh_.nodes.size() - 1);
   }
 

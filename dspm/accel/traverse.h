@@ -65,7 +65,7 @@ class NodeTest {
 /// Whether the ray enters one of the root's boxes within `limit`.
 inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
   alignas(16) float entry[Bvh::kWidth];
-  return !bvh.nodes.empty() && !test.is_nan() && test(bvh.nodes.front(), limit, entry) != 0;
+  return !bvh.nodes.empty() && !test.is_nan() && test(bvh.root_node(), limit, entry) != 0;
 }
 
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
@@ -85,7 +85,7 @@ void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& v
   if (bvh.nodes.empty() || test.is_nan()) return;
   const bool frames_differ = !bvh.node_frames.empty();
   int size = 1;
-  put(0, 0, 0, query.frames().bits());
+  put(0, 0, bvh.root, query.frames().bits());
   while (size > 0) {
     --size;
     if (Query::kOneFrame ? at[size] > query.limit() : !query.reaches(at[size], FrameSet(frames_at(size)))) continue;

@@ -60,7 +60,7 @@ class Tree {
   bool enters(const TreeRay& ray, float limit) const { return enters_root(bvh_, ray.test, limit); }
 
   /// Up to 8 boxes, with margin, that together contain everything.
-  std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.nodes.front().boxes(); }
+  std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.root_node().boxes(); }
   /// Without the trees of placed meshes.
   std::size_t memory() const;
 
@@ -72,7 +72,15 @@ class Tree {
     int number;        // of the shape, among all placed shapes
     int primitive;
   };
+  /// A shape whose primitives are the leaves kOfCrowd + first, ... + 1, ...
+  struct PlacedCrowd {
+    std::uint32_t first;
+    const PlacedShape* shape;
+    int number;
+  };
   class Builder;
+
+  Placed placed_at(std::uint32_t leaf) const;
 
   /// The shape whose own tree this is, where it is placed with holes; the ray before it was transformed.
   struct CutOut {
@@ -89,9 +97,10 @@ class Tree {
   template <class Query>
   void find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const;
 
-  Bvh bvh_;  // leaf numbers index packets_, from kPlaced on placed_
+  Bvh bvh_;  // leaf numbers index packets_, from kPlaced on placed_, from kOfCrowd on primitives of crowds_
   std::vector<TrianglePacket> packets_;
   std::vector<Placed> placed_;
+  std::vector<PlacedCrowd> crowds_;
   std::vector<FrameSet> frames_;          // by shape
   float margins_ = 1;                     // see stretch_of()
   const PlacedShape* cut_out_ = nullptr;  // all shapes, if one with triangles in world space has holes

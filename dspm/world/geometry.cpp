@@ -65,7 +65,10 @@ void Geometry::find_bounds() {
     Bounds3 wider = bounds_;
     wider.add(bounds_of(shape.placed, box->second));
     if (wider.low == bounds_.low && wider.high == bounds_.high) continue;
-    bounds_.add(union_of(own.primitive_count(), [&](int i) { return shape.placed.bounds(i); }));
+    if (shape.placed.in_object_space())
+      bounds_.add(union_of(own.primitive_count(), [&](int i) { return shape.placed.bounds(i); }));
+    else
+      bounds_ = wider;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dspm/accel/brute_force.h"
+#include "dspm/accel/crowd.h"
 #include "dspm/accel/two_level.h"
 #include "tests/accel/random_scene.h"
 
@@ -141,6 +142,43 @@ TEST_P(Agreement, OnALargeMesh) {
   const TwoLevel tree(placed, all, GetParam());
   const BruteForce loop(placed);
   for (int i = 0; i < 300; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
+}
+
+// So many pieces that they get nodes at once, in trees of all kinds.
+TEST_P(Agreement, OnHair) {
+  test::Random random(8);
+  const auto hair = [&](float width) {
+    std::vector<CurveSegment> segments;
+    for (int i = 0; i < kCrowd / 6; ++i) {
+      const Vec3 at = random.in_cube(1), along = 0.1f * random.direction(), bent = 0.1f * random.direction();
+      segments.push_back(CurveSegment::of({at, at + along, at + 2 * along + bent, at + 3 * along + bent}, width, 0));
+    }
+    Curves curves(CurveType::cylinder, segments, {}, 3);
+    curves.settle();
+    EXPECT_GE(curves.primitive_count(), kCrowd);
+    return curves;
+  };
+  const Curves thin = hair(0.001f), thick = hair(0.01f);
+  const test::Stripes stripes;
+  const Transform turned(Matrix4::rotate(30, 0, 1, 0));
+  const FrameSet all = FrameSet::first(3);
+  std::vector<PlacedShape> placed;
+  const auto place = [&](const Shape& shape, const Transform& to_world, FrameSet frames) -> PlacedShape& {
+    placed.push_back(test::placed(shape, to_world));
+    placed.back().frames = frames;
+    return placed.back();
+  };
+  place(thin, {}, all);
+  place(thick, {}, all).cutout = &stripes;
+  place(thin, turned, all);
+  place(thick, {}, FrameSet::single(0));
+  place(thin, {}, FrameSet(6));
+  place(thick, turned, FrameSet::single(2));
+  const TwoLevel tree(placed, all, GetParam());
+  const TwoLevel alone(std::span<const PlacedShape>(placed).first(1), all, GetParam());
+  EXPECT_LT(alone.memory(), 50u * static_cast<std::size_t>(thin.primitive_count()));  // without such nodes 70
+  const BruteForce loop(placed);
+  for (int i = 0; i < 50; ++i) expect_agreement(tree, loop, {random.in_cube(2), random.direction()}, all);
 }
 
 // What is not a number goes nowhere; in a tree it would enter every box.

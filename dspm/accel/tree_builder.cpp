@@ -1,0 +1,225 @@
+// Builds a Tree: pieces of all that it holds, nodes over them, and what lies in the leaves.
+#include <algorithm>
+#include <utility>
+
+#include "dspm/accel/crowd.h"
+#include "dspm/accel/tree.h"
+#include "dspm/accel/tree_limits.h"
+#include "dspm/accel/triangle_pieces.h"
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/shapes/triangle_mesh.h"
+#include "dspm/system/parallel.h"
+
+namespace dspm {
+namespace {
+
+// From here on, Embree's builder is faster, even as it starts its threads.
+constexpr std::size_t kManyPieces = 5000;
+
+// Norm of a linear map, with vectors measured by their largest component.
+template <class Map>
+float norm(const Map& map) {
+  return max_component(abs(map(Vec3{1, 0, 0})) + abs(map(Vec3{0, 1, 0})) + abs(map(Vec3{0, 0, 1})));
+}
+
+// How much larger a rounding error in object space, or on the way there, can be in world space than one made there: the
+// condition number of the transform. Doubled, since the margins of object space come on top of it.
+float stretch_of(const Transform& t) {
+  return 2 * norm([&](const Vec3& v) { return t.vector(v); }) *
+         norm([&](const Vec3& v) { return t.inverse_vector(v); });
+}
+
+bool is_world_mesh(const PlacedShape& s) { return s.shape->triangles() && !s.in_object_space(); }
+
+}  // namespace
+
+class Tree::Builder {
+ public:
+  Builder(Tree& tree, std::span<const PlacedShape> shapes, MeshTrees& meshes)
+      : tree_(tree), shapes_(shapes), meshes_(meshes) {}
+
+  void build(std::span<const int> which, FrameSet all, BvhBuilder builder) {
+    std::vector<int> world_meshes;
+    for (const int s : which)
+      if (is_world_mesh(shape(s))) world_meshes.push_back(s);
+    TrianglePieces triangles(shapes_, world_meshes);
+    pieces_ = std::move(triangles.pieces);
+    reserve_for_crowds(which);
+    for (const int s : which)
+      if (!is_world_mesh(shape(s)) && !add_if_crowd(s)) place(s);
+    first_of_crowds_ = pieces_.size();
+    pieces_.insert(pieces_.end(), crowd_pieces_.begin(), crowd_pieces_.end());
+    expect_numbered(pieces_.size(), 0);
+
+    const bool alike =
+        std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); });
+    if (builder == BvhBuilder::by_size) builder = pieces_.size() < kManyPieces ? BvhBuilder::own : BvhBuilder::embree;
+    Bvh above = alike && builder == BvhBuilder::embree ? build_bvh_with_embree(pieces_, kLeafSize)
+                                                       : build_bvh(pieces_, kLeafSize, all);
+    pieces_ = {};  // frees memory for the packets
+    const std::size_t packets = packets_in(above, triangles);
+    expect_numbered(triangles.count(), packets);
+    tree_.packets_.reserve(packets), tree_.placed_.reserve(placed_.size());
+    const auto below = static_cast<std::uint32_t>(tree_.bvh_.nodes.size());
+    for (Bvh::Node& node : above.nodes)
+      for (std::uint32_t& child : node.child)
+        child = child < Bvh::kLeaf ? below + child : child_of(above, above.leaves[child - Bvh::kLeaf], triangles);
+    put_above_crowds(std::move(above), alike);
+  }
+
+ private:
+  const PlacedShape& shape(int s) const { return shapes_[static_cast<std::size_t>(s)]; }
+
+  /// What the boxes of a placed shape need: the same for all of its primitives, of which hair has millions.
+  struct ToWorld {
+    explicit ToWorld(const PlacedShape& placed)
+        : transform(placed.to_world),
+          is_identity(!placed.in_object_space()),
+          margins(stretch_of(transform)),
+          origin(max_component(abs(transform.point({})))) {}
+    const Transform& transform;
+    bool is_identity;
+    float margins, origin;
+  };
+
+  void place(int s) {
+    const PlacedShape& placed = shape(s);
+    const ToWorld to_world(placed);
+    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+    if (has_own_tree(placed)) {
+      const Tree& mesh = meshes_.of(*placed.shape);
+      placed_.push_back({&placed, &mesh, s, 0});
+      pieces_.push_back({world_box(to_world, mesh.outline()), placed.frames, kLeafSize});
+      return;
+    }
+    add_primitives(placed, s, to_world);
+  }
+
+  void add_primitives(const PlacedShape& placed, int s, const ToWorld& to_world) {
+    const int count = placed.shape->primitive_count();
+    const std::size_t first_piece = pieces_.size(), first_placed = placed_.size();
+    pieces_.resize(first_piece + static_cast<std::size_t>(count));
+    placed_.resize(first_placed + static_cast<std::size_t>(count));
+    const auto add_one = [&](std::int64_t p) {
+      const auto i = static_cast<std::size_t>(p);
+      placed_[first_placed + i] = {&placed, nullptr, s, static_cast<int>(p)};
+      pieces_[first_piece + i] = {primitive_box(placed, to_world, static_cast<int>(p)), placed.frames, kLeafSize};
+    };
+    parallel_for(count, 1 << 12, add_one);
+  }
+
+  bool may_be_crowd(int s) const { return !has_own_tree(shape(s)) && shape(s).shape->primitive_count() >= kCrowd; }
+
+  /// And for the nodes above theirs, of which there are fewer than a quarter as many.
+  void reserve_for_crowds(std::span<const int> which) {
+    std::size_t primitives = 0;
+    for (const int s : which)
+      if (!is_world_mesh(shape(s)) && may_be_crowd(s))
+        primitives += static_cast<std::size_t>(shape(s).shape->primitive_count());
+    tree_.bvh_.nodes.reserve(primitives / Bvh::kWidth * 5 / 4);
+  }
+
+  /// Whether its primitives got nodes at once.
+  bool add_if_crowd(int s) {
+    const PlacedShape& placed = shape(s);
+    const int count = placed.shape->primitive_count();
+    if (!may_be_crowd(s) || static_cast<std::uint32_t>(count) > kMostInCrowds - in_crowds_) return false;
+    const ToWorld to_world(placed);
+    const std::vector<Bounds3> boxes = add_crowd(
+        count, kOfCrowd + in_crowds_, [&](int p) { return primitive_box(placed, to_world, p); }, tree_.bvh_.nodes);
+    if (boxes.empty()) return false;
+    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+    for (const Bounds3& box : boxes) crowd_pieces_.push_back({box, placed.frames, kLeafSize});
+    tree_.crowds_.push_back({in_crowds_, &placed, s});
+    in_crowds_ += static_cast<std::uint32_t>(count);
+    return true;
+  }
+
+  static Bounds3 primitive_box(const PlacedShape& placed, const ToWorld& to_world, int primitive) {
+    const Bounds3 box = with_margin(placed.shape->bounds(primitive));
+    return world_box(to_world, std::span(&box, 1));
+  }
+
+  /// `outline`: in the shape's space.
+  static Bounds3 world_box(const ToWorld& to_world, std::span<const Bounds3> outline) {
+    Bounds3 world;
+    for (const Bounds3& part : outline) world.add(to_world.is_identity ? part : to_world.transform.bounds(part));
+    return widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
+  }
+
+  /// The number of the leaf, or of the crowd's node that stands there.
+  std::uint32_t child_of(const Bvh& above, const Bvh::Leaf& leaf, const TrianglePieces& triangles) {
+    const auto pieces = std::span(above.order).subspan(leaf.first, leaf.count);
+    if (const std::size_t piece = pieces.front(); piece >= first_of_crowds_)
+      return static_cast<std::uint32_t>(piece - first_of_crowds_);
+    return Bvh::kLeaf + add_leaf(pieces, triangles);
+  }
+
+  std::uint32_t add_leaf(std::span<const std::uint32_t> pieces, const TrianglePieces& triangles) {
+    if (pieces.front() >= triangles.count()) {
+      tree_.placed_.push_back(placed_[pieces.front() - triangles.count()]);
+      return kPlaced + static_cast<std::uint32_t>(tree_.placed_.size() - 1);
+    }
+    const auto first = static_cast<std::uint32_t>(tree_.packets_.size());
+    std::size_t count = 0;
+    for (const std::uint32_t piece : pieces) {
+      for (const auto [s, number] : triangles.of_piece(piece)) {
+        const std::size_t lane = count++ % TrianglePacket::kSize;
+        if (lane == 0) tree_.packets_.emplace_back();
+        const TriangleMesh& mesh = *shape(s).shape->triangles();
+        tree_.packets_.back().set(lane, s, number, mesh.vertex(number, 0), mesh.vertex(number, 1),
+                                  mesh.vertex(number, 2));
+      }
+    }
+    return count > TrianglePacket::kSize ? kTwo | first : first;
+  }
+
+  /// The packets that the leaves will take.
+  static std::size_t packets_in(const Bvh& above, const TrianglePieces& triangles) {
+    std::size_t packets = 0;
+    for (const Bvh::Leaf& leaf : above.leaves) {
+      std::size_t count = 0;
+      for (const std::uint32_t piece : std::span(above.order).subspan(leaf.first, leaf.count))
+        if (piece < triangles.count()) count += triangles.of_piece(piece).size();
+      packets += (count + TrianglePacket::kSize - 1) / TrianglePacket::kSize;
+    }
+    return packets;
+  }
+
+  void put_above_crowds(Bvh above, bool alike) {
+    Bvh& all = tree_.bvh_;
+    all.root = static_cast<std::uint32_t>(all.nodes.size());
+    if (all.nodes.empty()) {
+      all.nodes = std::move(above.nodes);
+      all.nodes.shrink_to_fit();
+    } else {
+      all.nodes.reserve(all.nodes.size() + above.nodes.size());
+      all.nodes.insert(all.nodes.end(), above.nodes.begin(), above.nodes.end());
+    }
+    if (alike) return;
+    for (const Piece& node : crowd_pieces_) all.node_frames.emplace_back().fill(node.frames);
+    all.node_frames.insert(all.node_frames.end(), above.node_frames.begin(), above.node_frames.end());
+  }
+
+  Tree& tree_;
+  std::span<const PlacedShape> shapes_;
+  MeshTrees& meshes_;
+  std::vector<Piece> pieces_;  // triangles, then placed_, then the nodes of crowds
+  std::vector<Placed> placed_;
+  std::vector<Piece> crowd_pieces_;
+  std::size_t first_of_crowds_ = 0;
+  std::uint32_t in_crowds_ = 0;  // primitives
+};
+
+Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
+           MeshTrees& meshes) {
+  for (const PlacedShape& placed : shapes) frames_.push_back(placed.frames);
+  Builder(*this, shapes, meshes).build(which, all, builder);
+  for (const int s : which) {
+    const PlacedShape& placed = shapes[static_cast<std::size_t>(s)];
+    if (is_world_mesh(placed) && placed.cutout != nullptr) cut_out_ = shapes.data();
+  }
+}
+
+}  // namespace dspm
