@@ -117,6 +117,7 @@ void Onlookers::draw(const FrameList& interval, const Integrator& integrator) {
                          view_.shown(developed(integrator.estimate(static_cast<Frame>(j)), job_)),
                          job_.description->frames.label(interval[j]));
   const std::lock_guard lock(terminal_->mutex);
+  terminal_->preview.fit_into(size_of_terminal(STDERR_FILENO));
   print_picture(terminal_->preview.show(terminal_->sheet.image()));
 }
 

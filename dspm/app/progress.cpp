@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "dspm/looking/terminal.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/standard_streams.h"
 
@@ -17,9 +18,21 @@ namespace {
 constexpr double kSecondsBetweenBars = 0.2, kSecondsBetweenLines = 10;
 constexpr int kBarWidth = 32;
 
+/// Of a line that can be overwritten, which one that wraps cannot.
+std::size_t longest_line() {
+  if (isatty(STDERR_FILENO) == 0) return std::string::npos;
+  return static_cast<std::size_t>(std::max(size_of_terminal(STDERR_FILENO).columns - 1, 1));
+}
+
 std::string bar(double share) {
   const int filled = std::clamp(static_cast<int>(share * kBarWidth), 0, kBarWidth);
   return fmt::format("[{:=<{}}{:{}}]", "", filled, "", kBarWidth - filled);
+}
+
+/// If there is room for a bar, and something to show.
+std::string with_bar(const std::string& line, double share) {
+  const std::string both = bar(share) + " " + line;
+  return share > 0 && both.size() <= longest_line() ? both : line;
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ Progress::~Progress() {
 }
 
 void Progress::clear() {
-  if (width_ > 0) print_message(fmt::format("\r{:{}}\r", "", width_));
+  if (width_ > 0) print_message(fmt::format("\r{:{}}\r", "", std::min(width_, longest_line())));
   width_ = 0;
 }
 
@@ -68,12 +81,10 @@ void Progress::step(int interval, int iterations, std::optional<double> error) {
   if (kind_ == ProgressKind::none || elapsed() < next_) return;
   next_ = elapsed() + (kind_ == ProgressKind::bar ? kSecondsBetweenBars : kSecondsBetweenLines);
   const std::string line = text(interval, iterations);
-  if (kind_ == ProgressKind::bar) {
-    print_message(fmt::format("\r{:{}}", line, width_));
-    width_ = std::max(width_, line.size());
-  } else {
-    print_message(fmt::format("dspm: {}\n", line));
-  }
+  if (kind_ == ProgressKind::lines) return print_message(fmt::format("dspm: {}\n", line));
+  const std::string shown = with_bar(line, share_done(interval, iterations)).substr(0, longest_line());
+  print_message(fmt::format("\r{:{}}", shown, std::min(width_, longest_line())));
+  width_ = shown.size();
 }
 
 double Progress::elapsed() const {
@@ -101,7 +112,7 @@ std::string Progress::text(int interval, int iterations) const {
   line += fmt::format(", {}", readable_time(outlook.seconds));
   if (outlook.share == 0) return line;
   if (outlook.seconds_left) line += fmt::format(", {} left", readable_time(*outlook.seconds_left));
-  return kind_ == ProgressKind::bar ? bar(outlook.share) + " " + line : line;
+  return line;
 }
 
 std::string Progress::json(int interval, int iterations) const {

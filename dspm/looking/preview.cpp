@@ -27,6 +27,11 @@ Image fitted(const Image& image, int width, int height) {
 
 }  // namespace
 
+void Preview::fit_into(const TerminalSize& size) {
+  if (size != size_) rows_shown_ = 0;  // terminals break lines anew
+  size_ = size;
+}
+
 std::string Preview::show(const Image& shown) {
   const Image image = fitted(shown, width(), height());
   const int rows = (image.height + size_.cell_height - 1) / size_.cell_height;

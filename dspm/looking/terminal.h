@@ -34,6 +34,7 @@ TerminalGraphics ask_for_graphics(int descriptor, std::string_view term);
 struct TerminalSize {
   int columns = 80, rows = 24;
   int cell_width = 8, cell_height = 16;  // in pixels
+  bool operator==(const TerminalSize&) const = default;
 };
 TerminalSize size_of_terminal(int descriptor);
 

@@ -1,8 +1,14 @@
 #include "dspm/app/progress.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -38,6 +44,37 @@ TEST(Progress, FillsItsBar) {
   EXPECT_EQ(first_bar({.iterations = 10}, 0, 10), "[" + half + half + "] iteration 10/10");
   EXPECT_EQ(first_bar({.iterations = 8, .intervals = 2}, 1, 4),
             "[" + half + quarter + std::string(8, ' ') + "] iteration 4/8 of frame interval 2/2");
+}
+
+/// What standard error gets while it is a terminal of that width.
+std::string on_terminal(std::size_t columns, const std::function<void()>& print) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(grantpt(master) + unlockpt(master), 0);
+  const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY), before = dup(STDERR_FILENO);
+  const winsize size{24, static_cast<unsigned short>(columns), 0, 0};
+  ioctl(terminal, TIOCSWINSZ, &size);
+  dup2(terminal, STDERR_FILENO);
+  print();
+  dup2(before, STDERR_FILENO);
+  char bytes[4096];
+  const ssize_t count = read(master, bytes, sizeof bytes);
+  for (const int descriptor : {terminal, before, master}) close(descriptor);
+  return {bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+}
+
+/// A line that wraps is not overwritten: every step would leave one behind.
+TEST(Progress, FitsIntoTheTerminalsLine) {
+  const auto print = [] {
+    Progress progress({.iterations = 256, .intervals = 1, .until_error = 0.02}, ProgressKind::bar);
+    progress.step(0, 128, 0.05);
+  };
+  for (const std::size_t columns : {10, 40, 60, 200}) {
+    const std::string text = on_terminal(columns, print);
+    EXPECT_EQ(text.find('['), columns == 200 ? 1 : text.npos) << text;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line, '\r');) EXPECT_LT(line.size(), columns) << line;
+    EXPECT_NE(text.find("iteration"), text.npos) << text;
+  }
 }
 
 TEST(Progress, ForetellsWhenAnErrorIsReached) {

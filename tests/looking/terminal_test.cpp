@@ -193,6 +193,8 @@ TEST(Preview, StaysInItsPlaceWhileLinesFollow) {
   preview.text_follows("\r[====]");
   const std::string second = preview.show(image);
   EXPECT_TRUE(second.starts_with("\r\x1b[8A")) << "five rows and three lines up, where it was";
+  preview.fit_into({.columns = 50, .rows = 24, .cell_width = 10, .cell_height = 20});
+  EXPECT_TRUE(preview.show(image).starts_with("\n\n\n\n\n\r\x1b[5A")) << "the window has changed: again below";
   for (int i = 0; i < 20; ++i) preview.text_follows("line\n");
   EXPECT_TRUE(preview.show(image).starts_with("\n\n\n\n\n\r\x1b[5A")) << "it has left the screen: again below";
 }
