@@ -145,7 +145,7 @@ std::size_t Output::bytes_while_writing() const {
 ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
   ExrHeader header;
   header.texts = {
-      {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"version", fmt::format("dspm {}", kVersion)}};
+      {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"software", fmt::format("dspm {}", kVersion)}};
   header.integers = {{"frame", job_.moment(frame).number()}};
   if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
   for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What ffmpeg, apngdis, WebP's tools, pngcheck and exiftool read in files of dspm. Exit code 77: none of them is there.
+"""What exrinfo, ffmpeg, apngdis, WebP's tools, pngcheck and exiftool read in files of dspm. Exit code 77: none of them is there.
 usage: files.py dspm"""
 import json, pathlib, subprocess, sys
 
@@ -81,8 +81,17 @@ def check_exr(checks):
             checks.expect((np.abs(seen - own) <= apart).all(), f"ffmpeg reads layer {layer or 'RGB'} of {words}")
 
 
+def check_headers(checks):
+    """No attribute has a name or a type that OpenEXR keeps for something else."""
+    checks.dspm("--frames", "2", "--aov", "N,Z,object,cryptoobject,lights", "-o", "all.####.exr")
+    run = subprocess.run(["exrinfo", "--strict", "all.0002.exr"], cwd=checks.folder, capture_output=True, text=True)
+    checks.expect(run.returncode == 0, f"OpenEXR's strict reader takes the header: {run.stdout} {run.stderr}")
+
+
 def main():
     checks = Checks()
+    if is_there("exrinfo", "openexr"):
+        check_headers(checks)
     checks.dspm("--png", "--contact-sheet", "page.apng")
     if is_there("apngdis", "apngdis"):
         check_apng(checks)

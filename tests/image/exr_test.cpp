@@ -64,7 +64,7 @@ TEST(Exr, HalvesAreClampedAndNanStays) {
 TEST(Exr, TheHeaderComesBack) {
   const TemporaryDirectory directory;
   ExrHeader header;
-  header.texts = {{"scene", "drop.dsc"}, {"version", "dspm 0.1"}};
+  header.texts = {{"scene", "drop.dsc"}, {"software", "dspm 0.1"}};
   header.integers = {{"seed", 7}, {"iterations", 400}};
   header.numbers = {{"photons", 3e11}, {"seconds", 12.25}};
   header.frames_per_second = 25;
