@@ -38,6 +38,7 @@ set(toolkit_headers
   integrators/direct_light.h
   integrators/estimator.h
   integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h
+  integrators/gathered_flux.h
   integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
   integrators/learn_emission.h
   integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h

@@ -21,6 +21,11 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius that gather_at would search: the largest of all frames.
   virtual float search_radius2(const HitPoint& hit) const = 0;
+  /// In one of the hit point's frames.
+  float search_radius2_in(Frame frame, const HitPoint& hit) const {
+    const std::optional<PixelStatistics> own = statistics(hit.pixel, frame);
+    return !own ? search_radius2(hit) : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
+  }
   /// Gathers photons for a hit point and adds them to the pixel's sums, for each batch of an iteration's photons. Calls
   /// for different pixels may run concurrently; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;

@@ -16,7 +16,8 @@ struct FinalGatherSettings {
   int max_depth = 5;  // scatterings of a gather ray before its estimate: in hair, all lobes are followed
 };
 
-/// The gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&).
+/// The gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&, int group), as
+/// estimate_radiance() does.
 template <class Add>
 class FinalGather {
  public:
@@ -86,7 +87,7 @@ class FinalGather {
     const Scattering scattering{BsdfSlot::copy_of(bsdf),         vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
                                 vertex.material_element().index, path.body};
     estimate_radiance(hit, &scattering, map_, how_, counts_,
-                      [&](FrameSet frames, const Rgb& radiance) { add_(hit, frames, radiance); });
+                      [&](FrameSet frames, const Rgb& radiance, int group) { add_(hit, frames, radiance, group); });
   }
 
   void scatter(GatherPath& path, const Vertex& vertex, const Bsdf& bsdf, LobeSet lobes) {

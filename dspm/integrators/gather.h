@@ -21,34 +21,47 @@ struct GatherCounts {
   Rejections rejections;
 };
 
-/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared) for every photon within sqrt(radius2) that
-/// counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
-/// transmit. The caller applies the throughput and the photon's strands, which are mostly null.
+/// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
+/// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
+/// transmit. The caller applies the throughput and the photon's strands, which are mostly null. group(): see PhotonMap.
 template <class Fn>
-void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
-            GatherCounts& counts, Fn&& fn) {
+void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+                     GatherCounts& counts, Fn&& fn) {
   counts.gathers.add(hit.frames.count());
   SharedCount within;
   if (!scattering) {  // separate, since most gather time is spent in this loop
     const SurfaceSide side(hit);
-    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
-      const FrameSet frames = photon.frames & hit.frames;
-      within.add(frames.count());
-      if (!frames.empty() && side.counts(photon)) fn(strands_of(photon), frames, photon.flux_lanes(), distance2);
-    });
+    counts.tests +=
+        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, auto group) {
+          const FrameSet frames = photon.frames & hit.frames;
+          within.add(frames.count());
+          if (!frames.empty() && side.counts(photon))
+            fn(strands_of(photon), frames, photon.flux_lanes(), distance2, group);
+        });
   } else {
-    counts.tests += map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2) {
-      const FrameSet frames = photon.frames & hit.frames;
-      within.add(frames.count());
-      if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
-      const Rgb flux =
-          photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
-      if (!is_finite(flux))
-        counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
-      fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2);
-    });
+    counts.tests +=
+        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, auto group) {
+          const FrameSet frames = photon.frames & hit.frames;
+          within.add(frames.count());
+          if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
+          const Rgb flux = photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance,
+                                                                    scattering->lobes);
+          if (!is_finite(flux))
+            counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
+          fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2, group);
+        });
   }
   counts.found += within;
+}
+
+/// The same without the group.
+template <class Fn>
+void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
+            GatherCounts& counts, Fn&& fn) {
+  gather_by_group(hit, scattering, map, radius2, counts,
+                  [&fn](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, auto) {
+                    fn(strands, frames, flux, distance2);
+                  });
 }
 
 /// Adds the counts of all tiles to `statistics`.

@@ -68,9 +68,9 @@ std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, co
   return static_cast<std::size_t>(kSlack * bytes_a_pixel.value() * render.crop.count());
 }
 
-double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings) {
+double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings, const LightGroups& groups) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
-  PhotonMap map, hidden;  // of a single cell: a few photons would have too many cells
+  PhotonMap map(groups), hidden(groups);  // of a single cell: a few photons would have too many cells
   map.build(traces, scene.frame_count(), 2 * scene.radius);
   hidden.build(traces, scene.frame_count(), 2 * scene.radius, &PhotonTrace::hidden);
   double photons = static_cast<double>((map.size() + hidden.size()) * sizeof(Photon));

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/scene/scene.h"
 
@@ -34,7 +35,7 @@ void expect_enough(std::size_t memory, const MemoryNeeds& needs);
 
 /// Estimates from small samples of iteration 0, the same in every run.
 std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings);
-/// Bytes per traced photon path, including the photon map.
-double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings);
+/// Bytes per traced photon path, including the photon map, which tells these groups apart.
+double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings, const LightGroups& groups);
 
 }  // namespace dspm

@@ -2,7 +2,7 @@
 
 #include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/found_photons.h"
-#include "dspm/integrators/group_estimators.h"
+#include "dspm/integrators/group_sums.h"
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/scene/scene.h"
 
@@ -16,9 +16,7 @@ constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render,
                         const LightGroups& groups, std::size_t estimators) {
   const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
-  const auto held = [&] {
-    return estimators * estimator.bytes(of) + GroupEstimators::bytes(groups, estimator, of) + found;
-  };
+  const auto held = [&] { return estimators * estimator.bytes(of) + GroupSums::bytes(groups, of) + found; };
   const std::size_t working = held();
   if (!of.batched) return working;
   of.batched = false;
@@ -39,8 +37,7 @@ PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const S
   const std::size_t guides = settings.photon.guides != nullptr ? settings.photon.guides->bytes() : 0;
   const LightGroups groups(scene, render.outputs);
   const std::size_t estimators = has_catchers(scene) ? 2 : 1;
-  const double maps = groups.count() > 0 ? 2 : 1;  // groups have a map of their own, one after the other
-  const double a_path = maps * bytes_a_photon_path(scene, settings.photon);
+  const double a_path = bytes_a_photon_path(scene, settings.photon, groups);
   MemoryNeeds needs, least;
   needs.learning = learning;
   needs.hit_points = hit_point_bytes(scene, render, settings.hit_point);

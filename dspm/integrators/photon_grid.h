@@ -7,6 +7,7 @@
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/grid/buffer.h"
 #include "dspm/grid/point_grid.h"
+#include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -38,29 +39,34 @@ template <class Gathered>
 class PhotonGrid {
  public:
   /// Builds the grid from `count` photons: photon(i) is the i-th, gathered(i) the data kept of it. `cell_size` should
-  /// suit a typical search radius.
+  /// suit a typical search radius. `groups`: those that can be told apart, or null.
   template <class PhotonOf, class GatheredOf>
-  void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered);
+  void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered,
+             const LightGroups* groups = nullptr);
 
-  std::size_t bytes() const { return grid_.bytes() + photons_.bytes() + points_.bytes(); }
-  /// Calls fn(const Gathered&, distance squared) for every photon within sqrt(radius2) of p; returns how many it
-  /// tested.
+  std::size_t bytes() const { return grid_.bytes() + photons_.bytes() + points_.bytes() + groups_.bytes(); }
+  /// Calls fn(const Gathered&, distance squared, group) for every photon within sqrt(radius2) of p; returns how many it
+  /// tested. group() is the photon's group of lights, only to be asked for if groups are told apart.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
     const Gathered* photons = photons_.data();
-    return grid_.for_each_within(p, radius2,
-                                 [&fn, photons](std::uint32_t i, float distance2) { fn(photons[i], distance2); });
+    const std::int32_t* groups = groups_.data();
+    return grid_.for_each_within(p, radius2, [&fn, photons, groups](std::uint32_t i, float distance2) {
+      fn(photons[i], distance2, [groups, i] { return int{groups[i]}; });
+    });
   }
 
  private:
   PointGrid grid_;
   Buffer<Gathered> photons_;
   Buffer<Vec3> points_;
+  Buffer<std::int32_t> groups_;  // of lights, by photon; empty if they are not told apart
 };
 
 template <class Gathered>
 template <class PhotonOf, class GatheredOf>
-void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered) {
+void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered,
+                                 const LightGroups* groups) {
   constexpr std::int64_t kGrain = 1 << 14;
   const auto photons = static_cast<std::int64_t>(count);
   points_.refit(count);
@@ -70,9 +76,11 @@ void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& 
   });
   grid_.build(points_, cell_size);
   photons_.refit(count);
+  groups_.refit(groups != nullptr ? count : 0);
   parallel_for(photons, kGrain, [&](std::int64_t place) {
     const auto i = static_cast<std::size_t>(place);
     photons_[i] = gathered(grid_.order()[i]);
+    if (groups != nullptr) groups_[i] = groups->of_light(photon(grid_.order()[i]).light);
   });
 }
 

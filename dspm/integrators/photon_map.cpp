@@ -24,16 +24,15 @@ void for_each_trace(const std::vector<PhotonTrace>& traces, Fn&& fn) {
 }
 
 std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t frames,
-                          std::vector<Photon> PhotonTrace::*which, const PhotonsOfGroup* only) {
+                          std::vector<Photon> PhotonTrace::*which) {
   std::vector<Places> counts(traces.size());
   for_each_trace(traces, [&](std::size_t t) {
     counts[t].resize(frames + 2);
-    if (frames == 1 && only == nullptr) {
+    if (frames == 1) {
       counts[t][0] = (traces[t].*which).size();
       return;
     }
-    for (const Photon& photon : traces[t].*which)
-      if (only == nullptr || only->hold(photon)) ++counts[t][frames == 1 ? 0 : class_of(photon, frames)];
+    for (const Photon& photon : traces[t].*which) ++counts[t][class_of(photon, frames)];
   });
   return counts;
 }
@@ -48,9 +47,9 @@ bool mostly_common(const std::vector<Places>& counts) {
 }  // namespace
 
 void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, float cell_size,
-                      std::vector<Photon> PhotonTrace::*which, const PhotonsOfGroup* only) {
+                      std::vector<Photon> PhotonTrace::*which) {
   const auto frames = static_cast<std::size_t>(frame_count);
-  std::vector<Places> places = count(traces, frames, which, only);
+  std::vector<Places> places = count(traces, frames, which);
   const bool by_frame = !mostly_common(places);
   if (!by_frame)
     for (Places& trace : places) {
@@ -64,7 +63,6 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
   strands_.refit(begin.back() - first_strands);
   for_each_trace(traces, [&](std::size_t t) {
     for (const Photon& photon : traces[t].*which) {
-      if (only != nullptr && !only->hold(photon)) continue;
       const std::size_t own = class_of(photon, frames), c = by_frame || own > frames ? own : 0;
       const std::size_t place = places[t][c]++;
       photons_[place] = &photon;
@@ -80,9 +78,8 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
 
   const auto build = [&](PhotonGrid<GatheredPhoton>& grid, std::size_t first, std::size_t end) {
     const auto photon = [&, at = begin[first]](std::size_t i) -> const Photon& { return *photons_[at + i]; };
-    grid.build(begin[end] - begin[first], cell_size, photon, [&](std::size_t i) {
-      return GatheredPhoton{photon(i).wi, photon(i).flux, photon(i).frames};
-    });
+    const auto gathered = [&](std::size_t i) { return GatheredPhoton{photon(i).wi, photon(i).flux, photon(i).frames}; };
+    grid.build(begin[end] - begin[first], cell_size, photon, gathered, told_apart());
   };
   of_frame_.resize(by_frame ? frames : 0);
   // A grid of few photons cannot occupy all threads: build the grids in parallel.
@@ -97,9 +94,10 @@ void PhotonMap::build(const std::vector<PhotonTrace>& traces, int frame_count, f
 
 void PhotonMap::build_with_strands(std::size_t first, float cell_size) {
   const auto photon = [&](std::size_t i) -> const Photon& { return *photons_[first + i]; };
-  with_strands_.build(strands_.size(), cell_size, photon, [&](std::size_t i) {
+  const auto gathered = [&](std::size_t i) {
     return GatheredStrands{{photon(i).wi, photon(i).flux, photon(i).frames}, strands_[i]};
-  });
+  };
+  with_strands_.build(strands_.size(), cell_size, photon, gathered, told_apart());
 }
 
 std::size_t PhotonMap::bytes() const {

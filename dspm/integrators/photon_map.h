@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dspm/integrators/light_groups.h"
@@ -12,31 +13,30 @@
 
 namespace dspm {
 
-/// The photons that lights of a group have sent.
-struct PhotonsOfGroup {
-  const LightGroups& groups;
-  int group;
-  bool hold(const Photon& photon) const { return groups.of_light(photon.light) == group; }
-};
-
 /// Photons shared by several frames are in one grid. Those of a single frame are in a grid of that frame, and again in
 /// a grid of all such photons, for hit points shared by many frames. If most photons are shared, all are in the first
 /// grid. Photons with strands have a separate grid. The order of photons does not depend on threads.
 class PhotonMap {
  public:
+  PhotonMap() = default;
+  /// That tells the photons of these groups apart.
+  explicit PhotonMap(LightGroups groups) : groups_(std::move(groups)) {}
+
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` should suit a typical search
-  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons. `only`: these; null: all.
+  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
-             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons, const PhotonsOfGroup* only = nullptr);
+             std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
 
   /// Whether it is a list of a light's strands, which many photons share.
   bool is_of_light(const Strand* strands) const {
     return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
   }
+  const LightGroups& groups() const { return groups_; }
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
-  /// Calls fn(const GatheredPhoton&, distance squared) or fn(const GatheredStrands&, distance squared) for all photons
-  /// within sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested.
+  /// Calls fn(const GatheredPhoton&, distance squared, group) or the same with GatheredStrands for all photons within
+  /// sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested. group() is the
+  /// photon's group, only to be asked for if the map has groups.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
     std::array<const PhotonGrid<GatheredPhoton>*, kFewFrames + 1> grids{&common_};
@@ -52,9 +52,11 @@ class PhotonMap {
 
  private:
   void build_with_strands(std::size_t first, float cell_size);
+  const LightGroups* told_apart() const { return groups_.count() > 0 ? &groups_ : nullptr; }
 
   static constexpr int kFewFrames = 3;  // up to this many are searched in their own grids, one by one
 
+  LightGroups groups_;
   Buffer<const Photon*> photons_;  // shared ones, those of each frame, those with strands
   Buffer<const Strand*> strands_;  // of the latter
   std::span<const Strand> of_lights_;

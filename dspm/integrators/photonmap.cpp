@@ -61,7 +61,6 @@ struct GuidedPhotons {
   GuidedPhotons(const Scene& scene, const PhotonSettings& of, float radius, const PhotonMapSettings& s,
                 const RenderSettings& render, int photons, bool guided, Statistics& statistics)
       : settings(of), learned(emission_of_file(scene, render, of, within(radius, s), photons, guided, statistics)) {
-    expect_enough(render.memory, {.learning = learned->bytes_while_learning});
     settings.guides = &learned->guides;
   }
   static HitPointSettings within(float radius, const PhotonMapSettings& s) {
@@ -101,21 +100,26 @@ MemoryNeeds needs_of(const PhotonMapSettings& s, const Scene& scene, const Rende
   Statistics not_counted;
   const GuidedPhotons global = global_photons(scene, s, render, not_counted),
                       caustic = caustic_photons(scene, s, render, not_counted);
-  const double photons = bytes_a_photon_path(scene, global.settings) * s.photons +
-                         bytes_a_photon_path(scene, caustic.settings) * s.caustic_photons;
+  const LightGroups groups(scene, render.outputs);
+  const double photons = bytes_a_photon_path(scene, global.settings, groups) * s.photons +
+                         bytes_a_photon_path(scene, caustic.settings, groups) * s.caustic_photons;
   MemoryNeeds needs;
-  needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), 0, has_catchers(scene));
+  needs.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(), groups.count(), has_catchers(scene));
   needs.hit_points = hit_point_bytes(scene, render, hit_point_settings(s));
   needs.photons = static_cast<std::size_t>(photons) + global.learned->guides.bytes() + caustic.learned->guides.bytes();
+  needs.learning = std::max(global.learned->bytes_while_learning, caustic.learned->bytes_while_learning);
   return needs;
 }
 
 class PhotonMapper final : public SummingIntegrator {
  public:
   PhotonMapper(const PhotonMapSettings& settings, const Scene& scene, const RenderSettings& render)
-      : SummingIntegrator(scene, render, statistics_at_start(settings, scene, render), false),
+      : SummingIntegrator(scene, render, statistics_at_start(settings, scene, render)),
         settings_(settings),
-        render_(render) {
+        render_(render),
+        global_(LightGroups(scene, render.outputs)),
+        caustic_(global_.groups()),
+        hidden_(global_.groups()) {
     global_how_ = {settings.nearest, global_radius(settings, scene), settings.photons};
     caustic_how_ = {settings.nearest, caustic_radius(settings, scene), settings.caustic_photons};
   }
@@ -178,12 +182,16 @@ class PhotonMapper final : public SummingIntegrator {
 
   void gather_tile(const Scene& scene, const HitPointTile& tile, std::uint64_t iteration, SeenLightSums& sums,
                    TileCounts& counts) const {
-    const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance) {
-      sums.add({frames, radiance, hit.pixel, -1, hit.caught});
+    const auto add = [&](const HitPoint& hit, FrameSet frames, const Rgb& radiance, int group) {
+      const SeenLight light{frames, radiance, hit.pixel, -1, hit.caught};
+      if (group == LightGroups::kNone)
+        sums.add(light);
+      else if (!hit.caught)
+        sums.add_to_part(light, group);
     };
     const auto estimate = [&](const HitPoint& hit, const PhotonMap& map, const RadianceEstimate& how) {
       estimate_radiance(hit, tile.scattering_of(hit), map, how, counts.gather,
-                        [&](FrameSet frames, const Rgb& radiance) { add(hit, frames, radiance); });
+                        [&](FrameSet frames, const Rgb& radiance, int group) { add(hit, frames, radiance, group); });
     };
     FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth},
                              global_, global_how_, counts.gather, counts.paths, add);

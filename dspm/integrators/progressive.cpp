@@ -8,7 +8,7 @@
 #include "dspm/image/image.h"
 #include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/found_photons.h"
-#include "dspm/integrators/group_estimators.h"
+#include "dspm/integrators/group_sums.h"
 #include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
@@ -43,8 +43,9 @@ class Progressive final : public Integrator {
     estimator_ = estimator.make(of);
     if (has_catchers(scene)) caught_ = estimator.make(of);
     const LightGroups groups(scene, render.outputs);
-    groups_.emplace(groups, estimator, of);
-    pixel_bytes_ = estimator.bytes(of) * (caught_ != nullptr ? 2 : 1) + GroupEstimators::bytes(groups, estimator, of) +
+    groups_.emplace(groups, of);
+    map_ = PhotonMap(groups), hidden_map_ = PhotonMap(groups);
+    pixel_bytes_ = estimator.bytes(of) * (caught_ != nullptr ? 2 : 1) + GroupSums::bytes(groups, of) +
                    FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
     statistics_.photon_batches = batches_.count();
@@ -74,7 +75,7 @@ class Progressive final : public Integrator {
     if (output == kRadiusOutput.name) return image_of([&](int pixel) { return Rgb(radius(pixel, frame)); });
     if (output == kPhotonsOutput.name) return image_of([&](int pixel) { return Rgb(found_.photons(pixel, frame)); });
     if (const int group = groups_->groups().of_output(output); group != LightGroups::kNone)
-      return image_of([&](int pixel) { return groups_->radiance(group, pixel, frame); });
+      return image_of([&](int pixel) { return groups_->radiance(group, pixel, frame, statistics_.iterations); });
     const PixelEstimator& estimator = estimator_of(output == kCaughtLight);
     return image_of([&](int pixel) { return estimator.radiance(pixel, frame); });
   }
@@ -90,7 +91,7 @@ class Progressive final : public Integrator {
   bool persist(StateStream& state) override {
     statistics_.persist(state);
     for_each_estimator([&](PixelEstimator& estimator) { estimator.forget_iteration(), estimator.persist(state); });
-    groups_->forget_iteration(), groups_->persist(state);
+    groups_->persist(state);
     shrinkage_.go_to(statistics_.iterations, settings_.alpha);
     found_.persist(state);
     found_by_tile_.persist(state);
@@ -112,7 +113,6 @@ class Progressive final : public Integrator {
     if (learned_ == nullptr) learn(scene);
     shrinkage_.go_to(number, settings_.alpha);
     for_each_estimator([&](PixelEstimator& estimator) { estimator.begin_iteration(number); });
-    groups_->begin_iteration(number);
     balance_direct_light(scene);
     trace_camera_paths(scene, iteration);
     const float cell_size = mean_search_radius(scene);
@@ -121,11 +121,10 @@ class Progressive final : public Integrator {
       build_photon_map(scene, cell_size);
       if (first == 0) see_lights();  // not before: if memory ends, it mostly has by now, and no pixel has changed
       see_hidden_light();
+      part_by_groups(first == 0);
       gather_photons();
-      part_by_groups(scene, cell_size, first == 0);
     }
     for_each_estimator([](PixelEstimator& estimator) { estimator.end_iteration(); });
-    groups_->end_iteration();
     statistics_.typical = found_by_tile_.typical(tiles_, shrunk_);
     if (settings_.hit_point.go_on) statistics_.typical.photons = 0;  // few may be all that there are
     ++statistics_.iterations;
@@ -248,12 +247,11 @@ class Progressive final : public Integrator {
     statistics_.bytes = std::max(statistics_.bytes, bytes());
   }
 
-  void part_by_groups(const Scene& scene, float cell_size, bool first) {
+  void part_by_groups(bool first) {
     if (groups_->groups().count() == 0) return;
     const StepTimer timer(statistics_.steps[kStatistics]);
     if (first) groups_->see(tiles_);
-    groups_->gather(tiles_, traces_, scene, cell_size, shrinkage_);
-    statistics_.bytes = std::max(statistics_.bytes, bytes());
+    groups_->gather(tiles_, map_, *estimator_, hidden_map_, shrinkage_);
   }
 
   template <class Value>
@@ -267,11 +265,8 @@ class Progressive final : public Integrator {
 
   void find_photons(const HitPoint& hit, const HitPointTile& tile) {
     const PixelEstimator& estimator = estimator_of(hit.caught);
-    const float widest2 = estimator.search_radius2(hit);
-    found_.gather_at(hit, tile, map_, widest2, [&](Frame frame) {
-      const std::optional<PixelStatistics> own = estimator.statistics(hit.pixel, frame);
-      return !own ? widest2 : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
-    });
+    found_.gather_at(hit, tile, map_, estimator.search_radius2(hit),
+                     [&](Frame frame) { return estimator.search_radius2_in(frame, hit); });
   }
 
   /// For the next iteration.
@@ -288,8 +283,7 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + groups_->map_bytes() + bytes_of(traces_) +
-           bytes_of(tiles_);
+    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
   }
 
   const ProgressiveSettings given_;
@@ -305,7 +299,7 @@ class Progressive final : public Integrator {
   std::vector<OutputInfo> group_outputs_;
   std::unique_ptr<PixelEstimator> estimator_;
   std::unique_ptr<PixelEstimator> caught_;  // of the light on shadow catchers; null: the scene has none
-  std::optional<GroupEstimators> groups_;   // of lights; made together with the estimator
+  std::optional<GroupSums> groups_;         // of lights; made together with the estimator
   std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
@@ -55,10 +53,6 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   if (indirect == "paths" && !s.kz11)
     params.error("indirect",
                  "camera paths that go on need estimator \"kz11\": with \"hj09\" a pixel has one hit point");
-  const auto is_of_lights = [](const std::string& output) { return output.starts_with(light_group_output("")); };
-  if (!s.kz11 && std::any_of(render.outputs.begin(), render.outputs.end(), is_of_lights))
-    params.error("estimator",
-                 "light groups need estimator \"kz11\": with \"hj09\" a radius depends on the photons of all lights");
   check_max_depth(params, max_depth, 1);
   params.finish();
   if (s.photons == -1) s.photons = pixel_count(render);  // pbrt's default

@@ -17,8 +17,9 @@ struct RadianceEstimate {
   std::int64_t emitted = 0;  // photon paths in each frame
 };
 
-/// Calls fn(FrameSet, radiance times the hit point's throughput); the sets are disjoint and leave out frames without
-/// photons. Frames that use the same photons share one call.
+/// Calls fn(FrameSet, radiance times the hit point's throughput, kNone); the sets are disjoint and leave out frames without
+/// photons. Frames that use the same photons share one call. After it come those for its parts, by group of the map: what
+/// the group's photons bring within the disc of all photons.
 template <class Fn>
 void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
@@ -26,6 +27,7 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
 /// A photon found around a hit point.
 struct NearPhoton {
   float distance2;
+  int group;  // of lights; kNone: the map tells none apart
   FrameSet frames;
   Rgb flux;  // times f
 };
@@ -39,7 +41,7 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
   float radius = how.radius;
   const std::vector<NearPhoton> photons = near_photons(hit, scattering, map, how, counts, radius);
-  const auto sum = [&](FrameSet frames) {
+  const auto sum = [&](FrameSet frames, int group) {
     Rgb flux;
     int found = 0;
     float radius2 = radius * radius;
@@ -50,15 +52,18 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
         radius2 = photon.distance2;
         break;
       }
-      flux += photon.flux;
+      if (group == LightGroups::kNone || photon.group == group) flux += photon.flux;
     }
     if (is_black(flux) || radius2 == 0) return;
-    fn(frames, hit.throughput * flux / kernel_size(radius2, static_cast<float>(how.emitted)));
+    fn(frames, hit.throughput * flux / kernel_size(radius2, static_cast<float>(how.emitted)), group);
+  };
+  const auto sums = [&](FrameSet frames) {
+    for (int group = LightGroups::kNone; group < map.groups().count(); ++group) sum(frames, group);
   };
   FrameSet alike = hit.frames;
   for (const NearPhoton& photon : photons) alike &= photon.frames;
-  if (alike == hit.frames) return sum(hit.frames);
-  hit.frames.for_each([&](Frame f) { sum(FrameSet::single(f)); });
+  if (alike == hit.frames) return sums(hit.frames);
+  hit.frames.for_each([&](Frame f) { sums(FrameSet::single(f)); });
 }
 
 }  // namespace dspm

@@ -41,8 +41,8 @@ class SeenLightSums {
   }
   bool has_parts() const { return !parts_.empty(); }
   /// Only to the light's group.
-  void add_to_part(const SeenLight& light) {
-    const int group = groups_.of_light(light.light);
+  void add_to_part(const SeenLight& light) { add_to_part(light, groups_.of_light(light.light)); }
+  void add_to_part(const SeenLight& light, int group) {
     if (group == LightGroups::kNone) return;
     const std::size_t first = static_cast<std::size_t>(group) * sums_.size();
     light.frames.for_each([&](Frame f) { parts_[first + index(light.pixel, f)] += light.radiance; });

@@ -169,16 +169,26 @@ TEST_P(LightGroupsOf, CountAsMemory) {
 
 INSTANTIATE_TEST_SUITE_P(
     Integrators, LightGroupsOf,
-    testing::Values(R"("path" "integer maxdepth" 6)", R"("vcm" "integer photons" 800 "string emission" "power")",
-                    R"("vcm" "integer photons" 800 "bool connect" false "string emission" "power")",
-                    R"("dsppm" "integer photons" 3000 "string emission" "power")", R"("dsppm" "integer photons" 3000)",
-                    R"("dsppm" "integer photons" 3000 "string emission" "power" "string direct" "sampled")",
-                    R"("dsppm" "integer photons" 3000 "string emission" "power" "string direct" "photons")",
-                    R"("dsppm" "integer photons" 3000 "string emission" "power" "string indirect" "paths")",
-                    R"("sppm" "integer photons" 3000 "string emission" "power")"));
+    testing::Values(
+        R"("path" "integer maxdepth" 6)", R"("vcm" "integer photons" 800 "string emission" "power")",
+        R"("vcm" "integer photons" 800 "bool connect" false "string emission" "power")",
+        R"("dsppm" "integer photons" 3000 "string emission" "power")", R"("dsppm" "integer photons" 3000)",
+        R"("dsppm" "integer photons" 3000 "string emission" "power" "string direct" "sampled")",
+        R"("dsppm" "integer photons" 3000 "string emission" "power" "string direct" "photons")",
+        R"("dsppm" "integer photons" 3000 "string emission" "power" "string indirect" "paths")",
+        R"("dsppm" "integer photons" 3000 "string emission" "power" "string estimator" "hj09")",
+        R"("sppm" "integer photons" 3000 "string emission" "power")",
+        R"("sppm" "integer photons" 3000 "string emission" "power" "string estimator" "hj09" "string direct" "photons")",
+        R"("photonmap" "integer photons" 500 "integer causticphotons" 500 "integer nearest" 20)",
+        R"("photonmap" "integer photons" 500 "integer nearest" 20 "integer finalgather" 2 "string emission" "power")"));
 
-TEST(LightGroups, InBatchesAreTheSame) {
-  TestScene test(scene(R"("dsppm" "integer photons" 20000 "string emission" "power")"), asking_for({"lights"}));
+class LightGroupsInBatches : public testing::TestWithParam<const char*> {};
+
+TEST_P(LightGroupsInBatches, AreTheSame) {
+  TestScene test(
+      scene(fmt::format(R"("dsppm" "integer photons" 20000 "string emission" "power" "string estimator" "{}")",
+                        GetParam())),
+      asking_for({"lights"}));
   const auto scene = test.scene(test.all_frames());
   std::size_t least = 0;
   try {
@@ -196,6 +206,8 @@ TEST(LightGroups, InBatchesAreTheSame) {
         EXPECT_NEAR(one[g].pixels[i][c], other[g].pixels[i][c], 1e-4f * std::max(1.f, one[g].pixels[i][c]));
 }
 
+INSTANTIATE_TEST_SUITE_P(Estimators, LightGroupsInBatches, testing::Values("kz11", "hj09"));
+
 std::string error_of(const std::string& text, const std::string& output) {
   try {
     TestScene test(text, asking_for({output}));
@@ -208,10 +220,8 @@ std::string error_of(const std::string& text, const std::string& output) {
 }
 
 TEST(LightGroups, ThatCannotBeGivenAreErrors) {
-  const std::string hj09 = error_of(scene(R"("dsppm" "string estimator" "hj09")"), "lights");
-  EXPECT_NE(hj09.find("light groups need estimator \"kz11\""), hj09.npos) << hj09;
-  const std::string photonmap = error_of(scene(R"("photonmap")"), "light_key");
-  EXPECT_NE(photonmap.find("integrator \"photonmap\" has no output \"light_key\""), photonmap.npos) << photonmap;
+  const std::string occlusion = error_of(scene(R"("ambientocclusion")"), "light_key");
+  EXPECT_NE(occlusion.find("integrator \"ambientocclusion\" has no output \"light_key\""), occlusion.npos) << occlusion;
   const std::string unknown = error_of(scene(R"("path")"), "light_kye");
   EXPECT_NE(unknown.find("did you mean \"light_key\"?"), unknown.npos) << unknown;
   std::string text = scene(R"("path")");

@@ -5,6 +5,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dsppm/dsppm.h"
+#include "dspm/integrators/gathered_flux.h"
 #include "dspm/integrators/kernel_size.h"
 #include "dspm/math/frames.h"
 
@@ -24,39 +25,14 @@ class Kz11 final : public PixelEstimator {
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) override {
     const float radius2 = radius_.squared(hit);
     const Rgb per_area = hit.throughput / kernel_size(radius2);
-    RgbLanes shared;
-    FewListSums<RgbLanes> lists;
-    __m128 own[kMaxFrames];  // valid only for the frames in with_own
-    FrameSet with_own;
-    const auto add_own = [&](FrameSet frames, RgbLanes flux) {
-      (frames - with_own).for_each([&](Frame f) { own[f] = _mm_setzero_ps(); });
-      with_own |= frames;
-      frames.for_each([&](Frame f) {
-        auto& sum = own[f];
-        sum = _mm_add_ps(sum, flux.lanes);
-      });
-    };
-    const auto add_strands = [&](const Strand* strands, FrameSet frames, RgbLanes flux) {
-      for_each_strand(strands, frames, [&](FrameSet alike, const Rgb& weight) {
-        add_own(alike, RgbLanes(_mm_mul_ps(flux.lanes, RgbLanes(weight).lanes)));
-      });
-    };
+    GatheredFlux flux(hit, map);
     gather(hit, tile.scattering_of(hit), map, radius2, counts,
-           [&](const Strand* strands, FrameSet frames, RgbLanes flux, float) {
-             if (strands == nullptr && frames == hit.frames)
-               shared += flux;
-             else if (strands == nullptr)
-               add_own(frames, flux);
-             else if (RgbLanes* sum = frames == hit.frames && map.is_of_light(strands) ? lists.of(strands) : nullptr)
-               *sum += flux;
-             else
-               add_strands(strands, frames, flux);
-           });
-    lists.for_each([&](const Strand* list, RgbLanes flux) { add_strands(list, hit.frames, flux); });
+           [&](const Strand* strands, FrameSet frames, RgbLanes photon, float) { flux.add(strands, frames, photon); });
+    flux.end();
     for_each_strand(tile.strands.of(hit.strands), hit.frames, [&](FrameSet frames, const Rgb& weight) {
       const Rgb times = per_area * weight;
-      add(hit.pixel, frames, shared.rgb() * times);
-      (frames & with_own).for_each([&](Frame f) { own_[index(hit.pixel, f)] += RgbLanes(own[f]).rgb() * times; });
+      add(hit.pixel, frames, flux.shared() * times);
+      (frames & flux.with_own()).for_each([&](Frame f) { own_[index(hit.pixel, f)] += flux.own(f) * times; });
     });
   }
 

@@ -21,7 +21,7 @@ class LightVertexMap {
   /// `frames`, and perhaps for others; returns how many it tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
-    const auto pass_on = [&](const Placed& found, float) { fn(*found.vertex, found.strands); };
+    const auto pass_on = [&](const Placed& found, float, auto) { fn(*found.vertex, found.strands); };
     std::uint64_t tested = common_.for_each_within(p, radius2, pass_on);
     if (!of_frame_.empty())
       frames.for_each([&](Frame frame) {
