@@ -1,8 +1,6 @@
 #include "dspm/accel/crowd.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 #include <span>
 
 #include "dspm/system/parallel.h"
@@ -16,42 +14,56 @@ constexpr std::size_t kWidth = Bvh::kWidth;
 /// Primitives of consecutive numbers, from which nodes are made: halved across the longest extent until a node takes them.
 class Block {
  public:
-  Block(int first, int count, const std::function<Bounds3(int)>& box_of) : count_(static_cast<std::size_t>(count)) {
-    for (int i = 0; i < count; ++i) boxes_[static_cast<std::size_t>(i)] = box_of(first + i);
-    std::iota(order_.begin(), order_.end(), std::uint16_t{0});
+  struct Member {
+    Vec3 twice_center;
+    std::uint32_t number;  // within the block
+  };
+
+  Block(int first, int count, const std::function<Bounds3(int)>& box_of)
+      : boxes_(static_cast<std::size_t>(count)), members_(boxes_.size()) {
+    for (std::uint32_t i = 0; i < members_.size(); ++i) {
+      boxes_[i] = box_of(first + static_cast<int>(i));
+      members_[i] = {boxes_[i].low + boxes_[i].high, i};
+    }
   }
 
-  /// Calls fn(numbers within the block) for each node. All but the last are full.
+  /// Calls fn(span of members) for each node. All but the last are full.
   template <class Fn>
   void for_each_node(const Fn& fn) {
-    halve(std::span(order_).first(count_), fn);
+    halve(members_, fn);
   }
-  const Bounds3& box(std::uint16_t number) const { return boxes_[number]; }
+  const Bounds3& box(const Member& member) const { return boxes_[member.number]; }
 
  private:
   template <class Fn>
-  void halve(std::span<std::uint16_t> part, const Fn& fn) {
+  void halve(std::span<Member> part, const Fn& fn) {
     if (part.size() <= kWidth) return fn(part);
     const std::size_t nodes = (part.size() + kWidth - 1) / kWidth, left = (nodes + 1) / 2 * kWidth;
-    const int axis = longest_axis(part);
-    const auto twice_center = [&](std::uint16_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
-    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(left), part.end(),
-                     [&](std::uint16_t a, std::uint16_t b) { return twice_center(a) < twice_center(b); });
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(left);
+    const auto halve_along = [&](auto coordinate) {
+      std::nth_element(part.begin(), middle, part.end(), [&](const Member& a, const Member& b) {
+        return a.twice_center.*coordinate < b.twice_center.*coordinate;
+      });
+    };
+    switch (longest_axis(part)) {
+      case 0: halve_along(&Vec3::x); break;
+      case 1: halve_along(&Vec3::y); break;
+      default: halve_along(&Vec3::z);
+    }
     halve(part.first(left), fn);
     halve(part.subspan(left), fn);
   }
 
-  int longest_axis(std::span<const std::uint16_t> part) const {
+  static int longest_axis(std::span<const Member> part) {
     Bounds3 centers;
-    for (const std::uint16_t i : part) centers.add(boxes_[i].center());
+    for (const Member& member : part) centers.add(member.twice_center);
     const Vec3 extent = centers.extent();
     const int xy = extent.x > extent.y ? 0 : 1;
     return extent[xy] > extent.z ? xy : 2;
   }
 
-  std::size_t count_;
-  std::array<Bounds3, kBlock> boxes_;
-  std::array<std::uint16_t, kBlock> order_;
+  std::vector<Bounds3> boxes_;
+  std::vector<Member> members_;
 };
 
 /// Whether most blocks reach across most of the shape: then numbers say nothing about where primitives lie.
@@ -74,11 +86,11 @@ std::vector<Bounds3> add_crowd(int primitives, std::uint32_t first_leaf, const s
     const int first = static_cast<int>(begin);
     Block block(first, static_cast<int>(end - begin), box_of);
     std::size_t number = static_cast<std::size_t>(begin) / kWidth;
-    block.for_each_node([&](std::span<const std::uint16_t> part) {
+    block.for_each_node([&](std::span<const Block::Member> part) {
       Bvh::Node& node = nodes[before + number] = Bvh::Node::empty();
       for (std::size_t i = 0; i < part.size(); ++i) {
         node.set_box(i, block.box(part[i]));
-        node.child[i] = Bvh::kLeaf + first_leaf + static_cast<std::uint32_t>(first + part[i]);
+        node.child[i] = Bvh::kLeaf + first_leaf + static_cast<std::uint32_t>(first) + part[i].number;
         boxes[number].add(block.box(part[i]));
       }
       blocks[static_cast<std::size_t>(begin / kBlock)].add(boxes[number]);

@@ -18,6 +18,15 @@ const std::vector<std::string>& texts_of(const Param& param) {
   return std::get<std::vector<std::string>>(param.values);
 }
 
+float first_number(const Param& param) {
+  const auto* floats = std::get_if<std::vector<float>>(&param.values);
+  return floats ? floats->front() : static_cast<float>(std::get<std::vector<int>>(param.values).front());
+}
+
+// Lists that a million strands of hair would make a million times each.
+const std::vector<ParamType> kNumber{ParamType::number}, kInteger{ParamType::integer}, kBoolean{ParamType::boolean},
+    kText{ParamType::text}, kPoints3{ParamType::point3, ParamType::vector3, ParamType::normal};
+
 }  // namespace
 
 ParamReader::ParamReader(const ParamList& list, std::string subject, SourceLocation where, Diagnostics& diagnostics,
@@ -26,7 +35,10 @@ ParamReader::ParamReader(const ParamList& list, std::string subject, SourceLocat
       subject_(std::move(subject)),
       where_(where),
       diagnostics_(diagnostics),
-      main_directory_(std::move(main_directory)) {}
+      main_directory_(std::move(main_directory)) {
+  constexpr std::size_t kUsual = 16;
+  known_.reserve(kUsual);
+}
 
 ParamReader::ParamReader(std::vector<ParamInfo>& described, Diagnostics& diagnostics)
     : diagnostics_(diagnostics), described_(&described) {}
@@ -34,22 +46,22 @@ ParamReader::ParamReader(std::vector<ParamInfo>& described, Diagnostics& diagnos
 bool ParamReader::has(std::string_view name) const { return find(name) != nullptr; }
 
 float ParamReader::number(std::string_view name, float fallback, std::string_view unit, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::number}, 1, text_if(described_, "{:g}", fallback), unit, sentence);
-  return param ? numbers_of(*param).front() : fallback;
+  const Param* param = take_some(name, kNumber, 1, text_if(described_, "{:g}", fallback), unit, sentence);
+  return param ? first_number(*param) : fallback;
 }
 
 int ParamReader::integer(std::string_view name, int fallback, std::string_view unit, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::integer}, 1, std::to_string(fallback), unit, sentence);
+  const Param* param = take_some(name, kInteger, 1, text_if(described_, "{}", fallback), unit, sentence);
   return param ? std::get<std::vector<int>>(param->values).front() : fallback;
 }
 
 bool ParamReader::flag(std::string_view name, bool fallback, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::boolean}, 1, fallback ? "true" : "false", {}, sentence);
+  const Param* param = take_some(name, kBoolean, 1, fallback ? "true" : "false", {}, sentence);
   return param ? std::get<std::vector<bool>>(param->values).front() : fallback;
 }
 
 std::string ParamReader::text(std::string_view name, std::string fallback, std::string_view sentence) {
-  const Param* param = take_some(name, {ParamType::text}, 1, text_if(described_, "\"{}\"", fallback), {}, sentence);
+  const Param* param = take_some(name, kText, 1, text_if(described_, "\"{}\"", fallback), {}, sentence);
   return param ? texts_of(*param).front() : fallback;
 }
 
@@ -107,8 +119,7 @@ std::vector<Vec2> ParamReader::points2(std::string_view name, std::string_view s
 }
 
 std::vector<Vec3> ParamReader::points3(std::string_view name, std::string_view sentence) {
-  const Types types{ParamType::point3, ParamType::vector3, ParamType::normal};
-  const std::vector<float> v = take_groups(name, types, 3, sentence);
+  const std::vector<float> v = take_groups(name, kPoints3, 3, sentence);
   std::vector<Vec3> points(v.size() / 3);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
   return points;

@@ -102,7 +102,8 @@ std::vector<RibbonNormals> read_normals(ParamReader& reader, CurveType type, std
 Strand read_strand(ParamReader& reader) {
   Strand strand;
   strand.points = reader.points3("P", "control points");
-  strand.spline = reader.choice("basis", "bezier", {"bezier", "bspline"}, "of the control points") == "bspline";
+  static const std::vector<std::string> bases{"bezier", "bspline"};
+  strand.spline = reader.choice("basis", "bezier", bases, "of the control points") == "bspline";
   strand.degree = reader.integer("degree", 3, "", "2 or 3");
   if (strand.degree != 2 && strand.degree != 3) {
     reader.error("degree", "\"degree\" must be 2 or 3");
@@ -112,8 +113,9 @@ Strand read_strand(ParamReader& reader) {
 }
 
 CurveType read_type(ParamReader& reader) {
+  static const std::vector<std::string> types{"flat", "ribbon", "cylinder"};
   const std::string type =
-      reader.choice("type", "flat", {"flat", "ribbon", "cylinder"},
+      reader.choice("type", "flat", types,
                     "flat faces every ray; cylinder does too, with the normals of a tube; ribbon lies across N");
   return type == "ribbon" ? CurveType::ribbon : type == "cylinder" ? CurveType::cylinder : CurveType::flat;
 }

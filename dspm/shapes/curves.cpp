@@ -6,9 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "dspm/shapes/curve_pieces.h"
 #include "dspm/shapes/rounding.h"
-#include "dspm/system/parallel.h"
-#include "dspm/system/parallel_sort.h"
 
 namespace dspm {
 namespace {
@@ -18,26 +17,6 @@ DoubleVec3 perpendicular(const DoubleVec3& v, const DoubleVec3& along) {
   const DoubleVec3 rest = v - along * dot(v, along);
   const double l = length(rest);
   return l > 1e-9 * length(v) ? rest * (1 / l) : widen(Basis::around(narrow(along)).x);
-}
-
-/// The lowest 21 bits of v, with two zeros after each.
-std::uint64_t spread(std::uint64_t v) {
-  v = (v | v << 32) & 0x001f00000000ffffu;
-  v = (v | v << 16) & 0x001f0000ff0000ffu;
-  v = (v | v << 8) & 0x100f00f00f00f00fu;
-  v = (v | v << 4) & 0x10c30c30c30c30c3u;
-  return (v | v << 2) & 0x1249249249249249u;
-}
-
-/// The bits of the coordinates within the box, interleaved. [Morton 1966]
-std::uint64_t place_along_z_curve(const Vec3& p, const Bounds3& box) {
-  constexpr int kMost = (1 << 21) - 1;
-  std::uint64_t place = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float share = (p[axis] - box.low[axis]) / (box.high[axis] - box.low[axis]);
-    place |= spread(static_cast<std::uint64_t>(std::clamp(share > 0 ? share : 0, 0.f, 1.f) * kMost)) << axis;
-  }
-  return place;
 }
 
 std::optional<PrimitiveHit> hit_at(double t, double u, double v, const Ray& ray) {
@@ -67,72 +46,26 @@ DoubleVec3 RibbonNormals::between(double u) const {
 
 Curves::Curves(CurveType type, std::span<const CurveSegment> segments, std::vector<RibbonNormals> normals,
                int split_depth)
-    : type_(type), segments_(segments.begin(), segments.end()), normals_(std::move(normals)) {
-  for (std::uint32_t s = 0; s < segments_.size(); ++s) cut(s, split_depth);
-}
-
-/// Halves the pieces as long as their boxes get much smaller: those of slanting curves do, those along an axis do not.
-void Curves::cut(std::uint32_t number, int split_depth) {
-  constexpr float kWorthwhile = 0.7f;
-  const CurveSegment& segment = segments_[number];
-  const auto surface = [&](const std::vector<CurvePart>& parts) {
-    float sum = 0;
-    for (const CurvePart& part : parts) sum += bounds_of(segment, part).half_area();
-    return sum;
-  };
-  static thread_local std::vector<CurvePart> parts, halves;
-  parts.assign(1, CurvePart::of(segment, 0, 1));
-  float whole = surface(parts);
-  for (int depth = 0; depth < split_depth; ++depth) {
-    const std::size_t count = 2 * parts.size();
-    halves.clear();
-    for (std::size_t i = 0; i < count; ++i)
-      halves.push_back(CurvePart::of(segment, double(i) / double(count), double(i + 1) / double(count)));
-    const float halved = surface(halves);
-    if (!(halved < kWorthwhile * whole)) break;
-    whole = halved;
-    parts.swap(halves);
-  }
-  if (number == 0) pieces_.reserve(parts.size() * segments_.size());  // others are likely cut alike
-  const auto count = static_cast<int>(parts.size());
-  for (int i = 0; i < count; ++i)
-    pieces_.push_back(CurvePiece::of(segment, number, i, count, parts[static_cast<std::size_t>(i)]));
-}
+    : type_(type),
+      segments_(segments.begin(), segments.end()),
+      normals_(std::move(normals)),
+      split_depths_(segments.size(), static_cast<std::uint8_t>(split_depth)),
+      most_pieces_(segments.size() << split_depth) {}
 
 bool Curves::absorb(Shape& next) {
   auto* other = dynamic_cast<Curves*>(&next);
   constexpr std::size_t kMost = std::numeric_limits<int>::max();
-  if (!other || other->type_ != type_ || pieces_.size() + other->pieces_.size() > kMost) return false;
-  const auto first = static_cast<std::uint32_t>(segments_.size());
-  segments_.insert(segments_.end(), other->segments_.begin(), other->segments_.end());
-  normals_.insert(normals_.end(), other->normals_.begin(), other->normals_.end());
-  for (CurvePiece piece : other->pieces_) {
-    piece.segment += first;
-    pieces_.push_back(piece);
-  }
+  if (!other || other->type_ != type_ || most_pieces_ + other->most_pieces_ > kMost) return false;
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(segments_, other->segments_), append(normals_, other->normals_), append(split_depths_, other->split_depths_);
+  most_pieces_ += other->most_pieces_;
   return true;
 }
 
-/// Pieces that lie close together are stored close together, whatever the order of the strands: a ray that passes dense hair
-/// waits for memory more than for anything else.
+/// Segments are stored in the order in which their pieces are.
 void Curves::settle() {
-  constexpr std::int64_t kGrain = 1 << 14;
-  Bounds3 all;
-  for (const CurvePiece& piece : pieces_) all.add(piece.start);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(pieces_.size());
-  const auto for_each_piece = [&](const auto& body) {
-    parallel_for(static_cast<std::int64_t>(pieces_.size()), kGrain,
-                 [&](std::int64_t i) { body(static_cast<std::size_t>(i)); });
-  };
-  for_each_piece([&](std::size_t i) {
-    order[i] = {place_along_z_curve(pieces_[i].start + pieces_[i].chord * 0.5f, all), static_cast<std::uint32_t>(i)};
-  });
-  parallel_sort(order);
-  std::vector<CurvePiece> pieces(pieces_.size());
-  for_each_piece([&](std::size_t i) { pieces[i] = pieces_[order[i].second]; });
-  pieces_ = std::move(pieces);
-  order = {};
-
+  pieces_ = cut_into_pieces(segments_, split_depths_);
+  split_depths_ = {};
   constexpr auto kNotPlaced = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> place(segments_.size(), kNotPlaced);
   std::vector<CurveSegment> segments;

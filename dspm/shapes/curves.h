@@ -1,7 +1,8 @@
 // Curves as a shape: the segments of one Shape directive, or of the thousands of directives that it has absorbed. Each
-// primitive is a piece of a segment.
+// primitive is a piece of a segment; there are none before settle().
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "dspm/math/vec.h"
 #include "dspm/shapes/curve_segment.h"
 #include "dspm/shapes/shape.h"
+#include "dspm/system/untouched.h"
 
 namespace dspm {
 
@@ -40,7 +42,6 @@ class Curves final : public Shape {
  private:
   const CurvePiece& piece(int primitive) const { return pieces_[static_cast<std::size_t>(primitive)]; }
   const CurveSegment& segment(int primitive) const { return segments_[piece(primitive).segment]; }
-  void cut(std::uint32_t segment, int split_depth);
   std::optional<PrimitiveHit> facing_hit(const CurveSegment& segment, const Passage& passage, const Ray& ray) const;
   std::optional<PrimitiveHit> ribbon_hit(std::uint32_t segment, const Passage& passage, const Ray& ray) const;
   SurfacePoint facing_point(const CurveSegment& segment, Vec2 uv, const Vec3& direction) const;
@@ -48,8 +49,10 @@ class Curves final : public Shape {
 
   CurveType type_;
   std::vector<CurveSegment> segments_;
-  std::vector<RibbonNormals> normals_;  // by segment; empty unless ribbons
-  std::vector<CurvePiece> pieces_;
+  std::vector<RibbonNormals> normals_;      // by segment; empty unless ribbons
+  std::vector<std::uint8_t> split_depths_;  // by segment; empty once settled
+  std::size_t most_pieces_;
+  UntouchedVector<CurvePiece> pieces_;
 };
 
 }  // namespace dspm

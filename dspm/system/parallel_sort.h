@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "dspm/system/parallel.h"
+#include "dspm/system/untouched.h"
 
 namespace dspm {
 
 /// Elements must differ, so that there is one order.
 template <class T>
-void parallel_sort(std::vector<T>& values) {
+void parallel_sort(UntouchedVector<T>& values) {
   constexpr std::size_t kChunk = 1 << 16;
   const std::size_t count = values.size();
-  const auto at = [count](std::vector<T>& v, std::size_t place) {
+  const auto at = [count](UntouchedVector<T>& v, std::size_t place) {
     return v.begin() + static_cast<std::ptrdiff_t>(std::min(place, count));
   };
   parallel_chunks(static_cast<std::int64_t>(count), kChunk, [&](std::int64_t begin, std::int64_t end) {
     std::sort(values.begin() + begin, values.begin() + end);
   });
-  std::vector<T> merged(count > kChunk ? count : 0);
+  UntouchedVector<T> merged(count > kChunk ? count : 0);
   for (std::size_t width = kChunk; width < count; width *= 2, values.swap(merged))
     parallel_for(chunk_count(static_cast<std::int64_t>(count), static_cast<std::int64_t>(2 * width)), 1,
                  [&](std::int64_t pair) {

@@ -12,7 +12,7 @@ namespace dspm {
 
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
-  static_assert(std::is_trivially_default_constructible_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
   template <class U>
   struct rebind {
     using other = UntouchedAllocator<U>;
@@ -20,10 +20,7 @@ struct UntouchedAllocator : std::allocator<T> {
 
   template <class U, class... Args>
   void construct(U* place, Args&&... args) {
-    if constexpr (sizeof...(Args) == 0)
-      ::new (static_cast<void*>(place)) U;
-    else
-      ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+    if constexpr (sizeof...(Args) > 0) ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
   }
 };
 

@@ -140,6 +140,7 @@ class RandomScene {
       if (type == CurveType::ribbon) normals.push_back({{random_.direction(), random_.direction()}});
     }
     shapes_.push_back(std::make_unique<Curves>(type, segments, normals, random_.below(4)));
+    shapes_.back()->settle();
     return *shapes_.back();
   }
 

@@ -26,13 +26,18 @@ CurveSegment strand(Random& random, float width) {
   return CurveSegment::of(p, width * random.uniform(0.3f, 1), width * random.uniform(0.3f, 1));
 }
 
+Curves settled(Curves curves) {
+  curves.settle();
+  return curves;
+}
+
 Curves curves_of(CurveType type, Random& random, const CurveSegment& segment, int depth = 3) {
   std::vector<RibbonNormals> normals;
   if (type == CurveType::ribbon) {
     const Vec3 n = random.direction();
     normals.push_back({{n, normalize(n + random.in_cube(0.2f))}});
   }
-  return Curves(type, std::span(&segment, 1), normals, depth);
+  return settled(Curves(type, std::span(&segment, 1), normals, depth));
 }
 
 struct Found {
@@ -192,7 +197,7 @@ TEST(Curves, ARibbonShowsItsEdge) {
   const Vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   const CurveSegment segment = CurveSegment::of(p, 0.2f, 0.2f);
   const std::vector<RibbonNormals> normals{{{{0, 0, -1}, {0, 0, -1}}}};
-  const Curves ribbon(CurveType::ribbon, std::span(&segment, 1), normals, 3);
+  const Curves ribbon = settled(Curves(CurveType::ribbon, std::span(&segment, 1), normals, 3));
   for (const float degrees : {0.f, 40.f, 80.f, 100.f, 180.f}) {
     const float a = degrees * kPi / 180;
     const Vec3 from{0, std::sin(a), -std::cos(a)}, side{0, std::cos(a), std::sin(a)};

@@ -23,7 +23,9 @@ inline std::vector<MadeShape> make_shapes(std::string_view plugin, ParamList lis
   const auto* found = shape_plugins().find(plugin, {}, diagnostics);
   if (!found) return {};
   ParamReader reader(list, "shape \"" + std::string(plugin) + "\"", {}, diagnostics);
-  return found->make(reader);
+  std::vector<MadeShape> made = found->make(reader);
+  for (MadeShape& each : made) each.shape->settle();
+  return made;
 }
 
 /// The one shape that takes numbers only; throws where something is wrong.
