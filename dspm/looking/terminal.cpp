@@ -74,7 +74,7 @@ Graphics graphics_of_answer(std::string_view answer) {
 }
 
 std::string_view graphics_query(std::string_view term) {
-  constexpr std::string_view kBoth = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[c", kAttributes = "\x1b[c";
+  constexpr std::string_view kAttributes = "\x1b[c", kBoth = "\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\r\x1b[K\x1b[c";
   return term.starts_with("tmux") || term.starts_with("screen") ? kAttributes : kBoth;
 }
 

@@ -39,8 +39,10 @@ TEST(Terminal, AnswersTellWhatItKnows) {
 TEST(Terminal, TmuxAndScreenAreNotAskedForKittysImages) {
   EXPECT_EQ(graphics_query("tmux-256color"), "\x1b[c");
   EXPECT_EQ(graphics_query("screen.xterm-256color"), "\x1b[c");
-  for (const char* term : {"xterm-kitty", "xterm-256color", ""})
+  for (const char* term : {"xterm-kitty", "rxvt-unicode", ""}) {
     EXPECT_TRUE(graphics_query(term).starts_with("\x1b_G")) << term;
+    EXPECT_TRUE(graphics_query(term).ends_with("\r\x1b[K\x1b[c")) << "what a terminal prints of it is erased";
+  }
 }
 
 TEST(Terminal, SixelTerminalsTellTheLargestImage) {
