@@ -66,21 +66,29 @@ class Block {
   std::vector<Member> members_;
 };
 
-/// Whether most blocks reach across most of the shape: then numbers say nothing about where primitives lie.
-bool are_mixed(const std::vector<Bounds3>& blocks) {
+}  // namespace
+
+/// If most blocks reach across most of the shape, numbers say nothing about where primitives lie.
+bool is_crowd(const Shape& shape) {
+  constexpr int kFewest = 1 << 14, kStep = 32;
   constexpr float kMost = 0.7f;
+  const int count = shape.primitive_count();
+  if (count < kFewest || shape.triangles()) return false;
+  std::vector<Bounds3> blocks(static_cast<std::size_t>(chunk_count(count, kBlock)));
+  parallel_chunks(count, kBlock, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t p = begin; p < end; p += kStep)
+      blocks[static_cast<std::size_t>(begin / kBlock)].add(shape.bounds(static_cast<int>(p)));
+  });
   Bounds3 whole;
   float sum = 0;
   for (const Bounds3& block : blocks) whole.add(block), sum += block.half_area();
-  return sum > kMost * static_cast<float>(blocks.size()) * whole.half_area();
+  return sum <= kMost * static_cast<float>(blocks.size()) * whole.half_area();
 }
-
-}  // namespace
 
 std::vector<Bounds3> add_crowd(int primitives, std::uint32_t first_leaf, const std::function<Bounds3(int)>& box_of,
                                Bvh::Nodes& nodes) {
   const std::size_t before = nodes.size(), added = static_cast<std::size_t>(chunk_count(primitives, Bvh::kWidth));
-  std::vector<Bounds3> boxes(added), blocks(static_cast<std::size_t>(chunk_count(primitives, kBlock)));
+  std::vector<Bounds3> boxes(added);
   nodes.resize(before + added);
   parallel_chunks(primitives, kBlock, [&](std::int64_t begin, std::int64_t end) {
     const int first = static_cast<int>(begin);
@@ -93,13 +101,10 @@ std::vector<Bounds3> add_crowd(int primitives, std::uint32_t first_leaf, const s
         node.child[i] = Bvh::kLeaf + first_leaf + static_cast<std::uint32_t>(first) + part[i].number;
         boxes[number].add(block.box(part[i]));
       }
-      blocks[static_cast<std::size_t>(begin / kBlock)].add(boxes[number]);
       ++number;
     });
   });
-  if (!are_mixed(blocks)) return boxes;
-  nodes.resize(before);
-  return {};
+  return boxes;
 }
 
 }  // namespace dspm

@@ -8,15 +8,15 @@
 
 #include "dspm/accel/bvh.h"
 #include "dspm/math/vec.h"
+#include "dspm/shapes/shape.h"
 
 namespace dspm {
 
-/// With fewer primitives, little time is to be won.
-inline constexpr int kCrowd = 1 << 14;
+/// Whether it has very many primitives, no triangles, and those of similar numbers lie close together, by a sample of them.
+bool is_crowd(const Shape& shape);
 
-/// Appends nodes of eight primitives each, whose leaves are first_leaf + primitive, and returns their boxes. Neighbours are
-/// found among primitives of similar numbers; if those are far apart, it appends nothing. `box_of`: of a primitive, with
-/// margin; called by any thread.
+/// Appends nodes of eight primitives each, whose leaves are first_leaf + primitive, and returns their boxes. `box_of`: of a
+/// primitive, with margin; called by any thread.
 std::vector<Bounds3> add_crowd(int primitives, std::uint32_t first_leaf, const std::function<Bounds3(int)>& box_of,
                                Bvh::Nodes& nodes);
 

@@ -45,11 +45,16 @@ class Tree::Builder {
       if (is_world_mesh(shape(s))) world_meshes.push_back(s);
     TrianglePieces triangles(shapes_, world_meshes);
     pieces_ = std::move(triangles.pieces);
-    reserve_for_crowds(which);
-    for (const int s : which)
-      if (!is_world_mesh(shape(s)) && !add_if_crowd(s)) place(s);
+    std::vector<int> crowds;
+    for (const int s : which) {
+      if (is_world_mesh(shape(s))) continue;
+      if (!has_own_tree(shape(s)) && is_crowd(*shape(s).shape))
+        crowds.push_back(s);
+      else
+        place(s);
+    }
     first_of_crowds_ = pieces_.size();
-    pieces_.insert(pieces_.end(), crowd_pieces_.begin(), crowd_pieces_.end());
+    place_crowds(crowds);
     expect_numbered(pieces_.size(), 0);
 
     const bool alike =
@@ -109,31 +114,27 @@ class Tree::Builder {
     parallel_for(count, 1 << 12, add_one);
   }
 
-  bool may_be_crowd(int s) const { return !has_own_tree(shape(s)) && shape(s).shape->primitive_count() >= kCrowd; }
-
-  /// And for the nodes above theirs, of which there are fewer than a quarter as many.
-  void reserve_for_crowds(std::span<const int> which) {
-    std::size_t primitives = 0;
-    for (const int s : which)
-      if (!is_world_mesh(shape(s)) && may_be_crowd(s))
-        primitives += static_cast<std::size_t>(shape(s).shape->primitive_count());
-    tree_.bvh_.nodes.reserve(primitives / Bvh::kWidth * 5 / 4);
-  }
-
-  /// Whether its primitives got nodes at once.
-  bool add_if_crowd(int s) {
-    const PlacedShape& placed = shape(s);
-    const int count = placed.shape->primitive_count();
-    if (!may_be_crowd(s) || static_cast<std::uint32_t>(count) > kMostInCrowds - in_crowds_) return false;
-    const ToWorld to_world(placed);
-    const std::vector<Bounds3> boxes = add_crowd(
-        count, kOfCrowd + in_crowds_, [&](int p) { return primitive_box(placed, to_world, p); }, tree_.bvh_.nodes);
-    if (boxes.empty()) return false;
-    tree_.margins_ = std::max(tree_.margins_, to_world.margins);
-    for (const Bounds3& box : boxes) crowd_pieces_.push_back({box, placed.frames, kLeafSize});
-    tree_.crowds_.push_back({in_crowds_, &placed, s});
-    in_crowds_ += static_cast<std::uint32_t>(count);
-    return true;
+  /// Their nodes get room for those above them, of which there are fewer than a quarter as many.
+  void place_crowds(std::span<const int> crowds) {
+    const auto count = [&](int s) { return static_cast<std::size_t>(shape(s).shape->primitive_count()); };
+    std::size_t all = 0;
+    for (const int s : crowds) all += count(s);
+    expect_numbered(all, all);
+    tree_.bvh_.nodes.reserve(all / Bvh::kWidth * 5 / 4);
+    std::uint32_t first = 0;
+    for (const int s : crowds) {
+      const PlacedShape& placed = shape(s);
+      const ToWorld to_world(placed);
+      tree_.margins_ = std::max(tree_.margins_, to_world.margins);
+      tree_.crowds_.push_back({first, &placed, s});
+      const auto box_of = [&](int p) { return primitive_box(placed, to_world, p); };
+      for (const Bounds3& box :
+           add_crowd(placed.shape->primitive_count(), kOfCrowd + first, box_of, tree_.bvh_.nodes)) {
+        pieces_.push_back({box, placed.frames, kLeafSize});
+        crowd_frames_.push_back(placed.frames);
+      }
+      first += static_cast<std::uint32_t>(count(s));
+    }
   }
 
   static Bounds3 primitive_box(const PlacedShape& placed, const ToWorld& to_world, int primitive) {
@@ -198,7 +199,7 @@ class Tree::Builder {
       all.nodes.insert(all.nodes.end(), above.nodes.begin(), above.nodes.end());
     }
     if (alike) return;
-    for (const Piece& node : crowd_pieces_) all.node_frames.emplace_back().fill(node.frames);
+    for (const FrameSet frames : crowd_frames_) all.node_frames.emplace_back().fill(frames);
     all.node_frames.insert(all.node_frames.end(), above.node_frames.begin(), above.node_frames.end());
   }
 
@@ -207,9 +208,8 @@ class Tree::Builder {
   MeshTrees& meshes_;
   std::vector<Piece> pieces_;  // triangles, then placed_, then the nodes of crowds
   std::vector<Placed> placed_;
-  std::vector<Piece> crowd_pieces_;
+  std::vector<FrameSet> crowd_frames_;  // by their nodes
   std::size_t first_of_crowds_ = 0;
-  std::uint32_t in_crowds_ = 0;  // primitives
 };
 
 Tree::Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,

@@ -10,10 +10,9 @@ namespace dspm {
 
 // Bits of a leaf's number: it is a placed object; its triangles fill two packets; it is a primitive of a crowd.
 inline constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29, kOfCrowd = kPlaced | kTwo;
-inline constexpr std::uint32_t kMostInCrowds = kTwo;
 
 /// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and
-/// placed objects), or if their triangles fill more packets than it can number.
+/// placed objects), or if their triangles fill more packets, or crowds have more primitives, than it can number.
 inline void expect_numbered(std::uint64_t pieces, std::uint64_t packets) {
   constexpr std::uint64_t kMostPieces = kPlaced;
   if (pieces <= kMostPieces && packets <= kTwo) return;

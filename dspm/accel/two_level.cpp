@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "dspm/accel/crowd.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
 #include "dspm/params/params.h"
@@ -96,13 +97,14 @@ std::size_t TwoLevel::memory() const {
 }
 
 std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
-  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 85, and about 40 more for a while.
+  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 85, and about 40 more for a while. Pieces of
+  // hair take less than half of that.
   constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;
   for (const PlacedShape& shape : shapes) {
     if (has_own_tree(shape) && !placed_meshes.insert(shape.shape).second) continue;
-    const auto count = static_cast<std::size_t>(shape.shape->primitive_count());
+    const auto count = static_cast<std::size_t>(shape.shape->primitive_count()) / (is_crowd(*shape.shape) ? 2 : 1);
     (in_some(shape, all) ? moving : still) += count;
     if (in_some(shape, all) && !shape.in_object_space())
       in_trees_of_frames += count * static_cast<std::size_t>((shape.frames & all).count());

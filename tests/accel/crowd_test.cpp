@@ -1,4 +1,4 @@
-// Crowds: every primitive lies in one node, and what is scattered is left to the builders.
+// Crowds: every primitive lies in one node, and what is scattered is no crowd.
 #include "dspm/accel/crowd.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::uint32_t kFirst = 100;
 
-/// Of unit cubes in a row.
+constexpr int kMany = 20'000;
+
+/// Unit cubes in a row.
 std::vector<Bounds3> row(int count) {
   std::vector<Bounds3> boxes;
   for (int i = 0; i < count; ++i) {
@@ -21,19 +23,31 @@ std::vector<Bounds3> row(int count) {
   return boxes;
 }
 
-std::vector<Bounds3> crowd_of(const std::vector<Bounds3>& boxes, Bvh::Nodes& nodes) {
-  return add_crowd(
-      static_cast<int>(boxes.size()), kFirst, [&](int i) { return boxes[static_cast<std::size_t>(i)]; }, nodes);
-}
+class Boxes final : public Shape {
+ public:
+  explicit Boxes(std::vector<Bounds3> boxes) : boxes_(std::move(boxes)) {}
+  int primitive_count() const override { return static_cast<int>(boxes_.size()); }
+  Bounds3 bounds(int primitive) const override { return boxes_[static_cast<std::size_t>(primitive)]; }
+  std::optional<PrimitiveHit> intersect(int, const Ray&) const override { return std::nullopt; }
+  SurfacePoint surface_point(int, Vec2) const override { return {}; }
+  float area(int) const override { return 0; }
+  Vec2 sample_area(int, Vec2 u) const override { return u; }
+
+ private:
+  std::vector<Bounds3> boxes_;
+};
 
 TEST(Crowd, HasEveryPrimitiveOnce) {
-  std::vector<Bounds3> primitives = row(kCrowd + 13);
+  std::vector<Bounds3> primitives = row(kMany + 13);
   for (std::size_t i = 0; i + 100 < primitives.size(); i += 100)  // neighbours in any order
     std::shuffle(primitives.begin() + static_cast<std::ptrdiff_t>(i),
                  primitives.begin() + static_cast<std::ptrdiff_t>(i + 100), std::mt19937(static_cast<unsigned>(i)));
   Bvh::Nodes nodes(3, Bvh::Node::empty());
-  const std::vector<Bounds3> boxes = crowd_of(primitives, nodes);
-  ASSERT_EQ(boxes.size(), kCrowd / 8 + 2);
+  const Boxes shape(primitives);
+  EXPECT_TRUE(is_crowd(shape));
+  const std::vector<Bounds3> boxes = add_crowd(
+      shape.primitive_count(), kFirst, [&](int i) { return shape.bounds(i); }, nodes);
+  ASSERT_EQ(boxes.size(), kMany / 8 + 2);
   ASSERT_EQ(nodes.size(), boxes.size() + 3);
   std::vector<int> seen(primitives.size());
   float length = 0;
@@ -56,12 +70,11 @@ TEST(Crowd, HasEveryPrimitiveOnce) {
   EXPECT_LT(length, 1.1f * static_cast<float>(primitives.size()));  // no node reaches across others
 }
 
-TEST(Crowd, IsNoneIfPrimitivesAreScattered) {
-  std::vector<Bounds3> primitives = row(kCrowd);
+TEST(Crowd, IsNoShapeOfScatteredOrFewPrimitives) {
+  std::vector<Bounds3> primitives = row(kMany);
   std::shuffle(primitives.begin(), primitives.end(), std::mt19937(1));
-  Bvh::Nodes nodes(3, Bvh::Node::empty());
-  EXPECT_TRUE(crowd_of(primitives, nodes).empty());
-  EXPECT_EQ(nodes.size(), 3u);
+  EXPECT_FALSE(is_crowd(Boxes(primitives)));
+  EXPECT_FALSE(is_crowd(Boxes(row(100))));
 }
 
 }  // namespace
