@@ -2,6 +2,7 @@
 // radius.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
@@ -17,9 +18,9 @@ struct RadianceEstimate {
   std::int64_t emitted = 0;  // photon paths in each frame
 };
 
-/// Calls fn(FrameSet, radiance times the hit point's throughput, kNone); the sets are disjoint and leave out frames without
-/// photons. Frames that use the same photons share one call. After it come those for its parts, by group of the map: what
-/// the group's photons bring within the disc of all photons.
+/// Calls fn(FrameSet, radiance times the hit point's throughput, group): with kNone for all photons, and with each of the
+/// map's groups for the part of its photons within the same disc. A group's sets are disjoint and leave out frames
+/// without photons. Frames that use the same photons share calls.
 template <class Fn>
 void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn);
@@ -41,8 +42,10 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
                        const RadianceEstimate& how, GatherCounts& counts, Fn&& fn) {
   float radius = how.radius;
   const std::vector<NearPhoton> photons = near_photons(hit, scattering, map, how, counts, radius);
-  const auto sum = [&](FrameSet frames, int group) {
+  std::vector<Rgb> parts(static_cast<std::size_t>(map.groups().count()));
+  const auto sum = [&](FrameSet frames) {
     Rgb flux;
+    std::fill(parts.begin(), parts.end(), Rgb());
     int found = 0;
     float radius2 = radius * radius;
     for (const NearPhoton& photon : photons) {
@@ -52,18 +55,19 @@ void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const 
         radius2 = photon.distance2;
         break;
       }
-      if (group == LightGroups::kNone || photon.group == group) flux += photon.flux;
+      flux += photon.flux;
+      if (photon.group != LightGroups::kNone) parts[static_cast<std::size_t>(photon.group)] += photon.flux;
     }
     if (is_black(flux) || radius2 == 0) return;
-    fn(frames, hit.throughput * flux / kernel_size(radius2, static_cast<float>(how.emitted)), group);
-  };
-  const auto sums = [&](FrameSet frames) {
-    for (int group = LightGroups::kNone; group < map.groups().count(); ++group) sum(frames, group);
+    const float size = kernel_size(radius2, static_cast<float>(how.emitted));
+    fn(frames, hit.throughput * flux / size, LightGroups::kNone);
+    for (std::size_t group = 0; group < parts.size(); ++group)
+      if (!is_black(parts[group])) fn(frames, hit.throughput * parts[group] / size, static_cast<int>(group));
   };
   FrameSet alike = hit.frames;
   for (const NearPhoton& photon : photons) alike &= photon.frames;
-  if (alike == hit.frames) return sums(hit.frames);
-  hit.frames.for_each([&](Frame f) { sums(FrameSet::single(f)); });
+  if (alike == hit.frames) return sum(hit.frames);
+  hit.frames.for_each([&](Frame f) { sum(FrameSet::single(f)); });
 }
 
 }  // namespace dspm
