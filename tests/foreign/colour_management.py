@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""--view ocio against OpenColorIO's own tool: a configuration of the test's, and Blender's. Exit code 77: no tool, or dspm was built
+"""--view ocio against OpenColorIO's own tool: configurations of the test's, and Blender's. Exit code 77: no tool, or dspm was built
 without the library.
 usage: colour_management.py dspm"""
 import os, pathlib, subprocess
@@ -38,6 +38,51 @@ colorspaces:
         - !<FileTransform> {src: film.spi1d, interpolation: linear}
 """
 VIEWS = ["screen/Film", "screen/Gamma"]
+# As the configurations of ACES are made: another working space, and views in two steps.
+ACES = """ocio_profile_version: 2
+strictparsing: false
+roles:
+  aces_interchange: ACES2065-1
+  cie_xyz_d65_interchange: CIE-XYZ-D65
+  default: Raw
+  scene_linear: ACEScg
+displays:
+  sRGB:
+    - !<View> {name: SDR, view_transform: ACES 1.0, display_colorspace: sRGB}
+    - !<View> {name: Raw, colorspace: Raw}
+active_displays: [sRGB]
+active_views: [SDR, Raw]
+view_transforms:
+  - !<ViewTransform>
+    name: ACES 1.0
+    from_scene_reference: !<BuiltinTransform> {style: ACES-OUTPUT - ACES2065-1_to_CIE-XYZ-D65 - SDR-VIDEO_1.0}
+display_colorspaces:
+  - !<ColorSpace>
+    name: CIE-XYZ-D65
+    isdata: false
+  - !<ColorSpace>
+    name: sRGB
+    isdata: false
+    from_display_reference: !<BuiltinTransform> {style: DISPLAY - CIE-XYZ-D65_to_sRGB}
+colorspaces:
+  - !<ColorSpace>
+    name: ACES2065-1
+    isdata: false
+  - !<ColorSpace>
+    name: Raw
+    isdata: true
+  - !<ColorSpace>
+    name: ACEScg
+    isdata: false
+    to_scene_reference: !<BuiltinTransform> {style: ACEScg_to_ACES2065-1}
+  - !<ColorSpace>
+    name: Linear
+    isdata: false
+    from_scene_reference: !<GroupTransform>
+      children:
+        - !<BuiltinTransform> {style: UTILITY - ACES-AP0_to_CIE-XYZ-D65_BFD}
+        - !<MatrixTransform> {matrix: [3.2404542, -1.5371385, -0.4985314, 0, -0.969266, 1.8760108, 0.041556, 0, 0.0556434, -0.2040259, 1.0572252, 0, 0, 0, 0, 1]}
+"""
 
 
 def compare(checks, config, views):
@@ -64,9 +109,9 @@ def main():
         (checks.folder / "luts").mkdir()
         curve = "\n".join(str(1 - (1 - i / 32) ** 1.5) for i in range(33))
         (checks.folder / "luts/film.spi1d").write_text(f"Version 1\nFrom 0 1\nLength 33\nComponents 1\n{{\n{curve}\n}}\n")
-        config = checks.folder / "config.ocio"
-        config.write_text(CONFIGURATION)
-        compare(checks, config, VIEWS)
+        for name, text, views in (("small.ocio", CONFIGURATION, VIEWS), ("aces.ocio", ACES, ["sRGB/SDR"])):
+            (checks.folder / name).write_text(text)
+            compare(checks, checks.folder / name, views)
         if BLENDERS.exists():
             compare(checks, BLENDERS, BLENDERS_VIEWS)
     checks.finish()
