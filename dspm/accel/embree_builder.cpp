@@ -152,14 +152,13 @@ class Copy {
   Bvh bvh_;
 };
 
-std::vector<RTCBuildPrimitive> primitives_of(std::span<const Piece> pieces) {
-  std::vector<RTCBuildPrimitive> primitives;
-  primitives.reserve(pieces.size());
-  for (const Piece& piece : pieces) {
-    const auto& [low, high] = piece.bounds;
-    const auto number = static_cast<unsigned>(primitives.size());
-    primitives.push_back({low.x, low.y, low.z, 0, high.x, high.y, high.z, number});
-  }
+UntouchedVector<RTCBuildPrimitive> primitives_of(std::span<const Piece> pieces) {
+  UntouchedVector<RTCBuildPrimitive> primitives(pieces.size());
+  parallel_for(static_cast<std::int64_t>(pieces.size()), 1 << 14, [&](std::int64_t i) {
+    const auto number = static_cast<std::size_t>(i);
+    const auto& [low, high] = pieces[number].bounds;
+    primitives[number] = {low.x, low.y, low.z, 0, high.x, high.y, high.z, static_cast<unsigned>(number)};
+  });
   return primitives;
 }
 
@@ -170,7 +169,7 @@ Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size) {
   const std::unique_ptr<RTCBVHTy, Release> bvh(device() ? rtcNewBVH(device()) : nullptr);
   if (!bvh)
     throw std::runtime_error("Embree does not start; Accelerator \"two-level\" \"string static\" \"own\" does without");
-  std::vector<RTCBuildPrimitive> primitives = primitives_of(pieces);
+  UntouchedVector<RTCBuildPrimitive> primitives = primitives_of(pieces);
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.maxBranchingFactor = Bvh::kWidth;
   arguments.maxDepth = kDepth;

@@ -14,6 +14,7 @@
 #include "dspm/accel/triangle_packet.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/ray.h"
+#include "dspm/system/untouched.h"
 
 namespace dspm {
 
@@ -98,7 +99,7 @@ class Tree {
   void find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const;
 
   Bvh bvh_;  // leaf numbers index packets_, from kPlaced on placed_, from kOfCrowd on primitives of crowds_
-  std::vector<TrianglePacket> packets_;
+  UntouchedVector<TrianglePacket> packets_;
   std::vector<Placed> placed_;
   std::vector<PlacedCrowd> crowds_;
   std::vector<FrameSet> frames_;          // by shape

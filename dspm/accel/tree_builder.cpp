@@ -63,13 +63,12 @@ class Tree::Builder {
     Bvh above = alike && builder == BvhBuilder::embree ? build_bvh_with_embree(pieces_, kLeafSize)
                                                        : build_bvh(pieces_, kLeafSize, all);
     pieces_ = {};  // frees memory for the packets
-    const std::size_t packets = packets_in(above, triangles);
-    expect_numbered(triangles.count(), packets);
-    tree_.packets_.reserve(packets), tree_.placed_.reserve(placed_.size());
+    const std::vector<std::uint32_t> places = fill_leaves(above, triangles);
     const auto below = static_cast<std::uint32_t>(tree_.bvh_.nodes.size());
-    for (Bvh::Node& node : above.nodes)
-      for (std::uint32_t& child : node.child)
-        child = child < Bvh::kLeaf ? below + child : child_of(above, above.leaves[child - Bvh::kLeaf], triangles);
+    parallel_for(static_cast<std::int64_t>(above.nodes.size()), 1 << 12, [&](std::int64_t n) {
+      for (std::uint32_t& child : above.nodes[static_cast<std::size_t>(n)].child)
+        child = child < Bvh::kLeaf ? below + child : places[child - Bvh::kLeaf];
+    });
     put_above_crowds(std::move(above), alike);
   }
 
@@ -149,43 +148,56 @@ class Tree::Builder {
     return widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
   }
 
-  /// The number of the leaf, or of the crowd's node that stands there.
-  std::uint32_t child_of(const Bvh& above, const Bvh::Leaf& leaf, const TrianglePieces& triangles) {
-    const auto pieces = std::span(above.order).subspan(leaf.first, leaf.count);
-    if (const std::size_t piece = pieces.front(); piece >= first_of_crowds_)
-      return static_cast<std::uint32_t>(piece - first_of_crowds_);
-    return Bvh::kLeaf + add_leaf(pieces, triangles);
+  /// The children that leaves become, by their numbers: packets of triangles, placed objects, nodes of crowds.
+  std::vector<std::uint32_t> fill_leaves(const Bvh& above, const TrianglePieces& triangles) {
+    std::vector<std::uint32_t> places;
+    places.reserve(above.leaves.size()), tree_.placed_.reserve(placed_.size());
+    std::size_t packets = 0;
+    for (const Bvh::Leaf& leaf : above.leaves) {
+      const std::size_t first = above.order[leaf.first];
+      if (first >= first_of_crowds_) {
+        places.push_back(static_cast<std::uint32_t>(first - first_of_crowds_));
+      } else if (first >= triangles.count()) {
+        places.push_back(Bvh::kLeaf + kPlaced + static_cast<std::uint32_t>(tree_.placed_.size()));
+        tree_.placed_.push_back(placed_[first - triangles.count()]);
+      } else {
+        const std::size_t count = packets_of(pieces_in(above, leaf), triangles);
+        places.push_back(Bvh::kLeaf + (count == 2 ? kTwo : 0) + static_cast<std::uint32_t>(packets));
+        packets += count;
+      }
+    }
+    expect_numbered(triangles.count(), packets);
+    tree_.packets_.resize(packets);
+    parallel_for(static_cast<std::int64_t>(places.size()), 1 << 10, [&](std::int64_t l) {
+      const std::uint32_t place = places[static_cast<std::size_t>(l)];
+      if (place >= Bvh::kLeaf && place < Bvh::kLeaf + kPlaced)
+        fill(&tree_.packets_[place & (kTwo - 1)], pieces_in(above, above.leaves[static_cast<std::size_t>(l)]),
+             triangles);
+    });
+    return places;
   }
 
-  std::uint32_t add_leaf(std::span<const std::uint32_t> pieces, const TrianglePieces& triangles) {
-    if (pieces.front() >= triangles.count()) {
-      tree_.placed_.push_back(placed_[pieces.front() - triangles.count()]);
-      return kPlaced + static_cast<std::uint32_t>(tree_.placed_.size() - 1);
-    }
-    const auto first = static_cast<std::uint32_t>(tree_.packets_.size());
+  static std::span<const std::uint32_t> pieces_in(const Bvh& above, const Bvh::Leaf& leaf) {
+    return std::span(above.order).subspan(leaf.first, leaf.count);
+  }
+
+  static std::size_t packets_of(std::span<const std::uint32_t> pieces, const TrianglePieces& triangles) {
+    std::size_t count = 0;
+    for (const std::uint32_t piece : pieces) count += triangles.of_piece(piece).size();
+    return (count + TrianglePacket::kSize - 1) / TrianglePacket::kSize;
+  }
+
+  void fill(TrianglePacket* packets, std::span<const std::uint32_t> pieces, const TrianglePieces& triangles) const {
     std::size_t count = 0;
     for (const std::uint32_t piece : pieces) {
       for (const auto [s, number] : triangles.of_piece(piece)) {
+        TrianglePacket& packet = packets[count / TrianglePacket::kSize];
         const std::size_t lane = count++ % TrianglePacket::kSize;
-        if (lane == 0) tree_.packets_.emplace_back();
+        if (lane == 0) packet = {};
         const TriangleMesh& mesh = *shape(s).shape->triangles();
-        tree_.packets_.back().set(lane, s, number, mesh.vertex(number, 0), mesh.vertex(number, 1),
-                                  mesh.vertex(number, 2));
+        packet.set(lane, s, number, mesh.vertex(number, 0), mesh.vertex(number, 1), mesh.vertex(number, 2));
       }
     }
-    return count > TrianglePacket::kSize ? kTwo | first : first;
-  }
-
-  /// The packets that the leaves will take.
-  static std::size_t packets_in(const Bvh& above, const TrianglePieces& triangles) {
-    std::size_t packets = 0;
-    for (const Bvh::Leaf& leaf : above.leaves) {
-      std::size_t count = 0;
-      for (const std::uint32_t piece : std::span(above.order).subspan(leaf.first, leaf.count))
-        if (piece < triangles.count()) count += triangles.of_piece(piece).size();
-      packets += (count + TrianglePacket::kSize - 1) / TrianglePacket::kSize;
-    }
-    return packets;
   }
 
   void put_above_crowds(Bvh above, bool alike) {
@@ -206,7 +218,7 @@ class Tree::Builder {
   Tree& tree_;
   std::span<const PlacedShape> shapes_;
   MeshTrees& meshes_;
-  std::vector<Piece> pieces_;  // triangles, then placed_, then the nodes of crowds
+  UntouchedVector<Piece> pieces_;  // triangles, then placed_, then the nodes of crowds
   std::vector<Placed> placed_;
   std::vector<FrameSet> crowd_frames_;  // by their nodes
   std::size_t first_of_crowds_ = 0;

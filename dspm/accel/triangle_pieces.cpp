@@ -4,6 +4,7 @@
 
 #include "dspm/accel/box_ray.h"
 #include "dspm/shapes/triangle_mesh.h"
+#include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
@@ -69,9 +70,26 @@ TrianglePieces::TrianglePieces(std::span<const PlacedShape> shapes, std::span<co
   while (!which.empty()) {
     const std::size_t length = sequence_length(shapes, which);
     const int count = shapes[static_cast<std::size_t>(which.front())].shape->primitive_count();
-    for (int p = 0; p < count; ++p) cutter.cut(which.first(length), p);
+    if (length == 1)
+      add_each(which.front(), shapes[static_cast<std::size_t>(which.front())]);
+    else
+      for (int p = 0; p < count; ++p) cutter.cut(which.first(length), p);
     which = which.subspan(length);
   }
+}
+
+/// What cut() makes of a mesh alone.
+void TrianglePieces::add_each(int shape, const PlacedShape& placed) {
+  const std::size_t before = count(), first = triangles.size();
+  const auto added = static_cast<std::size_t>(placed.shape->primitive_count());
+  pieces.resize(before + added), first_triangle.resize(before + added + 1), triangles.resize(first + added);
+  parallel_for(static_cast<std::int64_t>(added), 1 << 12, [&](std::int64_t p) {
+    const auto i = static_cast<std::size_t>(p);
+    const auto number = static_cast<int>(p);
+    pieces[before + i] = {with_margin(placed.shape->bounds(number)), placed.frames, 1};
+    triangles[first + i] = {shape, number};
+    first_triangle[before + i + 1] = static_cast<std::uint32_t>(first + i + 1);
+  });
 }
 
 }  // namespace dspm

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "dspm/accel/triangle_packet.h"
 #include "dspm/shapes/placed_shape.h"
+#include "dspm/system/untouched.h"
 
 namespace dspm {
 
@@ -23,9 +23,12 @@ struct TrianglePieces {
     return std::span(triangles).subspan(first_triangle[p], first_triangle[p + 1] - first_triangle[p]);
   }
 
-  std::vector<Piece> pieces;
-  std::vector<std::uint32_t> first_triangle;  // by piece, and one past the last
-  std::vector<Triangle> triangles;
+  UntouchedVector<Piece> pieces;
+  UntouchedVector<std::uint32_t> first_triangle;  // by piece, and one past the last
+  UntouchedVector<Triangle> triangles;
+
+ private:
+  void add_each(int shape, const PlacedShape& placed);
 };
 
 }  // namespace dspm
