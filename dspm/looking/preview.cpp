@@ -49,6 +49,7 @@ std::string Preview::show(const Image& shown) {
 
 void Preview::text_follows(std::string_view text) {
   for (const char letter : text) {
+    if ((letter & 0xc0) == 0x80) continue;  // a letter's further bytes in UTF-8
     const bool wraps = letter != '\n' && letter != '\r' && column_ == size_.columns;
     if (letter == '\n' || wraps) ++rows_below_;
     column_ = letter == '\n' || letter == '\r' ? 0 : wraps ? 1 : column_ + 1;

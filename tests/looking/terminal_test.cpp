@@ -190,7 +190,7 @@ TEST(Preview, StaysInItsPlaceWhileLinesFollow) {
                         "7"))
       << "makes room";
   EXPECT_EQ(rows_of(first, 'B'), 5);
-  preview.text_follows("one line\n");
+  preview.text_follows("a line of forty letters, in f\u00fcnf W\u00f6rtern\n");
   preview.text_follows(std::string(50, 'x') + "\n");  // wraps
   preview.text_follows("\r[====]");
   const std::string second = preview.show(image);
