@@ -31,12 +31,6 @@ void keep_guide(const Options& options, const Job& job) {
 
 namespace {
 
-std::vector<Places> places_of(const std::vector<IntervalState>& begun) {
-  std::vector<Places> places;
-  for (const IntervalState& state : begun) places.push_back({state.frames, state.given_up});
-  return places;
-}
-
 std::vector<FrameList> frames_of(const std::vector<Places>& places) {
   std::vector<FrameList> frames;
   for (const Places& each : places) frames.push_back(each.frames);
@@ -58,13 +52,12 @@ Render::Render(const LoadedScene& loaded, const Options& options, const Surround
       results_(loaded.job, *loaded.world, options, other_files(options), options.memory == 0, messages_,
                [this] { return end_wanted(); }),
       checkpoints_(loaded.job, loaded.world->sampling(), options, std::move(resumed), messages_),
-      begun_(places_of(checkpoints_.intervals())),
+      begun_(checkpoints_.begun()),
       intervals_(around.memory.plan(loaded.job, *loaded.world,
                                     {results_.bytes_while_writing() + Onlookers::bytes_at_most(loaded.job, options),
                                      around.leader != nullptr ? Leader::kStates : 0},
                                     frames_of(begun_), messages_, *this)) {
-  const std::vector<IntervalState> states = checkpoints_.intervals();
-  for (std::size_t i = 0; i < states.size(); ++i) intervals_[i] = frames_going_on(states[i]);
+  for (std::size_t i = 0; i < begun_.size(); ++i) intervals_[i] = begun_[i].going_on();
   report_.threads = thread_count();
 }
 

@@ -97,8 +97,8 @@ Changes::Changes(const Job& job, const CheckpointFile::Render& then, const std::
   errors.throw_if_errors();
 }
 
-IntervalState Changes::after(const IntervalState& then) const {
-  IntervalState now = then;
+Places Changes::after(const Places& then) const {
+  Places now = then;
   std::optional<FileFrame> stand_in;
   for (std::size_t j = 0; j < then.frames.size(); ++j) {
     const auto frame = static_cast<Frame>(j);
@@ -116,9 +116,9 @@ IntervalState Changes::after(const IntervalState& then) const {
   return now;
 }
 
-FrameList Changes::anew(const IntervalState& then) const {
+FrameList Changes::anew(const Places& then) const {
   FrameList frames;
-  for (const FileFrame frame : frames_going_on(then))
+  for (const FileFrame frame : then.going_on())
     if (const std::optional<FileFrame> now = moved_.at(frame); now && !goes_on(frame)) frames.push_back(*now);
   return frames;
 }

@@ -21,10 +21,10 @@ class Changes {
   bool any() const { return !diagnostics_.all().empty(); }
   /// What starts anew and why, and what is not there any more.
   const Diagnostics& warnings() const { return diagnostics_; }
-  /// Of an interval's state, in the places of the file as it is now. Those that do not go on are given up.
-  IntervalState after(const IntervalState& then) const;
+  /// An interval's, in the file as it is now. Frames that do not go on are given up.
+  Places after(const Places& then) const;
   /// Of an interval, those that start anew, in their places now.
-  FrameList anew(const IntervalState& then) const;
+  FrameList anew(const Places& then) const;
 
  private:
   bool goes_on(FileFrame then) const { return !anew_[static_cast<std::size_t>(moved_.combination_then(then))]; }

@@ -31,8 +31,8 @@ constexpr int kMostIterations = 1'000'000'000;
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
 
 void persist(IntervalState& interval, StateStream& state) {
-  state.list(interval.frames, kMostFrames);
-  state.value(interval.given_up);
+  state.list(interval.places.frames, kMostFrames);
+  state.value(interval.places.given_up);
   state.value(interval.iterations);
   state.value(interval.seconds);
   state.value(interval.offset);
@@ -79,7 +79,8 @@ void expect_possible(const KnownFrames& frames, const std::vector<IntervalState>
                            all.moments <= static_cast<int>(kMostFrames) / all.combinations;
   bool valid = is_possible;
   for (const IntervalState& interval : intervals)
-    for (const FileFrame frame : interval.frames) valid = valid && frame.index() >= 0 && frame.index() < all.count();
+    for (const FileFrame frame : interval.places.frames)
+      valid = valid && frame.index() >= 0 && frame.index() < all.count();
   if (!valid) fail("it is damaged");
 }
 
@@ -130,19 +131,12 @@ class Checksum {
 
 }  // namespace
 
-FrameList frames_going_on(const IntervalState& state) {
-  FrameList frames;
-  for (std::size_t j = 0; j < state.frames.size(); ++j)
-    if (!state.given_up.contains(static_cast<Frame>(j))) frames.push_back(state.frames[j]);
-  return frames;
-}
-
 void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file) {
   std::set<FileFrame> all;
   bool valid = true;
   for (const IntervalState& interval : intervals) {
-    const FrameList frames = frames_going_on(interval);
-    valid = valid && !frames.empty() && interval.frames.size() <= kMaxFrames;
+    const FrameList frames = interval.places.going_on();
+    valid = valid && !frames.empty() && interval.places.frames.size() <= kMaxFrames;
     for (const FileFrame frame : frames) valid = all.insert(frame).second && valid;
   }
   if (!valid) throw std::runtime_error(fmt::format("checkpoint {}: its frames are not possible", file));
@@ -199,7 +193,7 @@ CheckpointFile::CheckpointFile(const std::filesystem::path& path) : path_(path) 
     persist_head(render_, intervals_, head);
     expect_possible(render_.frames, intervals_);
     for (const IntervalState& interval : intervals_)
-      for (const FileFrame frame : frames_going_on(interval)) render_.frames.rendered.push_back(frame);
+      for (const FileFrame frame : interval.places.going_on()) render_.frames.rendered.push_back(frame);
     for (const IntervalState& interval : intervals_)
       if (interval.offset > size || interval.size > size - interval.offset || interval.iterations < 0 ||
           interval.iterations > kMostIterations || !(interval.seconds >= 0 && std::isfinite(interval.seconds)))

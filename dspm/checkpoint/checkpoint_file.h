@@ -21,15 +21,11 @@ namespace dspm {
 
 /// How far an interval has come.
 struct IntervalState {
-  FrameList frames;                    // by their places in the file of that time
-  FrameSet given_up = {};              // of these: other frames have their places
+  Places places;                       // in the file of that time
   int iterations = 0;                  // done; 0: no state
   double seconds = 0;                  // that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
-
-/// Those that were not given up.
-FrameList frames_going_on(const IntervalState& state);
 
 /// Throws std::runtime_error, naming the file, if a frame is there twice or too many are together.
 void expect_frames(const std::vector<IntervalState>& intervals, const std::string& file);
@@ -37,7 +33,7 @@ void expect_frames(const std::vector<IntervalState>& intervals, const std::strin
 class CheckpointFile {
  public:
   /// The first bytes of the file; then come its head, the states, and the checksum of both.
-  static constexpr std::string_view kMagic = "dspm checkpoint 9\n";
+  static constexpr std::string_view kMagic = "dspm checkpoint 10\n";
 
   /// Reads and checks everything but the states. Throws std::runtime_error, naming the file, if it is damaged or not a
   /// checkpoint.

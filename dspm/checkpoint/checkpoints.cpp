@@ -89,17 +89,22 @@ Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const Chec
   const Changes changes(job, last_->render(), sampling);
   has_changed_ = changes.any();
   for (const IntervalState& state : last_->intervals())
-    if (!is_among(changes.anew(state), job.frames))
+    if (!is_among(changes.anew(state.places), job.frames))
       throw UsageError("--only-new: some frames have changed and start anew; resume without it first");
   messages_.show(changes.warnings());
   for (const IntervalState& state : last_->intervals())
-    if (IntervalState now = changes.after(state); !frames_going_on(now).empty()) states_.push_back(std::move(now));
+    if (Places now = changes.after(state.places); !now.going_on().empty()) {
+      states_.push_back(state);
+      states_.back().places = std::move(now);
+    }
   expect_frames(states_, settings.resume);
-  while (kept_ < states_.size() && !is_among(frames_going_on(states_[kept_]), job.frames)) ++kept_;
+  while (kept_ < states_.size() && !is_among(states_[kept_].places.going_on(), job.frames)) ++kept_;
 }
 
-std::vector<IntervalState> Checkpoints::intervals() const {
-  return {states_.begin() + static_cast<std::ptrdiff_t>(kept_), states_.end()};
+std::vector<Places> Checkpoints::begun() const {
+  std::vector<Places> places;
+  for (std::size_t i = kept_; i < states_.size(); ++i) places.push_back(states_[i].places);
+  return places;
 }
 
 double Checkpoints::seconds() const {
@@ -114,10 +119,10 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
   if (!bytes) throw UsageError("--checkpoint: this integrator does not support checkpoints (Integrator::persist)");
   const std::uint64_t all = bytes_of_all(intervals, *bytes);
   const std::size_t before = states_.size();
-  for (std::size_t i = before - kept_; i < intervals.size(); ++i) states_.push_back({.frames = intervals[i]});
+  for (std::size_t i = before - kept_; i < intervals.size(); ++i) states_.push_back({{intervals[i]}});
   if (before > 0 && states_.size() > before) {
     std::size_t added = 0;
-    for (std::size_t i = before; i < states_.size(); ++i) added += states_[i].frames.size();
+    for (std::size_t i = before; i < states_.size(); ++i) added += states_[i].places.frames.size();
     messages_.say("{} {} the checkpoint's", counted(added, "frame"), has_changed_ ? "start beside" : "added to");
   }
   // Takes the name at once, and keeps the resumed state even if nothing is left to do.
@@ -144,8 +149,7 @@ IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrato
 void Checkpoints::save(const IntervalProgress& progress, Integrator& integrator) {
   if (!writes()) return;
   std::vector<IntervalState> states = last_->intervals();
-  for (std::size_t i = 0; i < states.size(); ++i)
-    states[i].frames = states_[i].frames, states[i].given_up = states_[i].given_up;
+  for (std::size_t i = 0; i < states.size(); ++i) states[i].places = states_[i].places;
   IntervalState& state = states[kept_ + progress.index];
   state.iterations = progress.iterations, state.seconds = progress.seconds;
   if (!last_->is_at(path_)) leave_to_others(path_);

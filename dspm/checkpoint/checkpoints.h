@@ -30,8 +30,8 @@ class Checkpoints {
   Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
               std::unique_ptr<const CheckpointFile> resumed, Messages& messages);
 
-  /// That the resumed run began and this one goes on with; empty if there are none.
-  std::vector<IntervalState> intervals() const;
+  /// Of the intervals that the resumed run began and this one goes on with; empty if there are none.
+  std::vector<Places> begun() const;
   /// Of the resumed run, over all intervals.
   double seconds() const;
 

@@ -40,7 +40,6 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   const char* space = s.in_camera_space ? "camera" : "world";
   facts.push_back({"the choice of outputs (--aov, --denoise)",
                    outputs.empty() ? kRadiance : fmt::format("{} in {} space", fmt::join(outputs, ","), space)});
-  facts.push_back({"the estimate of the error (--until-error)", s.estimate_error ? "kept" : "not kept"});
   if (s.transparent) facts.push_back({"the background", "transparent"});
   facts.push_back({"pixel jitter", s.jitter ? "on" : "off"});
   facts.push_back({"texture filtering", s.filter_textures ? "on" : "off"});

@@ -21,7 +21,7 @@ bool are_same(const KnownFrames& a, const KnownFrames& b) {
 }
 
 bool have_same_intervals(const CheckpointFile& a, const CheckpointFile& b) {
-  const auto same = [](const IntervalState& x, const IntervalState& y) { return x.frames == y.frames; };
+  const auto same = [](const IntervalState& x, const IntervalState& y) { return x.places.frames == y.places.frames; };
   return std::equal(a.intervals().begin(), a.intervals().end(), b.intervals().begin(), b.intervals().end(), same) &&
          are_same(a.render().frames, b.render().frames);
 }
@@ -71,7 +71,7 @@ void MergedParts::expect_same(const Job& job) {
   for (const auto& file : files_) compare(file->render().facts, now, diagnostics, {file->path().c_str(), kWayOut});
   diagnostics.throw_if_errors();
   expect_frames(files_.front()->intervals(), name_of(*files_.front()));
-  for (const IntervalState& state : files_.front()->intervals()) intervals_.push_back(places.of(state.frames));
+  for (const IntervalState& state : files_.front()->intervals()) intervals_.push_back(places.of(state.places.frames));
 }
 
 std::vector<int> MergedParts::missing() const {

@@ -11,19 +11,20 @@
 
 #include <memory>
 
+#include "dspm/film/pixel_rect.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/make_beside.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {
 
-/// The integrator that `make` returns (null if it failed); if `render.estimate_error`, its statistics have the errors
-/// of all frames, of the luminance, after 8, 10, 12, 14, 16, 18, ... iterations, eight times until their number has
-/// doubled, if the image after half of them was seen: an iterate() that does several iterations passes over some.
-/// Between them they stay. Constant light needs no iterations, so pixels that show it are left out, as are black ones;
-/// a black frame has no error. Keeps half a megabyte per frame. `memory`: bytes for both; 0: no bound. Throws
-/// NotEnoughMemory.
-std::unique_ptr<Integrator> with_error_estimate(const MakeWithin& make, const Scene& scene,
-                                                const RenderSettings& render, std::size_t memory);
+/// The integrator that `make` returns (null if it failed); its statistics have the errors of all frames, of the
+/// luminance: 2, 4 or 8 times until the number of iterations has doubled, as after 8, 12, 16, 24, ..., if the image after
+/// half of them was seen: an iterate() that does several iterations passes over some. Between them they stay. Constant
+/// light needs no iterations, so pixels that show it are left out, as are black ones; a black frame has no error. Parts
+/// estimate each its own, and these add up as independent ones do. Keeps at most 128 KB per frame of images over `crop`.
+/// `memory`: bytes for both; 0: no bound. Throws NotEnoughMemory.
+std::unique_ptr<Integrator> with_error_estimate(const MakeWithin& make, const Scene& scene, const PixelRect& crop,
+                                                int marks_per_octave, std::size_t memory);
 
 }  // namespace dspm

@@ -35,7 +35,6 @@ struct RenderSettings {
   std::vector<std::string> outputs;  // to be written next to radiance
   bool transparent = false;          // no camera path sees lights infinitely far away before it meets a surface
   bool in_camera_space = false;      // outputs that are positions or normals; else in world space
-  bool estimate_error = false;       // by frame, in the statistics
   std::shared_ptr<FileSample> file;  // for what an integrator learns; may be null
   bool count_found =
       false;  // count for Statistics::emission which photon paths are found, even if none are learned from

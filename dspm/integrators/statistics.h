@@ -95,7 +95,7 @@ struct Statistics {
   Rejections rejections;              // contributions that were not finite
   std::vector<EnergyBalance> energy;  // by frame; empty if no photons are traced
   TypicalHitPoint typical;            // of progressive integrators
-  // By frame: the estimated error, see error_estimate.h. Empty: none is asked for, or it is too early.
+  // By frame: the estimated error, see error_estimate.h. Empty: it is too early.
   std::vector<double> errors;
   std::size_t bytes = 0;     // peak size of the integrator's own buffers
   int photon_batches = 1;    // per iteration

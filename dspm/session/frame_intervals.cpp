@@ -47,6 +47,13 @@ FrameList ascending(FrameSpans spans) {
 
 }  // namespace
 
+FrameList Places::going_on() const {
+  FrameList going_on;
+  for (std::size_t j = 0; j < frames.size(); ++j)
+    if (!given_up.contains(static_cast<Frame>(j))) going_on.push_back(frames[j]);
+  return going_on;
+}
+
 FrameIntervals::FrameIntervals(const SceneDescription& scene, const FrameList& frames) : file_(scene.frames) {
   std::vector<std::pair<Factor, std::size_t>> factors;  // with the number of places that occur
   for (const Factor& factor : factors_of(scene)) {

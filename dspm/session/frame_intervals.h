@@ -17,13 +17,15 @@ using FrameSpan = std::span<const FileFrame>;
 /// Those of an interval's integrator.
 struct Places {
   FrameList frames;  // ascending; one that has the places of given-up frames is there several times
-  FrameSet given_up;
+  FrameSet given_up = {};
+
+  FrameList going_on() const;
 };
 
 class FrameIntervals {
  public:
-  /// Frames with different settings of the integrator are never together. Factors that move paths vary slowest, then those with the most places: frames that differ only in looks stay
-  /// together.
+  /// Frames with different settings of the integrator are never together. Factors that move paths vary slowest, then
+  /// those with the most places: frames that differ only in looks stay together.
   FrameIntervals(const SceneDescription& scene, const FrameList& frames);
 
   /// Intervals of at most `together` frames, in the order of their first frames. If whole inner products of the

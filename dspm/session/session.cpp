@@ -4,7 +4,6 @@
 #include <limits>
 #include <new>
 
-#include "dspm/integrators/error_estimate.h"
 #include "dspm/integrators/given_up.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
@@ -93,7 +92,7 @@ void Session::render_interval(std::size_t index) {
                                loaded_.job.make_without_error(*scene, shown_before, bytes), all);
   };
   const std::unique_ptr<Integrator> integrator =
-      without_given_up(with_error_estimate(make, *scene, loaded_.job.settings, memory_.for_integrator(index)),
+      without_given_up(loaded_.job.with_error(make, *scene, memory_.for_integrator(index)),
                        static_cast<int>(places.frames.size()), places.given_up);
   const int iterations = iterations_of(*integrator);
   if (iterations == 0 && settings_.time_limit == 0 && loaded_.job.until_error == 0 && intervals_.size() > 1)
@@ -117,7 +116,8 @@ IntervalProgress Session::iterate_to_the_end(std::size_t index, const Scene& sce
   if (iterations > 0 && progress.iterations >= iterations)
     messages_.say("{} done, none is left; ask for more with --iterations",
                   counted(static_cast<std::size_t>(progress.iterations), "iteration"));
-  const auto is_good = [&] { return progress.error && *progress.error <= loaded_.job.until_error; };
+  const double wanted_error = loaded_.job.until_error;
+  const auto is_good = [&] { return wanted_error > 0 && progress.error && *progress.error <= wanted_error; };
   if (is_good()) messages_.say("the error is as small as wanted already; ask for less with --until-error");
   int more_until = 0;  // iterations beyond what was asked for at first
   const auto finished = [&] {
@@ -169,13 +169,15 @@ void Session::judge(const IntervalProgress& progress, const Integrator& integrat
                 radius > 0 ? fmt::format("; not in it is the blur of photons, within {:.1f} pixels", radius) : "");
 }
 
-// Photons in batches have room for the copy in the plan of --memory. Without a bound it must not be most of the memory.
+// Photons in batches have room for the copy in the plan of --memory. Without a bound a large one must not be most of the
+// memory.
 bool Session::can_copy(Integrator& integrator, std::size_t index) const {
+  constexpr std::uint64_t kSmall = 1 << 20;
   const std::optional<std::uint64_t> copy = state_bytes(integrator);
   const Statistics statistics = integrator.statistics();
   const std::size_t share = memory_.for_integrator(index);
   if (!copy || statistics.photon_batches > 1) return copy.has_value();
-  return share > 0 ? statistics.bytes + *copy <= share : 2 * *copy <= statistics.bytes;
+  return share > 0 ? statistics.bytes + *copy <= share : *copy <= kSmall || 2 * *copy <= statistics.bytes;
 }
 
 void Session::iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,

@@ -173,7 +173,12 @@ int Job::iterations(const Integrator& made) const {
 std::unique_ptr<Integrator> Job::make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory) const {
   const auto make = [&](std::size_t bytes) { return make_without_error(scene, diagnostics, bytes); };
-  return with_error_estimate(make, scene, settings, memory);
+  return with_error(make, scene, memory);
+}
+
+std::unique_ptr<Integrator> Job::with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const {
+  const int marks_per_octave = until_error > 0 ? 8 : 2;  // each takes an image of every frame
+  return with_error_estimate(make, scene, settings.crop, marks_per_octave, memory);
 }
 
 std::unique_ptr<Integrator> Job::make_without_error(const Scene& scene, Diagnostics& diagnostics,
@@ -216,7 +221,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
 
   job.accel = accel_of(description, choices, diagnostics);
   job.chosen_iterations = choices.iterations, job.quick = choices.quick;
-  job.until_error = choices.until_error, job.settings.estimate_error = choices.until_error > 0;
+  job.until_error = choices.until_error;
 
   const SamplerSettings sampler = read_sampler(description.sampler, diagnostics);
   RenderSettings& settings = job.settings;

@@ -8,6 +8,7 @@
 
 #include "dspm/film/film.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/integrators/make_beside.h"
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/errors.h"
@@ -45,7 +46,7 @@ struct Job {
   std::string accel;  // a plugin's name; empty: the usual one
   std::optional<int> chosen_iterations;
   bool quick = false;      // a quarter of the iterations
-  double until_error = 0;  // ends the render, see RenderSettings::estimate_error; 0: iterations do
+  double until_error = 0;  // ends the render, see error_estimate.h; 0: iterations do
 
   /// The frame's moment, and the name of its variation; empty: none.
   Moment moment(FileFrame frame) const { return description->frames.moment(frame); }
@@ -61,6 +62,8 @@ struct Job {
   /// The same without the estimate of the error, for who does not see all iterations.
   std::unique_ptr<Integrator> make_without_error(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory = 0) const;
+  /// What `make` returns, with that estimate.
+  std::unique_ptr<Integrator> with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const;
 };
 
 /// Errors go to `diagnostics`. Throws UsageError if the command line does not fit this scene.

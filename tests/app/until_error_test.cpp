@@ -72,7 +72,7 @@ TEST(UntilError, GivesTheImagesOfThatManyIterations) {
   const Result until = result_of(kUntil);
   const Result counted = result_of({"tiny.dsc", "--float", "--iterations", std::to_string(until.iterations[0])});
   EXPECT_EQ(until.images, counted.images);
-  EXPECT_TRUE(counted.errors.empty()) << "nobody asked for them";
+  for (const double error : counted.errors) EXPECT_NEAR(error, 0.05, 0.03);
 }
 
 TEST(UntilError, AFrameAloneGivesTheJointImageInAsManyIterations) {
@@ -114,14 +114,18 @@ TEST(UntilError, AResumedRunEndsAtTheSameIteration) {
   }
 }
 
-TEST(UntilError, ACheckpointWithoutItIsNotContinuedWithIt) {
+TEST(UntilError, ContinuesARunThatBeganWithoutIt) {
   const TinyDirectory directory;
-  expect_success(directory, {"tiny.dsc", "--checkpoint", "a"});
-  const Outcome outcome = run(directory, kUntil + Arguments{"--resume", "a"});
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.err.find("the estimate of the error (--until-error): kept now, not kept in the checkpoint"),
-            std::string::npos)
-      << outcome.err;
+  expect_success(directory, {"tiny.dsc", "--float", "--iterations", "7", "--checkpoint", "a"});
+  expect_success(directory, kUntil + Arguments{"--resume", "a"});
+  EXPECT_LE(result_of(directory).errors.at(0), 0.06);
+}
+
+TEST(UntilError, ARunWithoutItDoesNotEndAtAnErrorOfZero) {
+  const TinyDirectory directory;
+  put_file(directory / "tiny.dsc", tiny_scene("[5 5 5]", "[0 0 0]"));
+  expect_success(directory, {"tiny.dsc", "--iterations", "9"});
+  EXPECT_EQ(result_of(directory).iterations, std::vector<int>(3, 9));
 }
 
 TEST(UntilError, TimeMayEndItFirst) {

@@ -93,7 +93,7 @@ class ChairTest : public testing::Test {
     std::vector<std::vector<std::string>> labels;
     for (const IntervalState& interval : checkpoint.intervals()) {
       labels.emplace_back();
-      for (const FileFrame frame : frames_going_on(interval)) labels.back().push_back(frames.label(frame));
+      for (const FileFrame frame : interval.places.going_on()) labels.back().push_back(frames.label(frame));
     }
     return labels;
   }

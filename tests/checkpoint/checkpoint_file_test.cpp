@@ -40,7 +40,7 @@ class Saved {
  public:
   explicit Saved(std::size_t intervals) : model_(intervals) {
     std::vector<IntervalState> states(intervals);
-    for (std::size_t i = 0; i < intervals; ++i) states[i].frames = frames_of(i);
+    for (std::size_t i = 0; i < intervals; ++i) states[i].places.frames = frames_of(i);
     file_ =
         CheckpointFile::write(path_, render_with({{"scene", "a b c"}, {"seed", "7", true}}), states, nullptr, nullptr);
   }
@@ -64,7 +64,7 @@ class Saved {
       EXPECT_EQ(file->render().facts[0].text, "a b c");
       EXPECT_TRUE(file->render().facts[1].is_digest);
       for (std::size_t i = 0; i < model_.size(); ++i) {
-        EXPECT_EQ(file->intervals()[i].frames, frames_of(i));
+        EXPECT_EQ(file->intervals()[i].places.frames, frames_of(i));
         EXPECT_EQ(file->intervals()[i].iterations, model_[i].iterations);
         EXPECT_EQ(file->intervals()[i].seconds, model_[i].seconds);
         if (model_[i].iterations == 0) continue;
@@ -108,7 +108,7 @@ TEST(CheckpointFile, IsNotReplacedByWhatCannotBeCopied) {
   const TemporaryDirectory directory;
   const std::filesystem::path path = directory / "cut.ck";
   std::vector<IntervalState> states(2);
-  states[0].frames = {FileFrame(0)}, states[1].frames = {FileFrame(1)};
+  states[0].places.frames = {FileFrame(0)}, states[1].places.frames = {FileFrame(1)};
   auto file = CheckpointFile::write(path, render_with({}), states, nullptr, nullptr);
   Numbers many(std::vector<double>(100'000, 0.5)), one({1});
   const auto save = [&](std::size_t interval, Numbers& numbers) {
@@ -127,7 +127,7 @@ TEST(CheckpointFile, IsRefusedWithAnyByteChangedOrCutOffAnywhere) {
   const TemporaryDirectory directory;
   Numbers integrator({1, 2, 3});
   const CheckpointFile::NewState state{0, integrator};
-  IntervalState interval{{FileFrame(0)}};
+  IntervalState interval{{{FileFrame(0)}}};
   interval.iterations = 1;
   CheckpointFile::write(directory / "a", render_with({{"scene", "a b c"}}), {interval}, &state, nullptr);
   const std::string whole = contents(directory / "a");

@@ -43,7 +43,7 @@ void expect_whole_images(const TinyDirectory& directory) {
 void expect_no_image_ahead(const TinyDirectory& directory) {
   const CheckpointFile checkpoint(directory / "a");
   for (const IntervalState& interval : checkpoint.intervals())
-    for (const FileFrame frame : interval.frames)
+    for (const FileFrame frame : interval.places.frames)
       if (directory.has(kTinyImages[frame.slot()])) {
         EXPECT_LE(read_exr_header(directory / kTinyImages[frame.slot()]).integers.at("iterations"),
                   interval.iterations);

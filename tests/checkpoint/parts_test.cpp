@@ -145,6 +145,16 @@ TEST_F(Parts, MayBeMissingOrShort) {
   expect_near(images(), images("whole"));
 }
 
+TEST_F(Parts, KnowTheErrorOfTheWhole) {
+  const Arguments how = {"--float", "--iterations", "64"};
+  good(Arguments{"tiny.dsc", "-o", "whole.exr"} + how);
+  render_parts(4, how);
+  good({"--merge", "1", "2", "3", "4", "-o", "tiny.exr"});
+  const auto error = [&](const std::string& file) { return read_exr_header(directory / file).numbers.at("error"); };
+  for (const char* frame : {".0001.exr", ".0002.exr", ".0003.exr"})
+    EXPECT_NEAR(error(std::string("tiny") + frame) / error(std::string("whole") + frame), 1, 0.2) << frame;
+}
+
 TEST_F(Parts, KeepTheMemoryPlan) {
   const Arguments how = {"--float", "--iterations", "4", "--memory", "60M"};
   render_parts(2, how);

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <thread>
 
-#include "dspm/integrators/error_estimate.h"
 #include "dspm/machines/block_state.h"
 #include "dspm/machines/helper.h"
 #include "dspm/machines/leader.h"
@@ -177,7 +176,7 @@ struct SharedOut {
   std::unique_ptr<Integrator> integrator;
 
   SharedOut(Leader& leader, int known_end) {
-    const auto make = [&] { return make_integrator(loaded.scene.job, *scene, messages); };
+    const auto make = [&] { return make_without_error(loaded.scene.job, *scene, messages, 0); };
     leader.expect("this scene");
     integrator = leader.share_out(make(), make(), frames, 0, {known_end, 4});
   }
@@ -196,9 +195,9 @@ Sum slow_twin(int edition = 0) {
   const Loaded loaded(edition);
   Messages messages(true);
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
-  const auto sum = make_integrator(loaded.scene.job, *scene, messages);
+  const auto sum = make_without_error(loaded.scene.job, *scene, messages, 0);
   for (int begin = 0; begin < 22; begin += 4) {
-    const auto block = make_integrator(loaded.scene.job, *scene, messages);
+    const auto block = make_without_error(loaded.scene.job, *scene, messages, 0);
     for (int i = begin; i < std::min(begin + 4, 22); ++i) block->iterate(i, *scene);
     add(state_of(*block), *sum);
   }
@@ -256,7 +255,7 @@ TEST(Together, AnEditReachesAll) {
   const FrameList& frames = now.scene.job.frames;
   const auto shared_out = [&](const Loaded& loaded, const Scene& scene) {
     machines.leader().expect("this scene");
-    const auto make = [&] { return make_integrator(loaded.scene.job, scene, messages); };
+    const auto make = [&] { return make_without_error(loaded.scene.job, scene, messages, 0); };
     return machines.leader().share_out(make(), make(), frames, 0, {22, 4});
   };
   const std::unique_ptr<Scene> old_scene = before.scene.world->scene(frames), scene = now.scene.world->scene(frames);
@@ -271,7 +270,6 @@ TEST(Together, AnEditReachesAll) {
 std::vector<double> errors(const std::vector<Hand>& hands) {
   Machines machines(hands);
   Loaded loaded;
-  loaded.scene.job.settings.estimate_error = true;
   Messages messages(true);
   machines.leader().expect("this scene");
   const FrameList& frames = loaded.scene.job.frames;
@@ -280,14 +278,13 @@ std::vector<double> errors(const std::vector<Hand>& hands) {
     const auto make_one = [&] { return make_without_error(loaded.scene.job, *scene, messages, 0); };
     return machines.leader().share_out(make_one(), make_one(), frames, 0, {16, 4});
   };
-  const auto integrator = with_error_estimate(make, *scene, loaded.scene.job.settings, 0);
+  const auto integrator = loaded.scene.job.with_error(make, *scene, 0);
   for (int i = 0; i < 16; i += 4) integrator->iterate(i, *scene);
   return integrator->statistics().errors;
 }
 
 TEST(Together, TheErrorIsThatOfTheSum) {
   Loaded loaded;
-  loaded.scene.job.settings.estimate_error = true;
   Messages messages(true);
   const std::unique_ptr<Scene> scene = loaded.scene.world->scene(loaded.scene.job.frames);
   const auto alone = make_integrator(loaded.scene.job, *scene, messages);

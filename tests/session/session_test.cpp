@@ -21,8 +21,8 @@ namespace {
 class Stumbling : public IdleIntegrator {
  public:
   static inline std::function<void()> stumble;
-  static inline std::size_t bytes = 100;  // that it says it holds; its state takes four
-  static inline int stumbles_after = 3;   // iterations
+  static inline std::size_t bytes = 100, state_bytes = 0;  // that it says it holds; of its state
+  static inline int stumbles_after = 3;                    // iterations
 
   int iterations() const override { return 6; }
   void iterate(int iteration, const Scene&) override {
@@ -31,17 +31,18 @@ class Stumbling : public IdleIntegrator {
   }
   bool persist(StateStream& state) override {
     state.value(done_);
+    state.value(state_);
     return true;
   }
   Statistics statistics() const override {
     Statistics statistics;
-    statistics.bytes = bytes;
+    statistics.iterations = done_, statistics.bytes = bytes;
     return statistics;
   }
-  int done() const { return done_; }
 
  private:
   int done_ = 0;
+  std::vector<char> state_ = std::vector<char>(state_bytes);
 };
 
 std::unique_ptr<Integrator> make_stumbling(ParamReader& params, const Scene&, const RenderSettings&) {
@@ -94,7 +95,7 @@ std::string stumbling_scene() {
 class SessionWithStumbles : public ::testing::Test {
  protected:
   ~SessionWithStumbles() override {
-    Stumbling::stumble = nullptr, Stumbling::bytes = 100, Stumbling::stumbles_after = 3;
+    Stumbling::stumble = nullptr, Stumbling::bytes = 100, Stumbling::state_bytes = 0, Stumbling::stumbles_after = 3;
   }
 };
 
@@ -158,7 +159,7 @@ TEST_F(SessionWithStumbles, AnExceptionInTheFirstIterationLeavesNoImages) {
 int begun_when_cancelled(double long_iteration) {
   Notes notes;
   int begun = 0;
-  notes.on_last = [&](Integrator& integrator) { begun = dynamic_cast<Stumbling&>(integrator).done(); };
+  notes.on_last = [&](Integrator& integrator) { begun = integrator.statistics().iterations; };
   Stumbling::stumble = [&] {
     notes.ends_after = 1;  // whoever cancels an iteration wants an end, too
     throw Cancelled();
@@ -176,9 +177,10 @@ TEST_F(SessionWithStumbles, ACancelledIterationLeavesNoTrace) { EXPECT_EQ(begun_
 TEST_F(SessionWithStumbles, ShortIterationsAreNotCopied) { EXPECT_EQ(begun_when_cancelled(5), 4); }
 
 TEST_F(SessionWithStumbles, StatesThatAreMostOfTheMemoryAreNotCopied) {
-  Stumbling::bytes = 7;
+  Stumbling::state_bytes = 10'000'000;
+  Stumbling::bytes = 19'000'000;
   EXPECT_EQ(begun_when_cancelled(0), 4);
-  Stumbling::bytes = 8;
+  Stumbling::bytes = 21'000'000;
   EXPECT_EQ(begun_when_cancelled(0), 3);
 }
 
