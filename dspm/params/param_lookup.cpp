@@ -112,8 +112,8 @@ bool ParamReader::count_is(const Param& param, std::size_t count) {
 
 const Param* ParamReader::find(std::string_view name) const {
   if (!list_) return nullptr;
-  const auto found = std::find_if(list_->params.begin(), list_->params.end(),
-                                  [&](const Param& p) { return canonical(p.name) == name; });
+  const auto is_it = [&](const Param& p) { return aliases_.empty() ? p.name == name : canonical(p.name) == name; };
+  const auto found = std::find_if(list_->params.begin(), list_->params.end(), is_it);
   return found == list_->params.end() ? nullptr : &*found;
 }
 

@@ -24,6 +24,10 @@ bool are_meshes(const MadeShapes& made) {
   return std::all_of(made.begin(), made.end(), [](const SourceShape& s) { return s.shape->triangles() != nullptr; });
 }
 
+ShapeMaker::ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, std::filesystem::path main_directory,
+                       KeptGeometry* kept)
+    : plugin_(plugin), use_(use), subject_(subject_of(use)), main_directory_(std::move(main_directory)), kept_(kept) {}
+
 ContentKey ShapeMaker::key_of(const ParamList& params) const {
   ContentKey key(use_.type);
   key.add(main_directory_.string());
@@ -35,7 +39,7 @@ MadeOfParams ShapeMaker::make(const ParamList& params, Diagnostics& diagnostics)
   if (kept_ == nullptr) return make_anew(params, diagnostics);
   const ContentKey key = key_of(params);
   if (std::optional<MadeShapes> known = kept_->find(key)) {
-    ParamReader reader(params, subject_of(use_), use_.where, diagnostics, main_directory_);
+    ParamReader reader(params, subject_, use_.where, diagnostics, main_directory_);
     const Param* const file = params.find("filename");
     move_to(file != nullptr ? file->where : use_.where, *known);
     return {*std::move(known), read_shape_caustics(reader), read_shadow_catcher(reader), key};
@@ -52,7 +56,7 @@ MadeOfParams ShapeMaker::make(const ParamList& params, Diagnostics& diagnostics)
 }
 
 MadeOfParams ShapeMaker::make_anew(const ParamList& params, Diagnostics& diagnostics) const {
-  ParamReader reader(params, subject_of(use_), use_.where, diagnostics, main_directory_);
+  ParamReader reader(params, subject_, use_.where, diagnostics, main_directory_);
   MadeOfParams result;
   result.caustics = read_shape_caustics(reader);
   result.is_catcher = read_shadow_catcher(reader);

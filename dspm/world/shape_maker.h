@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <utility>
+#include <string>
 
 #include "dspm/lang/description.h"
 #include "dspm/params/errors.h"
@@ -26,8 +26,7 @@ class ShapeMaker {
  public:
   /// `kept`: null if nothing is kept.
   ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, std::filesystem::path main_directory,
-             KeptGeometry* kept)
-      : plugin_(plugin), use_(use), main_directory_(std::move(main_directory)), kept_(kept) {}
+             KeptGeometry* kept);
 
   /// By any thread. What is known has no message; what has one is made again, and says it again.
   MadeOfParams make(const ParamList& params, Diagnostics& diagnostics) const;
@@ -38,6 +37,7 @@ class ShapeMaker {
 
   const Plugin<MakeShape>& plugin_;
   const ShapeUse& use_;
+  const std::string subject_;
   const std::filesystem::path main_directory_;
   KeptGeometry* const kept_;
 };
