@@ -28,6 +28,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/coat.h"
 #include "dspm/materials/facet_albedo.h"
+#include "dspm/materials/made_once.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"

@@ -1,10 +1,7 @@
-// Directional albedos of GGX facets, as numbers for tables, and tables that are made once for each index of refraction.
+// Directional albedos of GGX facets, as numbers for tables.
 #pragma once
 
 #include <cmath>
-#include <map>
-#include <memory>
-#include <mutex>
 
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/microfacet.h"
@@ -15,18 +12,41 @@ namespace dspm {
 /// A direction in the plane y = 0.
 inline Vec3 direction_of_cosine(float cos) { return {std::sqrt(std::max(0.f, 1 - cos * cos)), 0, cos}; }
 
-/// The mean of fn(facet normal) over the facets visible from o, which lies in the plane y = 0: a midpoint rule, closer at
-/// the facets that send light down, half around the plane. Below 0.1% off from outside, 1% from inside at alpha = 1.
+/// A midpoint rule over facets.
+struct FacetRule {
+  int around, down;
+  float share;  // of the way around: half, if the other half is its mirror image
+};
+
+/// Calls fn(facet normal, weight) for facets visible from o; closer at those that send light down.
 template <class Fn>
-float mean_over_facets(const Ggx& facets, const Vec3& o, Fn&& fn) {
-  constexpr int kAround = 12, kDown = 32;
-  double sum = 0;
-  for (int i = 0; i < kAround; ++i)
-    for (int j = 0; j < kDown; ++j) {
-      const float u = (static_cast<float>(i) + 0.5f) / (2 * kAround), w = 1 - (static_cast<float>(j) + 0.5f) / kDown;
-      sum += static_cast<double>(2 * w * fn(facets.sample_visible(o, u, 1 - w * w)));
+void for_facets(const Ggx& facets, const Vec3& o, const FacetRule& rule, Fn&& fn) {
+  for (int i = 0; i < rule.around; ++i)
+    for (int j = 0; j < rule.down; ++j) {
+      const float u = rule.share * (static_cast<float>(i) + 0.5f) / static_cast<float>(rule.around);
+      const float w = 1 - (static_cast<float>(j) + 0.5f) / static_cast<float>(rule.down);
+      fn(facets.sample_visible(o, u, 1 - w * w), 2 * w / static_cast<float>(rule.around * rule.down));
     }
-  return static_cast<float>(sum / (kAround * kDown));
+}
+
+/// The mean of fn(facet normal), for equal alphas and o in the plane y = 0. Below 0.1% off from outside, 1% from inside
+/// at alpha = 1.
+template <class Fn>
+float mean_over_facets(const Ggx& facets, const Vec3& o, Fn&& fn, const FacetRule& rule = {12, 32, 0.5f}) {
+  double sum = 0;
+  for_facets(facets, o, rule, [&](const Vec3& m, float weight) { sum += static_cast<double>(weight * fn(m)); });
+  return static_cast<float>(sum);
+}
+
+/// The share of light that facet m sends from o to where it escapes, if it reflects fresnel(cos) of it.
+template <class Fresnel>
+float reflected_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m, Fresnel&& fresnel) {
+  const Vec3 i = reflect(o, m);
+  return i.z > 0 ? fresnel(dot(o, m)) * facets.visible_after(o, i) : 0.f;
+}
+inline float refracted_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m, float eta) {
+  const auto i = refract(o, m, eta);
+  return i && i->z < 0 ? (1 - fresnel_dielectric(dot(o, m), eta)) * facets.visible_after(o, *i) : 0.f;
 }
 
 /// The share of light that facets reflect and that then escapes, if a facet reflects fresnel(cos) of it.
@@ -34,31 +54,10 @@ template <class Fresnel>
 float reflected_by_facets(float cos, float alpha, Fresnel&& fresnel) {
   const Vec3 o = direction_of_cosine(cos);
   const Ggx facets({alpha, alpha});
-  return mean_over_facets(facets, o, [&](const Vec3& m) {
-    const Vec3 i = reflect(o, m);
-    return i.z > 0 ? fresnel(dot(o, m)) * facets.visible_after(o, i) : 0.f;
-  });
+  return mean_over_facets(facets, o, [&](const Vec3& m) { return reflected_by_facet(facets, o, m, fresnel); });
 }
 inline float reflected_by_boundary(float cos, float alpha, float eta) {
   return reflected_by_facets(cos, alpha, [&](float c) { return fresnel_dielectric(c, eta); });
 }
-
-/// What make(key) gives, made once and kept; for many threads. A table takes kilobytes and a fifteenth of a second, and
-/// the looks of long animations are made several times.
-template <class T>
-class MadeOnce {
- public:
-  template <class Make>
-  std::shared_ptr<const T> of(float key, Make&& make) {
-    const std::lock_guard lock(mutex_);
-    std::shared_ptr<const T>& object = made_[key];
-    if (!object) object = std::make_shared<const T>(make(key));
-    return object;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<float, std::shared_ptr<const T>> made_;
-};
 
 }  // namespace dspm

@@ -30,18 +30,24 @@
 //   emission              spectrum texture    0      colour of the light that both sides emit
 //   emissionstrength      float               1      times emission: radiance
 //
-// From the top: sheen s, coat c, and a base. With E the directional albedo of a layer by the cosine to the normal, a
-// layer leaves 1 - s E_s and 1 - c E_c to what is below. The base is
+// From the top: sheen s, coat c, and a base. With E the directional albedo of a layer by the cosine to the normal, sheen
+// and coat leave X = (1 - s E_s) (1 - c E_c) to what is below. The base is
 //   metal:    GGX with Schlick's Fresnel term, and a diffuse lobe for light that meets several facets, f =
 //             F' (1 - E(o)) (1 - E(i)) / (pi (1 - mean E)) [Kulla and Conty 2017];
 //   glass:    GGX, both ways, with the same lobe (F' = 1) for what its facets lose;
 //   opaque:   GGX over a diffuse ground, which gets what all layers leave, on the way in and out:
-//             f = basecolor X(o) X(i) / (pi mean X), X = (1 - specular E) (1 - c E_c) (1 - s E_s); of that,
-//             1 - diffusetransmission on this side, and the rest, with its own colour, on the other.
-// Light that is mirrored below coat or sheen keeps the lesser of what they leave for o and for i. So f is reciprocal,
-// and a white base gives back all light, to within the 0.3% of the tables of E: with no coat or sheen over metal or glass,
-// which lose up to 15% of it at grazing angles, and no anisotropy, as the tables know one roughness: an anisotropy of 0.8
-// takes up to 12%.
+//             f = basecolor Y(o) Y(i) / (pi mean Y), Y = (1 - specular E) X; of that, 1 - diffusetransmission on this
+//             side, and the rest, with its own colour, on the other.
+// E of facets of two roughnesses depends on the azimuth (brushed_albedo.h). Of light that facets below coat or sheen
+// mirror, a(o) a(i) passes both ways, a = X / sqrt(M), where M goes from X for mirrors to means of X for rough facets, as
+// the ground has it (layer_balance.h). Of what passes glass, X(o) does, for o outside, and from inside glass mirrors what
+// layers send back. So f is reciprocal, and white gives back all light, to within
+//   0.3%       of bare facets, 1% of rough glass from inside (tables of E);
+//   1% to 2%   of brushed facets, 5% of brushed glass from inside, at anisotropy 1 (tables of E);
+//   1%         of metal and panes under coat and sheen, 2% of the opaque dielectric, 5% if brushed as well (M is that of
+//              white metal with one roughness);
+//   9%         of rough glass under white sheen, 6% under a coat, from inside, and nothing of smooth glass (what is sent
+//              back is mirrored as if facets did not spread it).
 // Both sides scatter alike; through a share of glass, the inside is the side away from the geometric normal. A thin wall
 // of glass is seen from outside on both sides: light that passes leaves as if a facet had mirrored it and the wall had
 // mirrored it again, times basecolor, which it crosses once, whatever its thickness.
@@ -49,9 +55,10 @@
 // shape of the material an area light, which nothing above it dims; a shape's AreaLightSource takes its place. A `mix`
 // has both by the share of its part.
 // A thin film lies between coat and base, and changes what facets of the base mirror (thin_film.h); the ground gets
-// what the film leaves of its brightest colour, and frosted glass loses up to a third of white at roughness 1. The coat
-// follows the shape, whatever the normal map of the base, unless it has normals of its own. A mirror whose normal leans
-// so far that the camera would see it mirror the surface itself is bent until it does not (tilt.h).
+// what the film leaves of its brightest colour, which takes up to 17% of white, and frosted glass makes up for what its
+// facets lose at the film's mean reflectance, to 2%. The coat follows the shape, whatever the normal map of the base,
+// unless it has normals of its own. A mirror whose normal leans so far that the camera would see it mirror the surface
+// itself is bent until it does not (tilt.h).
 // Not there: subsurface scattering; dispersion, as dspm renders in RGB.
 // [Burley 2012, 2015; glTF 2.0, appendix B and KHR_materials_anisotropy, _clearcoat, _diffuse_transmission,
 // _emissive_strength, _ior, _iridescence, _sheen, _specular, _transmission, _volume;
@@ -137,7 +144,11 @@ class PrincipledMaterial final : public Material {
   }
 
   /// After the parameters have been checked.
-  void make_tables() { tables_ = std::make_shared<const PrincipledTables>(principled_tables(eta_, thin_, film_eta_)); }
+  void make_tables() {
+    const bool layers = coat_->constant() != 0.f || sheen_->constant() != Rgb(0);
+    const PrincipledUses uses{anisotropy_->constant() != 0.f, transmission_->constant() != 0.f, layers};
+    tables_ = std::make_shared<const PrincipledTables>(principled_tables(eta_, thin_, film_eta_, uses));
+  }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);

@@ -74,40 +74,48 @@ class PrincipledLayers {
   Tilts to_sample(const Vec3& o, Transport transport) const {
     return transport == Transport::radiance ? as_seen(o) : as_they_are();
   }
-  /// Of a direction, which may lie below: to the surface's normal, and to the coat's or, if that is the less, the
-  /// surface's. Where the coat is seen from behind, it mirrors nothing.
-  struct Cosines {
-    float base, coat;
+  /// A direction, which may lie below, as the layers see it.
+  struct Way {
+    float cos;    // to the surface's normal
+    float coat;   // to the coat's or, if that is the less, the surface's
+    float turn;   // BrushedAlbedo::turn
+    float alpha;  // of facets that turn light up or down
+    float left;   // by sheen and coat
+    float share;  // of light that facets below both mirror: LayerBalance's a
   };
-  static Cosines cosines(const Vec3& w, const Tilts& tilts);
+  Way way(const Vec3& w, const Tilts& tilts) const;
+  Way way(const Vec3& w, float cos_coat) const;
 
-  /// Of glass.
-  const AlbedoTable& all_by_facets() const { return thin_ ? tables_.common.metal : boundary().reflected_or_refracted; }
-  float albedo(const AlbedoTable& table, float cos) const;
-  float made_up(const AlbedoTable& table, float cos_o, float cos_i) const;
-  float made_up_by_glass(float cos_o, float cos_i) const;
+  /// Directional albedos of the base's facets.
+  class FacetAlbedo;
+  FacetAlbedo of_metal() const;
+  FacetAlbedo of_dielectric() const;  // what a boundary mirrors, from outside
+  FacetAlbedo of_glass() const;       // what it mirrors or refracts
   const BoundaryAlbedos& boundary() const { return outside_ ? tables_.boundary->outside : tables_.boundary->inside; }
-  float left_by_sheen(float cos) const;
-  float left_by_coat(float cos) const;
-  float left_by_both(const Cosines& w) const { return left_by_sheen(w.base) * left_by_coat(w.coat); }
-  /// For light that is mirrored below both: the lesser share, so that f is reciprocal and gains nothing.
-  float left_by_both(const Cosines& o, const Cosines& i) const { return std::min(left_by_both(o), left_by_both(i)); }
-  float over_glass(const Cosines& o, const Cosines& i) const { return outside_ ? left_by_both(o, i) : 1; }
-  float left_to_ground(const Cosines& w) const;
 
+  bool is_layered() const { return coat_ > 0 || sheen_weight_ > 0; }
+  float left_by_sheen(float cos) const;
   float mirrored_by_coat(float cos) const;
-  float mirrored_by_dielectric(float cos) const;  // its directional albedo
+  float left_by_both(float cos) const { return left_by_sheen(cos) * (1 - mirrored_by_coat(cos)); }
+  float under_layers(const Way& w) const;
+  float coat_under_sheen(float cos) const;
+  float over_glass(const Way& o, const Way& i) const { return outside_ ? o.share * i.share : 1; }
+  float sent_back(float cos_facet, const Way& o, const Way& i) const;
+  float mirrored_by_dielectric(const Way& w) const;  // its directional albedo
+  float left_to_ground(const Way& w) const { return (1 - mirrored_by_dielectric(w)) * w.left; }
+  Rgb made_up_by_metal(const Way& o, const Way& i) const;
+  Rgb made_up_by_glass(const Way& o, const Way& i) const;
   /// A facet's reflectance, by kind.
   Rgb metal_facet(float cos) const;
   Rgb mean_by_metal() const;
   Rgb dielectric_facet(float cos) const;
   Rgb glass_facet(float cos) const;
-  Rgb mirrored_by_facet(float cos, const Cosines& o, const Cosines& i) const;
-  Rgb through_facet(float cos_facet, const Cosines& o, const Cosines& i) const;
-  Rgb through(const Vec3& o, const Vec3& i, const Tilts& tilts, Transport transport) const;
-  Rgb ground(const Cosines& o, const Cosines& i, bool beyond) const;
-  Rgb diffuse(const Vec3& o, const Vec3& i, const Tilts& tilts) const;
-  PrincipledChances weights(const Cosines& o) const;
+  Rgb mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const;
+  Rgb through_facet(float cos_facet, const Way& o, const Way& i) const;
+  Rgb through(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i, Transport transport) const;
+  Rgb ground(const Way& o, const Way& i, bool beyond) const;
+  Rgb diffuse(const Vec3& o, const Vec3& i, const Way& way_o, const Way& way_i) const;
+  PrincipledChances weights(const Way& o) const;
   float density_through(const Vec3& o, const Vec3& i) const;
   std::optional<Drawn> draw_specular(const Vec3& o, const Vec3& u, const Tilts& tilts, Transport transport,
                                      float chance) const;
@@ -126,6 +134,7 @@ class PrincipledLayers {
   Ggx facets_, coat_facets_;
   bool smooth_, smooth_coat_, is_isotropic_;
   float alpha_, coat_alpha_, sheen_alpha_;  // alpha_: the mean of both
+  float narrowness_;                        // of brushed facets: 0 to 0.9
   float sheen_weight_, diffuse_norm_;
   float under_film_;  // share
   std::optional<ThinFilm> film_;

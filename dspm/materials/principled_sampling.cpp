@@ -22,16 +22,17 @@ float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 }  // namespace
 
 /// Colours count in steps or not at all: frames of different colours then choose alike.
-PrincipledChances PrincipledLayers::weights(const Cosines& o) const {
-  const float cos_o = o.base, left = left_by_both(o), over_glass = outside_ ? left : 1;
-  const float metal = metal_ == 0 || smooth_ ? 1 : albedo(tables_.common.metal, cos_o);
-  const float dielectric = mirrored_by_dielectric(cos_o);
+PrincipledChances PrincipledLayers::weights(const Way& o) const {
+  const float cos_o = o.cos, left = o.left, over_glass = outside_ ? left : 1;
+  const float metal = metal_ == 0 || smooth_ ? 1 : tables_.common.metal.of(cos_o, alpha_);
+  const float dielectric = mirrored_by_dielectric(o);
   float glass_mirrored = 0, glass = 1;
   if (glass_ > 0 && smooth_) glass_mirrored = film_ ? mean(glass_facet(cos_o)) : fresnel_dielectric(cos_o, eta());
   if (glass_ > 0 && !smooth_) {
-    glass = albedo(all_by_facets(), cos_o);
-    glass_mirrored = std::min(glass, albedo(boundary().reflected, cos_o));
+    glass = (thin_ ? tables_.common.metal : boundary().reflected_or_refracted).of(cos_o, alpha_);
+    glass_mirrored = std::min(glass, boundary().reflected.of(cos_o, alpha_));
   }
+  glass_mirrored += (glass - glass_mirrored) * sent_back(cos_o, o, o);
   const float at_ground = opaque_ * (1 - dielectric) * left;
   const float ground = at_ground * (1 - beyond_) * weight_in_choice(max_component(base_)),
               beyond = at_ground * beyond_ * weight_in_choice(max_component(beyond_colour_));
@@ -47,7 +48,7 @@ PrincipledChances PrincipledLayers::weights(const Cosines& o) const {
 PrincipledChances PrincipledLayers::chances(const Vec3& o, Transport transport, LobeSet lobes) const {
   constexpr float kLeast = 1e-4f;  // no lobe that exists is left out where the tables round it to nothing
   const LobeSet known = lobes & this->lobes(0);
-  PrincipledChances chances = weights(cosines(o, to_sample(o, transport)));
+  PrincipledChances chances = weights(way(o, to_sample(o, transport)));
   float sum = 0;
   for (int lobe = 0; lobe < 4; ++lobe) {
     float& chance = chances.chance[static_cast<std::size_t>(lobe)];
@@ -106,7 +107,7 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_coat(const Vec3& o
   const Vec3 i = tilts.coat.back(mirrored);
   if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
   if (!smooth_coat_) return Drawn{i, false};
-  const float passed = covered_ * std::min(left_by_sheen(o.z), left_by_sheen(i.z)) * coat_;
+  const float passed = covered_ * coat_under_sheen(o.z) * coat_under_sheen(i.z) * coat_;
   return Drawn{i, true,
                Rgb(passed * fresnel_dielectric(seen.z, kCoatEta) * tilts.coat.mirror_factor(o, i, transport) / chance)};
 }
@@ -120,7 +121,7 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_specular(const Vec
   const Vec3 i = tilts.facets.back(mirrored);
   if (mirrored.z <= 0 || i.z <= 0) return std::nullopt;
   if (!smooth_) return Drawn{i, false};
-  const Rgb f = mirrored_by_facet(seen.z, cosines(o, tilts), cosines(i, tilts));
+  const Rgb f = mirrored_by_facet(seen.z, way(o, tilts), way(i, tilts));
   return Drawn{i, true, f * (tilts.facets.mirror_factor(o, i, transport) / chance)};
 }
 
@@ -131,7 +132,7 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_through(const Vec3
   if (!i || i->z >= 0) return std::nullopt;
   if (!smooth_) return Drawn{*i, false, {}, !thin_};
   const Tilts tilts = as_they_are();
-  return Drawn{*i, true, through_facet(o.z, cosines(o, tilts), cosines(*i, tilts)) / chance, !thin_};
+  return Drawn{*i, true, through_facet(o.z, way(o, tilts), way(*i, tilts)) / chance, !thin_};
 }
 
 }  // namespace dspm

@@ -35,10 +35,27 @@ const CommonAlbedos& common_albedos() {
   return albedos;
 }
 
+const CommonBalances& common_balances() {
+  static const CommonBalances balances{LayerBalance(common_albedos().coat), LayerBalance(common_albedos().sheen)};
+  return balances;
+}
+
 }  // namespace
 
-PrincipledTables principled_tables(float eta, bool thin, float film_eta) {
-  return {eta, thin, film_eta, ThinFilm::most_gain(film_eta, eta), boundary_tables(eta), common_albedos()};
+PrincipledTables principled_tables(float eta, bool thin, float film_eta, const PrincipledUses& uses) {
+  PrincipledTables tables{eta,
+                          thin,
+                          film_eta,
+                          ThinFilm::most_gain(film_eta, eta),
+                          boundary_tables(eta),
+                          common_albedos(),
+                          uses.layers ? &common_balances() : nullptr,
+                          uses.brushed ? &brushed_metal() : nullptr,
+                          nullptr,
+                          nullptr};
+  if (uses.brushed) tables.brushed_dielectric = brushed_dielectric(eta);
+  if (uses.brushed && uses.glass && !thin) tables.brushed_glass = brushed_glass(eta);
+  return tables;
 }
 
 }  // namespace dspm

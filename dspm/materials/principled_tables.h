@@ -5,6 +5,8 @@
 
 #include "dspm/materials/albedo_table.h"
 #include "dspm/materials/boundary_tables.h"
+#include "dspm/materials/brushed_tables.h"
+#include "dspm/materials/layer_balance.h"
 
 namespace dspm {
 
@@ -13,6 +15,16 @@ struct CommonAlbedos {
   AlbedoTable metal;  // of reflectance 1
   AlbedoTable coat;   // of index kCoatEta
   AlbedoTable sheen;  // white
+};
+
+/// What coat and sheen leave to facets below.
+struct CommonBalances {
+  LayerBalance coat, sheen;
+};
+
+/// Which of the tables a material needs.
+struct PrincipledUses {
+  bool brushed, glass, layers;
 };
 
 inline constexpr float kCoatEta = 1.5f;
@@ -25,6 +37,10 @@ struct PrincipledTables {
   float film_gain;  // what such a film adds to what the dielectric mirrors, at most
   std::shared_ptr<const BoundaryTables> boundary;
   const CommonAlbedos& common;
+  const CommonBalances* balances;      // null: no layers
+  const BrushedAlbedo* brushed_metal;  // null: no brushed facets
+  std::shared_ptr<const BrushedAlbedo> brushed_dielectric;
+  std::shared_ptr<const BrushedGlass> brushed_glass;
 
   friend bool operator==(const PrincipledTables& a, const PrincipledTables& b) {
     return a.eta == b.eta && a.thin == b.thin && a.film_eta == b.film_eta;
@@ -32,6 +48,6 @@ struct PrincipledTables {
 };
 
 /// What takes time is made once for each index; for many threads.
-PrincipledTables principled_tables(float eta, bool thin, float film_eta);
+PrincipledTables principled_tables(float eta, bool thin, float film_eta, const PrincipledUses& uses);
 
 }  // namespace dspm

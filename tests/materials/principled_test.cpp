@@ -1,5 +1,5 @@
-// The principled material against what its layers are known to be: white gives back all light, and its pure forms are
-// those of the materials for glass and metal.
+// The principled material against what its layers are known to be: its pure forms are those of the materials for glass
+// and metal. What white ones give back is in white_test.cpp.
 #include <gtest/gtest.h>
 
 #include "dspm/materials/fresnel.h"
@@ -8,60 +8,6 @@
 
 namespace dspm::test {
 namespace {
-
-double least_albedo(const Material& material, float side) {
-  BsdfSlot slot;
-  const Bsdf& bsdf = material.bsdf(surface(), slot);
-  double least = 2;
-  for (const float cos : {1.f, 0.7f, 0.4f, 0.15f, 0.05f}) {
-    const PathRandom random(11, Stream::setup, 0, 0);
-    const Rgb mean = test::albedo(bsdf, direction(side * cos, 1), Transport::flux, random, 10'000).mean;
-    least = std::min(least, static_cast<double>(std::min({mean.r, mean.g, mean.b})));
-  }
-  return least;
-}
-
-/// With a white base; nothing is gained, and at most `loss` lost, from both sides.
-void expect_white(std::vector<Param> params, double loss, const std::string& what) {
-  params.push_back(rgb("basecolor", Rgb(1)));
-  const auto material = make("principled", std::move(params));
-  const Verdict verdict = gains_nothing(*material);
-  EXPECT_TRUE(verdict.passed) << what << ": " << verdict.message;
-  for (const float side : {1.f, -1.f}) EXPECT_GE(least_albedo(*material, side), 1 - loss) << what << " " << side;
-}
-
-TEST(Principled, WhiteLosesNothing) {
-  for (const float roughness : {0.f, 0.2f, 0.6f, 1.f}) {
-    const Param rough = number("roughness", roughness);
-    const std::string suffix = " " + std::to_string(roughness);
-    expect_white({rough}, 0.01, "opaque" + suffix);
-    expect_white({rough, number("specular", 0.3f)}, 0.01, "faint" + suffix);
-    expect_white({rough, number("metallic", 1)}, 0.01, "metal" + suffix);
-    expect_white({rough, number("transmission", 1)}, 0.02, "glass" + suffix);
-    expect_white({rough, number("transmission", 0.5f), number("metallic", 0.5f)}, 0.01, "mixed" + suffix);
-    expect_white({rough, number("eta", 2.4f), number("transmission", 0.5f)}, 0.01, "dense" + suffix);
-    expect_white({rough, number("transmission", 1), flag("thin", true)}, 0.01, "pane" + suffix);
-    expect_white({rough, number("transmission", 0.5f), number("diffusetransmission", 0.6f), flag("thin", true)}, 0.01,
-                 "shade" + suffix);
-    expect_white({rough, rgb("sheen", Rgb(1)), number("sheenroughness", 0.3f)}, 0.04, "cloth" + suffix);
-  }
-}
-
-TEST(Principled, FilmsOnWhiteLoseLittle) {
-  const std::vector<Param> film{number("iridescence", 1), number("iridescenceeta", 1.8f),
-                                number("iridescencethickness", 280)};
-  const auto under_film = [&](std::vector<Param> params, double loss, const std::string& what) {
-    params.insert(params.end(), film.begin(), film.end());
-    expect_white(std::move(params), loss, what);
-  };
-  for (const float roughness : {0.f, 0.3f, 1.f}) {
-    const Param rough = number("roughness", roughness);
-    under_film({rough, number("metallic", 1)}, 0.01, "metal");
-    under_film({rough, number("transmission", 1)}, roughness < 1 ? 0.1 : 0.35, "glass");
-    under_film({rough, number("transmission", 1), flag("thin", true)}, 0.03, "pane");
-    under_film({rough}, 0.2, "opaque");  // the ground gets what the brightest colour of any film leaves
-  }
-}
 
 /// The surface of a normal map that leans by `degrees`.
 SurfacePoint leaning(float degrees) {
@@ -126,37 +72,6 @@ TEST(Principled, LeaningLobesAreSampledAsTheyAre) {
       const Transport other = transport == Transport::radiance ? Transport::flux : Transport::radiance;
       const Rgb exchanged = bsdf.evaluate(drawn->wi, wo, other, bsdf.all_lobes());
       EXPECT_NEAR(exchanged.g, f.g, 1e-3f * f.g + 1e-6f);
-    }
-}
-
-// The tables are of isotropic facets: what brushed metal loses is known to a few per cent only.
-TEST(Principled, BrushedMetalLosesLittle) {
-  for (const float roughness : {0.2f, 0.6f, 1.f})
-    for (const float anisotropy : {0.5f, 0.9f}) {
-      const auto metal = make("principled", {number("metallic", 1), rgb("basecolor", Rgb(1)),
-                                             number("roughness", roughness), number("anisotropy", anisotropy)});
-      BsdfSlot slot;
-      const Bsdf& bsdf = metal->bsdf(surface(), slot);
-      for (const float cos : {1.f, 0.5f, 0.1f})
-        for (const float phi : {0.f, 0.8f, 1.57f}) {
-          const PathRandom random(11, Stream::setup, 0, 0);
-          const float albedo = test::albedo(bsdf, direction(cos, phi), Transport::flux, random, 4000).mean.r;
-          EXPECT_LE(albedo, 1.015) << roughness << " " << anisotropy << " " << cos << " " << phi;
-          EXPECT_GE(albedo, cos < 0.2f ? 0.7 : 0.85) << roughness << " " << anisotropy << " " << cos << " " << phi;
-        }
-    }
-}
-
-// Light that a mirror below a coat sends back is taken for what the coat lets through one way.
-TEST(Principled, CoatOverWhiteLosesLittle) {
-  for (const float roughness : {0.f, 0.3f, 1.f})
-    for (const float coat : {0.f, 0.3f, 1.f}) {
-      const std::vector<Param> varnish{number("roughness", roughness), number("coat", 1),
-                                       number("coatroughness", coat)};
-      expect_white(varnish, 0.02, "varnish");
-      std::vector<Param> metal = varnish;
-      metal.push_back(number("metallic", 1));
-      expect_white(metal, 0.06, "metal");
     }
 }
 

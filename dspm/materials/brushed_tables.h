@@ -1,0 +1,21 @@
+// The albedos of brushed facets of metal and of boundaries, each made when a material first needs it.
+#pragma once
+
+#include <memory>
+
+#include "dspm/materials/brushed_albedo.h"
+
+namespace dspm {
+
+/// Of a boundary, for light that is reflected or refracted.
+struct BrushedGlass {
+  BrushedAlbedo outside, inside;
+};
+
+/// Of reflectance 1.
+const BrushedAlbedo& brushed_metal();
+/// Of what a boundary mirrors, from outside.
+std::shared_ptr<const BrushedAlbedo> brushed_dielectric(float eta);
+std::shared_ptr<const BrushedGlass> brushed_glass(float eta);
+
+}  // namespace dspm

@@ -1,0 +1,179 @@
+// What the layers of the principled material leave to each other, by the tables of their albedos.
+#include <algorithm>
+#include <cmath>
+
+#include "dspm/colour/rgb.h"
+#include "dspm/materials/principled_layers.h"
+#include "dspm/math/vec.h"
+
+namespace dspm {
+namespace {
+
+/// What leaves metal facets after two or more reflections, of white metal's share of it. [Kulla and Conty 2017; Hill
+/// 2018]
+Rgb after_more_reflections(const Rgb& mean_fresnel, float mean_albedo) {
+  Rgb left;
+  for (int c = 0; c < 3; ++c)
+    left[c] = mean_fresnel[c] * mean_fresnel[c] * mean_albedo / (1 - mean_fresnel[c] * (1 - mean_albedo));
+  return left;
+}
+
+/// A diffuse lobe for light that directional albedos lack.
+float made_up(float lost_o, float lost_i, float mean_lost) {
+  return mean_lost < 1e-5f ? 0 : lost_o * lost_i / (kPi * mean_lost);
+}
+
+// Tables of brushed facets know what is lost to so much: they make up for less, to gain nothing.
+constexpr float kUnsure = 0.02f, kUnsureInside = 0.1f;
+
+/// LayerBalance's a.
+float balanced(float left, float mean_left) { return left / std::sqrt(std::max(mean_left, 1e-4f)); }
+
+}  // namespace
+
+class PrincipledLayers::FacetAlbedo {
+ public:
+  FacetAlbedo(const PrincipledLayers& layers, const AlbedoTable& even, const BrushedAlbedo* brushed)
+      : alpha_(layers.facets_.alpha()), mean_alpha_(layers.alpha_), even_(even), brushed_(brushed) {}
+
+  float lost(const Way& w) const { return 1 - of(w); }
+  float mean_lost() const { return 1 - (brushed_ ? brushed_->mean(alpha_) : even_.mean(mean_alpha_)); }
+  float of(const Way& w) const { return brushed_ ? brushed_->of(w.cos, w.turn, alpha_) : even_.of(w.cos, mean_alpha_); }
+
+ private:
+  Vec2 alpha_;
+  float mean_alpha_;
+  const AlbedoTable& even_;
+  const BrushedAlbedo* brushed_;
+};
+
+PrincipledLayers::FacetAlbedo PrincipledLayers::of_metal() const {
+  return {*this, tables_.common.metal, is_isotropic_ ? nullptr : tables_.brushed_metal};
+}
+PrincipledLayers::FacetAlbedo PrincipledLayers::of_dielectric() const {
+  return {*this, tables_.boundary->outside.reflected, is_isotropic_ ? nullptr : tables_.brushed_dielectric.get()};
+}
+PrincipledLayers::FacetAlbedo PrincipledLayers::of_glass() const {
+  if (thin_) return of_metal();
+  if (is_isotropic_) return {*this, boundary().reflected_or_refracted, nullptr};
+  return {*this, boundary().reflected_or_refracted,
+          outside_ ? &tables_.brushed_glass->outside : &tables_.brushed_glass->inside};
+}
+
+float PrincipledLayers::left_by_sheen(float cos) const {
+  return sheen_weight_ > 0 ? 1 - sheen_weight_ * tables_.common.sheen.of(cos, sheen_alpha_) : 1;
+}
+float PrincipledLayers::mirrored_by_coat(float cos) const {
+  if (coat_ == 0) return 0;
+  return coat_ * (smooth_coat_ ? fresnel_dielectric(cos, kCoatEta) : tables_.common.coat.of(cos, coat_alpha_));
+}
+
+/// The balance of two layers is the product of theirs to 1% of the light, and that over brushed facets is known to 3%: so
+/// much is left out, to gain nothing.
+float PrincipledLayers::under_layers(const Way& w) const {
+  if (smooth_) return std::sqrt(w.left);
+  float mean_left = 1 + 0.011f * coat_ * sheen_weight_ + 0.03f * narrowness_ * std::max(coat_, sheen_weight_);
+  if (coat_ > 0) mean_left *= tables_.balances->coat.mean_left(coat_, w.coat, w.alpha, smooth_coat_ ? 0 : coat_alpha_);
+  if (sheen_weight_ > 0) mean_left *= tables_.balances->sheen.mean_left(sheen_weight_, w.cos, w.alpha, sheen_alpha_);
+  return balanced(w.left, mean_left);
+}
+
+float PrincipledLayers::coat_under_sheen(float cos) const {
+  if (sheen_weight_ == 0) return 1;
+  const float left = left_by_sheen(cos);
+  if (smooth_coat_) return std::sqrt(left);
+  return balanced(left, tables_.balances->sheen.mean_left(sheen_weight_, cos, coat_alpha_, sheen_alpha_));
+}
+
+PrincipledLayers::Way PrincipledLayers::way(const Vec3& w, float cos_coat) const {
+  Way way{std::abs(w.z), cos_coat, 0, alpha_, 1, 1};
+  if (!is_isotropic_) {
+    const Vec2 alpha = facets_.alpha();
+    way.turn = BrushedAlbedo::turn(w, alpha);
+    const float x = w.x * alpha.x, y = w.y * alpha.y;
+    way.alpha = std::sqrt(x * x + y * y + w.z * w.z * alpha.x * alpha.y);
+  }
+  if (is_layered()) {
+    way.left = left_by_sheen(way.cos) * (1 - mirrored_by_coat(cos_coat));
+    way.share = under_layers(way);
+  }
+  return way;
+}
+
+/// Where the coat is seen from behind, it mirrors nothing.
+PrincipledLayers::Way PrincipledLayers::way(const Vec3& w, const Tilts& tilts) const {
+  const float base = std::abs(w.z), coat = w.z < 0 ? -tilts.coat.cosine(w) : tilts.coat.cosine(w);
+  return way(w, coat > 0 ? std::min(base, coat) : base);
+}
+
+/// Of light that leaves a facet of glass from inside, what sheen and coat send back in. Rough facets spread it: the
+/// lesser of what facet and directions say, to gain nothing.
+float PrincipledLayers::sent_back(float cos_facet, const Way& o, const Way& i) const {
+  if (outside_ || !is_layered()) return 0;
+  const auto back = [&](float cos) {
+    const float sin2_outside = (1 - cos * cos) / (eta() * eta());
+    return sin2_outside >= 1 ? 0 : 1 - left_by_both(std::sqrt(1 - sin2_outside));
+  };
+  return std::min(back(cos_facet), std::max(back(o.cos), back(i.cos)));
+}
+
+/// Of its brightest colour. Facets under a film mirror no more than what the tables know and the film's most gain.
+float PrincipledLayers::mirrored_by_dielectric(const Way& w) const {
+  if (smooth_) return specular_ * max_component(dielectric_facet(w.cos));
+  const float bare = of_dielectric().of(w);
+  if (!film_) return specular_ * bare;
+  return specular_ * std::min(1.f, bare + under_film_ * tables_.film_gain * of_metal().of(w));
+}
+
+float PrincipledLayers::diffuse_norm() const {
+  // Gauss and Legendre's rule of eight points on [0, 1].
+  constexpr std::array<Vec2, 8> kRule{{{0.0198550718f, 0.0506142681f},
+                                       {0.1016667613f, 0.1111905172f},
+                                       {0.2372337950f, 0.1568533229f},
+                                       {0.4082826788f, 0.1813418917f},
+                                       {0.5917173212f, 0.1813418917f},
+                                       {0.7627662050f, 0.1568533229f},
+                                       {0.8983332387f, 0.1111905172f},
+                                       {0.9801449282f, 0.0506142681f}}};
+  if (opaque_ == 0) return 1;
+  const int around = is_isotropic_ ? 1 : 4;
+  float sum = 0;
+  for (int k = 0; k < around; ++k) {
+    const float phi = (static_cast<float>(k) + 0.5f) / static_cast<float>(around) * kPi / 2;
+    for (const Vec2& point : kRule) {
+      const float sin = std::sqrt(1 - point.x * point.x);
+      sum += point.y * 2 * point.x * left_to_ground(way({sin * std::cos(phi), sin * std::sin(phi), point.x}, point.x));
+    }
+  }
+  return sum / static_cast<float>(around);
+}
+
+/// For light that meets several facets.
+Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
+  const FacetAlbedo metal = of_metal();
+  const float lost = made_up(metal.lost(o), metal.lost(i), metal.mean_lost()) * (1 - kUnsure * narrowness_);
+  return after_more_reflections(mean_by_metal(), 1 - metal.mean_lost()) * (lost * o.share * i.share);
+}
+
+/// A film mirrors a share of what glass alone would let through (or less than none), and facets lose of that what they
+/// lose of metal's.
+Rgb PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
+  const FacetAlbedo glass = of_glass();
+  const float sure = 1 - (outside_ ? kUnsure : kUnsureInside) * narrowness_;
+  const float over = over_glass(o, i) * sure, bare_o = glass.lost(o), bare_i = glass.lost(i), bare = glass.mean_lost();
+  if (!film_) return Rgb(over * made_up(bare_o, bare_i, bare));
+  const FacetAlbedo metal = of_metal();
+  const float more_o = metal.lost(o) - bare_o, more_i = metal.lost(i) - bare_i, more = metal.mean_lost() - bare;
+  Rgb share, sum;
+  for (const float cos : {0.95f, 0.7f, 0.4f}) {
+    const float usual = fresnel_dielectric(cos, tables_.eta);
+    share += (dielectric_facet(cos) - Rgb(usual)) / (3 * (1 - usual));
+  }
+  for (int c = 0; c < 3; ++c) {
+    const auto lost = [&](float alone, float rest) { return std::max(0.f, alone + share[c] * rest); };
+    sum[c] = over * made_up(lost(bare_o, more_o), lost(bare_i, more_i), lost(bare, more));
+  }
+  return sum;
+}
+
+}  // namespace dspm
