@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <vector>
 
 #include "dspm/system/parallel.h"
 #include "tests/shapes/random.h"
