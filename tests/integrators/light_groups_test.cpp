@@ -179,8 +179,10 @@ INSTANTIATE_TEST_SUITE_P(
         R"("dsppm" "integer photons" 3000 "string emission" "power" "string estimator" "hj09")",
         R"("sppm" "integer photons" 3000 "string emission" "power")",
         R"("sppm" "integer photons" 3000 "string emission" "power" "string estimator" "hj09" "string direct" "photons")",
-        R"("photonmap" "integer photons" 500 "integer causticphotons" 500 "integer nearest" 20)",
-        R"("photonmap" "integer photons" 500 "integer nearest" 20 "integer finalgather" 2 "string emission" "power")"));
+        R"("photonmap" "integer photons" 500 "integer causticphotons" 500 "integer nearest" 5 "float radius" 1
+           "float causticradius" 1)",
+        R"("photonmap" "integer photons" 500 "integer causticphotons" 500 "string emission" "power"
+           "integer finalgather" 2)"));
 
 class LightGroupsInBatches : public testing::TestWithParam<const char*> {};
 
