@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/math/frames.h"
@@ -54,12 +55,20 @@ Vec3 peak(const Bsdf& bsdf, const DensityCase& c, const PathRandom& random) {
   return best;
 }
 
+/// One lobe, all, and all but one: others of a bsdf with many lobes would take most of the time and show nothing new.
+std::vector<LobeSet> telling_subsets_of(LobeSet lobes) {
+  const auto count = [](LobeSet set) { return std::popcount(static_cast<unsigned>(set)); };
+  std::vector<LobeSet> subsets = subsets_of(lobes);
+  std::erase_if(subsets, [&](LobeSet set) { return count(set) > 1 && count(set) + 1 < count(lobes); });
+  return subsets;
+}
+
 std::vector<DensityCase> density_cases(const Material& material) {
   std::vector<DensityCase> cases;
   on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
     if (bsdf.lobes(1e-6f) == 0) return;  // fully specular: no density
     for (const Vec3& wo : directions())
-      for (const LobeSet lobes : subsets_of(bsdf.all_lobes())) {
+      for (const LobeSet lobes : telling_subsets_of(bsdf.all_lobes())) {
         // Where ns turns away from the camera, ng's horizon cuts through the middle of sharp lobes, which cells do not
         // see; weights_agree covers it.
         if (dot(wo, point.ng) * dot(wo, point.ns) > 0) cases.push_back({point, wo, lobes, Transport::radiance});

@@ -132,7 +132,10 @@ TEST(UntilError, TimeMayEndItFirst) {
   const TinyDirectory directory;
   const Outcome outcome = run(directory, {"tiny.dsc", "--until-error", "0.001%", "--time-limit", "0.5s"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.err.find(", more than was wanted"), std::string::npos) << outcome.err;
+  // A busy machine may not come to the first estimate.
+  EXPECT_TRUE(outcome.err.find(", more than was wanted") != std::string::npos ||
+              outcome.err.find("are too few to estimate the error") != std::string::npos)
+      << outcome.err;
 }
 
 TEST(UntilError, FitsIntoBoundedMemory) {

@@ -78,7 +78,7 @@ class ErrorEstimate : public testing::TestWithParam<std::string> {};
 
 TEST_P(ErrorEstimate, IsTheErrorAgainstTheMeanOfOtherRuns) {
   TestScene test = estimating(scene(GetParam()));
-  expect_estimates(test, mean_of_seeds(test, 30));
+  expect_estimates(test, mean_of_seeds(test, 16));
 }
 
 /// Runs of other seeds have other maps.
@@ -87,7 +87,7 @@ TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
   double estimated = 0, actual = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const Rendered run = rendered(test, seed, kIterations);
-    estimated += run.estimated, actual += true_error(run.image, rendered(test, seed, 30 * kIterations).image);
+    estimated += run.estimated, actual += true_error(run.image, rendered(test, seed, 12 * kIterations).image);
   }
   EXPECT_NEAR(estimated / actual, 1, 0.2);
 }
