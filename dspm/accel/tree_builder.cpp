@@ -55,7 +55,7 @@ class Tree::Builder {
     }
     first_of_crowds_ = pieces_.size();
     place_crowds(crowds);
-    expect_numbered(pieces_.size(), 0);
+    expect_numbered(pieces_.size(), placed_.size());
 
     const bool alike =
         std::all_of(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.frames.contains(all); });

@@ -12,10 +12,10 @@ namespace dspm {
 inline constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29, kOfCrowd = kPlaced | kTwo;
 
 /// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and
-/// placed objects), or if their triangles fill more packets, or crowds have more primitives, than it can number.
-inline void expect_numbered(std::uint64_t pieces, std::uint64_t packets) {
+/// placed objects), or number so many leaves of one kind: packets of triangles, placed objects, or primitives of crowds.
+inline void expect_numbered(std::uint64_t pieces, std::uint64_t leaves) {
   constexpr std::uint64_t kMostPieces = kPlaced;
-  if (pieces <= kMostPieces && packets <= kTwo) return;
+  if (pieces <= kMostPieces && leaves <= kTwo) return;
   throw std::length_error(
       fmt::format("{} million triangles and objects are too many for one tree; ObjectBegin .. ObjectEnd and "
                   "ObjectInstance store an object once, however often it is placed",

@@ -20,8 +20,8 @@ class Preview {
 
   /// The window's size, which may have changed.
   void fit_into(const TerminalSize& size);
-  /// What to print to show it: in the place of the one before if that is still on the screen and has kept its place, else below. The cursor
-  /// begins and ends at the start of an empty line.
+  /// What to print to show it: in the place of the one before if that is still on the screen and has kept its place, else
+  /// below. The cursor begins and ends at the start of an empty line.
   std::string show(const Image& shown);
   /// Other text is printed.
   void text_follows(std::string_view text);
