@@ -36,6 +36,7 @@ std::span<const Section> sections() {
       {"sppm", "one frame, against other renderers", measure_sppm},
       {"reading", "scenes' text and meshes in bytes per second", measure_reading},
       {"denoise", "error and flicker after 16 iterations, with --denoise and without", measure_denoise},
+      {"white", "what white principled materials give back in a white furnace", measure_white},
   };
   return kSections;
 }

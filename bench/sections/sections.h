@@ -28,5 +28,6 @@ Findings measure_rays(const Setup& setup);
 Findings measure_sppm(const Setup& setup);
 Findings measure_reading(const Setup& setup);
 Findings measure_denoise(const Setup& setup);
+Findings measure_white(const Setup& setup);
 
 }  // namespace dspm
