@@ -44,7 +44,7 @@
 // layers send back. So f is reciprocal, and white gives back all light, to within
 //   0.3%       of bare facets, 1% of rough glass from inside (tables of E);
 //   1% to 2%   of brushed facets, 5% of brushed glass from inside, at anisotropy 1 (tables of E);
-//   1%         of metal and panes under coat and sheen, 2% of the opaque dielectric, 5% if brushed as well (M is that of
+//   1.5%       of metal and panes under coat and sheen, 2% of the opaque dielectric, 5% if brushed as well (M is that of
 //              white metal with one roughness);
 //   9%         of rough glass under white sheen, 6% under a coat, from inside, and nothing of smooth glass (what is sent
 //              back is mirrored as if facets did not spread it).
