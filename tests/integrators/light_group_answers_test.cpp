@@ -129,7 +129,8 @@ constexpr const char* kPhotonIntegrators[] = {
     R"("sppm" "integer photons" 3000 "string emission" "power" "string estimator" "hj09")",
     R"("photonmap" "integer photons" 3000 "integer causticphotons" 1000 "string emission" "power"
        "integer nearest" 10 "float radius" 1)",
-    R"("photonmap" "integer photons" 3000 "integer nearest" 0 "integer causticphotons" 1000 "float radius" .2 "string emission" "power")",
+    R"("photonmap" "integer photons" 3000 "integer nearest" 0 "integer causticphotons" 1000 "float radius" .2
+       "string emission" "power")",
     R"("dsppm" "integer photons" 3000 "string emission" "power")"};
 INSTANTIATE_TEST_SUITE_P(Integrators, LightGroup, testing::ValuesIn(kPhotonIntegrators));
 

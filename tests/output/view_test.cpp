@@ -153,7 +153,8 @@ colorspaces:
   - !<ColorSpace>
     name: ACES
     isdata: false
-    to_reference: !<MatrixTransform> {matrix: [2.52169, -1.13413, -0.38756, 0, -0.27648, 1.37272, -0.09624, 0, -0.01538, -0.15298, 1.16835, 0, 0, 0, 0, 1]}
+    to_reference: !<MatrixTransform> {matrix: [2.52169, -1.13413, -0.38756, 0, -0.27648, 1.37272, -0.09624, 0,
+                                             -0.01538, -0.15298, 1.16835, 0, 0, 0, 0, 1]}
   - !<ColorSpace>
     name: half
     isdata: false
