@@ -68,7 +68,7 @@ TEST(Progress, FitsIntoTheTerminalsLine) {
     Progress progress({.iterations = 256, .intervals = 1, .until_error = 0.02}, ProgressKind::bar);
     progress.step(0, 128, 0.05);
   };
-  for (const std::size_t columns : {10, 40, 60, 200}) {
+  for (const std::size_t columns : {10u, 40u, 60u, 200u}) {
     const std::string text = on_terminal(columns, print);
     EXPECT_EQ(text.find('['), columns == 200 ? 1 : text.npos) << text;
     std::istringstream lines(text);

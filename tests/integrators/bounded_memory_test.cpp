@@ -157,7 +157,7 @@ Shape "sphere" "float radius" 0.7
     const HitPointSettings settings{.sample_direct = true, .keep_bsdf = keep_bsdf};
     const RenderSettings& render = test.job().settings;
     const auto estimate = static_cast<double>(hit_point_bytes(*scene, render, settings));
-    for (const std::uint64_t iteration : {0, 7}) {
+    for (const std::uint64_t iteration : {0u, 7u}) {
       const auto actual = static_cast<double>(bytes_in_use(trace_hit_points(*scene, render, settings, iteration, {})));
       EXPECT_GE(estimate, actual);
       EXPECT_LE(estimate, 1.5 * actual);

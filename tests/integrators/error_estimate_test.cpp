@@ -67,7 +67,7 @@ Image mean_of_seeds(TestScene& test, int seeds) {
 
 void expect_estimates(TestScene& test, const Image& truth) {
   double estimated = 0, actual = 0;
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Rendered run = rendered(test, seed, kIterations);
     estimated += run.estimated / 4, actual += true_error(run.image, truth) / 4;
   }
@@ -85,7 +85,7 @@ TEST_P(ErrorEstimate, IsTheErrorAgainstTheMeanOfOtherRuns) {
 TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
   TestScene test = estimating(scene(R"("photonmap" "integer photons" 20000 "integer causticphotons" 20000)"));
   double estimated = 0, actual = 0;
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const Rendered run = rendered(test, seed, kIterations);
     estimated += run.estimated, actual += true_error(run.image, rendered(test, seed, 12 * kIterations).image);
   }

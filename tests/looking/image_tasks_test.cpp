@@ -1,5 +1,6 @@
 #include "dspm/looking/image_tasks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

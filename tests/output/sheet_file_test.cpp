@@ -1,5 +1,6 @@
 #include "dspm/output/sheet_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numeric>

@@ -1,6 +1,7 @@
 // What is kept of a scene's geometry for the next one: nothing that changed, and all that did not.
 #include "dspm/world/kept_geometry.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
