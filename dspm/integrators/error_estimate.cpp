@@ -58,8 +58,6 @@ double median(std::vector<float>& values) {
   return static_cast<double>(*middle);
 }
 
-double square(double x) { return x * x; }
-
 double error_of(std::span<const float> half, std::span<const float> all) {
   std::vector<float> relative;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -115,7 +113,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     for (std::size_t f = 0; f < frames_; ++f) {
       const std::span<float> kept(&kept_[(slot * frames_ + f) * size], size);
       const std::vector<float> now = grid_.luminances(inner_->estimate(static_cast<Frame>(f), kRadiance));
-      if (has_half) squares_[f] = square(done * error_of(kept, now));
+      if (has_half) squares_[f] = std::pow(done * error_of(kept, now), 2);
       std::copy(now.begin(), now.end(), kept.begin());
     }
     kept_after_[slot] = done;

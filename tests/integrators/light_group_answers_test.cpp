@@ -1,4 +1,4 @@
-// Light groups where it is known what they are: on the inside of a sphere, and for a light that is made brighter.
+// Light groups whose light is known: of lamps within a sphere, and of a light that is made brighter.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
