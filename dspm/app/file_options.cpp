@@ -7,6 +7,7 @@
 #include "dspm/app/option_group.h"
 #include "dspm/app/option_values.h"
 #include "dspm/output/write_image.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -56,8 +57,7 @@ void add(CLI::App& app, Options& o) {
 void check_outfile(const Options& o) {
   if (o.outfile.empty()) return;
   if (o.task == Task::to_dsc) {
-    if (std::filesystem::path(o.outfile).extension() != ".dsc")
-      throw UsageError("-o " + o.outfile + ": --to-dsc writes a .dsc");
+    if (extension_of(o.outfile) != ".dsc") throw UsageError("-o " + o.outfile + ": --to-dsc writes a .dsc");
     if (o.scenes.size() > 1) throw UsageError("-o " + o.outfile + ": --to-dsc writes a file for each scene");
   } else if (!is_image_name(o.outfile)) {
     throw UsageError(fmt::format("-o {}: images are written as {}", o.outfile, kImageNames));
@@ -68,10 +68,9 @@ void check(const Options& o) {
   check_outfile(o);
   if (!o.contact_sheet.empty() && !is_sheet_name(o.contact_sheet))
     throw UsageError(fmt::format("--contact-sheet {}: the sheet is a {}", o.contact_sheet, kSheetNames));
-  if (const std::string kind = std::filesystem::path(o.index).extension();
-      !o.index.empty() && kind != ".csv" && kind != ".json")
+  if (const std::string kind = extension_of(o.index); !o.index.empty() && kind != ".csv" && kind != ".json")
     throw UsageError("--index " + o.index + ": the table is a .csv or a .json");
-  if (!o.video.empty() && std::filesystem::path(o.video).extension() != ".mp4")
+  if (!o.video.empty() && extension_of(o.video) != ".mp4")
     throw UsageError("--video " + o.video + ": the video is an .mp4");
   if (o.only_new && o.resume.empty())
     throw UsageError("--only-new: new since when? Give --resume and a checkpoint, too");

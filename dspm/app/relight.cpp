@@ -15,11 +15,12 @@
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/messages.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
 
-bool is_image(const std::string& argument) { return std::filesystem::path(argument).extension() == ".exr"; }
+bool is_image(const std::string& argument) { return extension_of(argument) == ".exr"; }
 
 std::filesystem::path png_of(std::filesystem::path image) { return image.replace_extension(".png"); }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "dspm/system/extension.h"
+
 namespace dspm {
 
 namespace {
@@ -138,7 +140,7 @@ PluginTable<Plugin<MakeFilm>>& film_plugins() {
 }
 
 bool is_image_name(const std::string& filename) {
-  const std::string extension = std::filesystem::path(filename).extension().string();
+  const std::string extension = extension_of(filename);
   return extension == ".exr" || extension == ".png" || extension == ".pfm" || extension == ".hdr";
 }
 

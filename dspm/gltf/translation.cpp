@@ -4,12 +4,13 @@
 
 #include "dspm/gltf/known_extensions.h"
 #include "dspm/gltf/scene_writer.h"
+#include "dspm/system/extension.h"
 
 namespace dspm::gltf {
 
 bool is_gltf_name(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".glb" || extension == ".gltf" || extension == ".GLB" || extension == ".GLTF";
+  const std::string extension = extension_of(path);
+  return extension == ".glb" || extension == ".gltf";
 }
 
 Translation translate(const std::filesystem::path& path, const std::string& folder, const Settings& settings) {

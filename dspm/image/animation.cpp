@@ -10,6 +10,7 @@
 
 #include "dspm/image/encoding.h"
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -64,14 +65,15 @@ std::string webp_bytes(const std::vector<Image>& images, double seconds) {
 }
 
 bool is_animation_name(const std::filesystem::path& path) {
-  return path.extension() == ".webp" || path.extension() == ".apng";
+  const std::string extension = extension_of(path);
+  return extension == ".webp" || extension == ".apng";
 }
 
 void write_animation(const std::filesystem::path& path, const std::vector<Image>& images, double seconds,
                      const PngFormat& format) {
   std::string bytes;
   try {
-    bytes = path.extension() == ".webp" ? webp_bytes(images, seconds) : apng_bytes(images, seconds, format);
+    bytes = extension_of(path) == ".webp" ? webp_bytes(images, seconds) : apng_bytes(images, seconds, format);
   } catch (const std::runtime_error& error) {
     throw WriteError(path, error.what());
   }

@@ -15,6 +15,7 @@
 #include "dspm/lang/v3/translator.h"
 #include "dspm/lang/variations.h"
 #include "dspm/params/params.h"
+#include "dspm/system/extension.h"
 #include "dspm/system/inner_files.h"
 
 namespace dspm {
@@ -30,9 +31,9 @@ struct OldScene {
   OldWord sign;
 };
 
-bool has_extension(std::string name, std::string_view extension) {
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  return name.ends_with(extension);
+bool has_extension(fs::path name, std::string_view extension) {
+  if (extension_of(name) == ".gz") name.replace_extension();
+  return extension_of(name) == extension;
 }
 
 enum class Age { unknown, v4, v3 };
@@ -313,7 +314,12 @@ SceneDescription parse_files(const std::vector<std::string>& paths, const ParseO
 SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,
                             Diagnostics& diagnostics) {
   SourceFiles files(name);
-  files.put(name, std::move(text));
+  try {
+    files.put(name, std::move(text));
+  } catch (const std::runtime_error& error) {
+    diagnostics.error({}, fmt::format("cannot read \"{}\": {}", name, error.what()));
+    return parse(files, {}, options, diagnostics);
+  }
   return parse(files, {name}, options, diagnostics);
 }
 

@@ -18,6 +18,7 @@
 #include "dspm/output/video.h"
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
+#include "dspm/system/extension.h"
 #include "dspm/system/readable.h"
 
 namespace dspm {
@@ -41,7 +42,7 @@ Image fitted(const Image& image, int width, int height) {
 double rate_of(const PageFiles& pages, const std::string& first) {
   if (pages.fps > 0) return pages.fps;
   double rate = 0;
-  if (std::filesystem::path(first).extension() == ".exr") rate = read_exr_header(first).frames_per_second;
+  if (extension_of(first) == ".exr") rate = read_exr_header(first).frames_per_second;
   return rate > 0 ? rate : kUsualRate;
 }
 

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "dspm/image/png.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -19,7 +20,7 @@ constexpr const char* kShown[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".we
 
 template <class List>
 bool has_extension(const std::filesystem::path& path, const List& extensions) {
-  return std::find(std::begin(extensions), std::end(extensions), path.extension()) != std::end(extensions);
+  return std::find(std::begin(extensions), std::end(extensions), extension_of(path)) != std::end(extensions);
 }
 
 /// For a whole name; the number is its group. Empty: the name has no place for one.

@@ -4,6 +4,7 @@
 
 #include "dspm/output/json.h"
 #include "dspm/output/name_template.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -84,7 +85,7 @@ std::string as_json(const fs::path& file, const Job& job, const std::vector<Inde
 }  // namespace
 
 std::string image_index(const fs::path& file, const Job& job, const std::vector<IndexedImage>& images) {
-  return file.extension() == ".json" ? as_json(file, job, images) : as_csv(file, job, images);
+  return extension_of(file) == ".json" ? as_json(file, job, images) : as_csv(file, job, images);
 }
 
 }  // namespace dspm

@@ -20,6 +20,7 @@
 #include "dspm/output/trial_writes.h"
 #include "dspm/output/write_image.h"
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/extension.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/version.h"
 #include "dspm/world/output_choice.h"
@@ -99,7 +100,7 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
 std::vector<std::filesystem::path> Output::with_png(const std::filesystem::path& image) const {
   std::filesystem::path png = image;
   png.replace_extension(".png");
-  if (png_ && png != image) return {image, png};
+  if (png_ && extension_of(image) != ".png") return {image, png};
   return {image};
 }
 
@@ -118,10 +119,12 @@ std::uint64_t Output::bytes_on_disk() const {
   constexpr std::uint64_t kBytes =
       3;  // per pixel of a PNG; HDR adds an exponent; EXR and PFM take two or four for each of them
   std::uint64_t a_pixel = 0;
-  for (const std::filesystem::path& file : image_files(job_.frames.front()))
-    a_pixel += file.extension() == ".png" || file.extension() == ".hdr" ? kBytes + 1
-               : file.extension() == ".exr" && job_.film.save_half      ? 2 * kBytes
-                                                                        : 4 * kBytes;
+  for (const std::filesystem::path& file : image_files(job_.frames.front())) {
+    const std::string kind = extension_of(file);
+    a_pixel += kind == ".png" || kind == ".hdr"        ? kBytes + 1
+               : kind == ".exr" && job_.film.save_half ? 2 * kBytes
+                                                       : 4 * kBytes;
+  }
   if (job_.denoiser) a_pixel *= 2;
   a_pixel += kMostOfAnOutput * job_.outputs.size();
   return a_pixel * static_cast<std::uint64_t>(job_.settings.crop.count()) * job_.frames.size();

@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/animation.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -20,7 +21,9 @@ SheetStyle enlarged(SheetStyle style, const Job& job, const SheetLayout& full) {
 
 }  // namespace
 
-bool is_sheet_name(const std::filesystem::path& path) { return path.extension() == ".png" || is_animation_name(path); }
+bool is_sheet_name(const std::filesystem::path& path) {
+  return extension_of(path) == ".png" || is_animation_name(path);
+}
 
 SheetFile::SheetFile(std::filesystem::path path, const Job& job, const SheetStyle& style)
     : path_(std::move(path)), job_(job), places_(job), moves_(is_animation_name(path_)) {

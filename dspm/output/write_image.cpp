@@ -9,6 +9,7 @@
 #include "dspm/image/png.h"
 #include "dspm/image/write_floats.h"
 #include "dspm/system/atomic_file.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 
@@ -29,10 +30,11 @@ void write_layers(const std::filesystem::path& path, const std::vector<ExrLayer>
 
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const View& view, const std::vector<ExrLayer>& more, const ExrFormat& format) {
-  if (path.extension() == ".png") return write_png(path, view.shown(std::move(image)), view.png());
-  if (path.extension() == ".pfm") return write_pfm(path, image);
-  if (path.extension() == ".hdr") return write_hdr(path, image);
-  if (path.extension() != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
+  const std::string kind = extension_of(path);
+  if (kind == ".png") return write_png(path, view.shown(std::move(image)), view.png());
+  if (kind == ".pfm") return write_pfm(path, image);
+  if (kind == ".hdr") return write_hdr(path, image);
+  if (kind != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));
   image = in_film_space(std::move(image), film);
   std::vector<ExrLayer> layers = {{{"R", "G", "B"}, &image, pixels_of(film)}};
   layers.insert(layers.end(), more.begin(), more.end());

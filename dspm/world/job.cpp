@@ -15,6 +15,7 @@
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shadow_catcher.h"
+#include "dspm/system/extension.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/integrator_choice.h"
@@ -231,7 +232,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.outputs = outputs_of(job.film, choices, description), job.denoiser = choices.denoiser;
   settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
   settings.in_camera_space = job.film.in_camera_space;
-  if (!job.outputs.empty() && std::filesystem::path(job.film.filename).extension() != ".exr")
+  if (!job.outputs.empty() && extension_of(job.film.filename) != ".exr")
     throw UsageError(fmt::format(
         "{} cannot hold {}: images with outputs besides radiance are .exr; -o {} gives them, and with --png, "
         "PNGs of the radiance as well{}",

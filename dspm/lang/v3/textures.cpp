@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "dspm/lang/v3/kinds.h"
+#include "dspm/system/extension.h"
 
 namespace dspm::v3 {
 namespace {
@@ -31,9 +32,8 @@ constexpr Rule kTextures[] = {
 void imagemap(Edit& edit) {
   const Param* name = edit.find("filename");
   const auto* texts = name != nullptr ? std::get_if<std::vector<std::string>>(&name->values) : nullptr;
-  const std::string ending =
-      texts != nullptr && !texts->empty() ? std::filesystem::path(texts->front()).extension().string() : "";
-  const bool is_srgb = ending == ".png" || ending == ".PNG" || ending == ".tga" || ending == ".TGA";
+  const std::string ending = texts != nullptr && !texts->empty() ? extension_of(texts->front()) : "";
+  const bool is_srgb = ending == ".png" || ending == ".tga";
   const Param* const gamma = edit.find("gamma");
   const bool is_flag = gamma != nullptr && gamma->type == ParamType::boolean;
   if (gamma != nullptr && !is_flag) edit.not_known(fmt::format("{} gamma of imagemap", word_of(gamma->type)));
