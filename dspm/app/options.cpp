@@ -111,6 +111,7 @@ namespace {
 Options parse_onto(Options options, const std::vector<std::string>& arguments, bool are_all) {
   CLI::App app(kDescription, "dspm");
   app.get_formatter()->column_width(26);
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);  // so scripts can append to a line
   app.set_version_flag("--version", fmt::format("dspm {}", kVersion));
   for (const OptionGroup* group : kGroups) group->add(app, options);
   std::string page;

@@ -15,6 +15,8 @@ volatile std::sig_atomic_t received = 0, images_wanted = 0, is_terminal = 0;
 extern "C" void on_end_wanted(int number) {
   constexpr char kWord[] =
       "\ndspm: ending after this iteration, which is cancelled in ten seconds if possible; Ctrl-C again ends at once\n";
+  const bool is_by_person = number == SIGINT || number == SIGTERM;
+  if (received != 0 && !is_by_person) return;  // the system repeats SIGXCPU every second
   if (received != 0) end_suddenly(128 + number);
   received = number;
   alarm(kSecondsToFinish);
@@ -54,6 +56,8 @@ InterruptRequests::InterruptRequests() {
   allow_work();
   handlers_.handle(SIGINT, on_end_wanted);
   handlers_.handle(SIGTERM, on_end_wanted);
+  handlers_.handle(SIGXCPU, on_end_wanted);
+  handlers_.handle(SIGUSR2, on_end_wanted);
   handlers_.handle(SIGALRM, on_time_over);
 }
 

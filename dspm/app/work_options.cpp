@@ -8,7 +8,7 @@ namespace {
 constexpr int kMaxThreads = 1024;
 
 void add(CLI::App& app, Options& o) {
-  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: one per core)");
+  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: one per core, within a container's quota)");
   // Image headers keep it as a double.
   app.add_option("--seed", o.seed, "seed of the random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53).description(""))

@@ -8,8 +8,11 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "dspm/system/cancellation.h"
+#include "dspm/system/cpu_quota.h"
 #include "dspm/system/thread_sanitizer.h"
 #include "dspm/system/work.h"
 
@@ -58,6 +61,13 @@ class LoopOrder {
   char started_ = 0, ended_ = 0;
 };
 
+/// One per core that the program may use, but no more than a container's quota keeps busy.
+int usual_threads() {
+  const int cores = tbb::info::default_concurrency();
+  const std::optional<double> quota = cpu_quota();
+  return quota && *quota < cores ? std::max(1, static_cast<int>(std::ceil(*quota))) : cores;
+}
+
 }  // namespace
 
 // The control raises or lowers the total number of threads; the arena limits how many of them a loop gets. It has a place
@@ -75,8 +85,7 @@ struct ThreadLimit::Arena {
 };
 
 ThreadLimit::ThreadLimit(int threads)
-    : arena_(std::make_unique<Arena>(threads > 0 ? threads : tbb::info::default_concurrency())),
-      outer_(innermost_limit) {
+    : arena_(std::make_unique<Arena>(threads > 0 ? threads : usual_threads())), outer_(innermost_limit) {
   innermost_limit = this;
 }
 

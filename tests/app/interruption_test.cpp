@@ -28,6 +28,21 @@ TEST(Interruption, TerminationDoesLikewise) {
   EXPECT_EQ(process.wait().code, 143);
 }
 
+// By which schedulers warn before they kill; the system repeats SIGXCPU every second.
+TEST(Interruption, SchedulersWarningsDoLikewise) {
+  for (const int signal : {SIGXCPU, SIGUSR2}) {
+    const TinyDirectory directory;
+    const Process process(directory,
+                          {"tiny.dsc", "--iterations", "0", "--write-every", "1", "--checkpoint", "tiny.ck"});
+    ASSERT_TRUE(appears(directory / "tiny.0003.exr"));
+    std::filesystem::remove(directory / "tiny.0003.exr");
+    process.send(signal), process.send(signal);
+    EXPECT_EQ(process.wait().code, 128 + signal);
+    EXPECT_TRUE(directory.has("tiny.0003.exr"));
+    EXPECT_TRUE(directory.has("tiny.ck"));
+  }
+}
+
 TEST(Interruption, TheSecondCtrlCEndsAtOnce) {
   const TinyDirectory directory;
   // One iteration takes long: many photons.

@@ -48,6 +48,38 @@ TEST(Options, ViewsAreChosen) {
   }
 }
 
+// Scripts append to a line.
+TEST(Options, OfAnOptionThatIsRepeatedTheLastHolds) {
+  const Options o = parse_options({"a.dsc",    "-t",
+                                   "1",        "-t",
+                                   "2",        "--iterations=3",
+                                   "--spp",    "4",
+                                   "-o",       "a.exr",
+                                   "-o",       "b.exr",
+                                   "--frames", "1",
+                                   "--frames", "2-3",
+                                   "-D",       "x=1",
+                                   "-D",       "y=2",
+                                   "b.dsc",    "--quiet",
+                                   "--quiet",  "--time-limit",
+                                   "1s",       "--time-limit",
+                                   "2s"});
+  EXPECT_EQ(o.threads, 2);
+  EXPECT_EQ(o.iterations, 4);
+  EXPECT_EQ(o.outfile, "b.exr");
+  EXPECT_EQ(o.frames, (std::vector<Moment>{Moment(1), Moment(2)}));
+  EXPECT_EQ(o.defines, (Words{"x=1", "y=2"}));
+  EXPECT_EQ(o.scenes, (Words{"a.dsc", "b.dsc"}));
+  EXPECT_EQ(o.time_limit, 2);
+}
+
+TEST(Options, NamesEndInAnyCase) {
+  EXPECT_EQ(parse_options({"a", "-o", "OUT.EXR"}).outfile, "OUT.EXR");
+  EXPECT_EQ(parse_options({"a", "--video", "OUT.Mp4"}).video, "OUT.Mp4");
+  EXPECT_EQ(parse_options({"a", "--contact-sheet", "S.PNG"}).contact_sheet, "S.PNG");
+  EXPECT_THROW(parse_options({"a", "-o", "OUT.EX"}), UsageError);
+}
+
 TEST(Options, UntilErrorIsAShare) { EXPECT_DOUBLE_EQ(parse_options({"a", "--until-error", "2%"}).until_error, 0.02); }
 
 TEST(Options, SppIsAnotherNameOfIterations) { EXPECT_EQ(parse_options({"a", "--spp", "9"}).iterations, 9); }

@@ -1,0 +1,13 @@
+// The share of the machine's time that a container or a scheduler leaves to the program.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace dspm {
+
+/// In processors, of the cgroup that the program is in and of all around it; nullopt: there is no bound. `root`: of the
+/// file system. [Linux, Documentation/admin-guide/cgroup-v2.rst, cpu.max; cgroup-v1, cpu.cfs_quota_us]
+std::optional<double> cpu_quota(const std::filesystem::path& root = "/");
+
+}  // namespace dspm
