@@ -33,7 +33,7 @@
 #include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
-#include "dspm/system/read_file.h"
+#include "dspm/system/plain_text.h"
 
 namespace dspm {
 namespace {
@@ -125,7 +125,7 @@ struct Settings {
 std::vector<LensSurface> read_lens(ParamReader& reader, const std::filesystem::path& file) {
   if (file.empty()) return {};
   try {
-    return parse_lens(read_bytes(file));
+    return parse_lens(read_text(file));
   } catch (const std::runtime_error& e) {
     reader.error("lensfile", "cannot read the lens \"" + file.string() + "\": " + e.what(),
                  "a lens file has four numbers for each surface: radius, thickness, index and diameter");

@@ -27,7 +27,7 @@ class NetpbmReader {
   /// Up to the next space; comments run from # to the end of the line.
   std::string_view word() {
     while (!rest_.empty() && (is_space(rest_.front()) || rest_.front() == '#')) {
-      const std::size_t gone = rest_.front() == '#' ? rest_.find('\n') : 0;
+      const std::size_t gone = rest_.front() == '#' ? rest_.find_first_of("\r\n") : 0;
       rest_.remove_prefix(gone == std::string_view::npos ? rest_.size() : gone + 1);
     }
     std::size_t length = 0;

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "dspm/lang/lookalikes.h"
+
 namespace dspm {
 namespace {
 
@@ -43,9 +45,7 @@ const char* string_end(const char* quote, const char* end) {
 
 }  // namespace
 
-Lexer::Lexer(const SourceText& source) : source_(source), at_(source.text().data()), end_(at_ + source.text().size()) {
-  if (source.text().starts_with("\xEF\xBB\xBF")) at_ += 3;  // byte order mark
-}
+Lexer::Lexer(const SourceText& source) : source_(source), at_(source.text().data()), end_(at_ + source.text().size()) {}
 
 void Lexer::fail(std::string_view piece, const std::string& message, std::string hint) const {
   throw SyntaxError(locate(piece), message, std::move(hint));
@@ -85,6 +85,7 @@ Token Lexer::next_or_comment() {
   }
   const std::string_view word = word_at(begin);
   at_ += word.size();
+  refuse_lookalikes(word);
   return {starts_number(*begin) ? Token::Kind::number : Token::Kind::word, word};
 }
 
@@ -176,8 +177,14 @@ std::string Lexer::unquoted(const Token& string) const {
   return result.append(rest);
 }
 
+void Lexer::refuse_lookalikes(std::string_view word) const {
+  if (const auto found = find_lookalike(word))
+    fail(found->where, fmt::format("this is {}", found->name), fmt::format("write {}", found->instead));
+}
+
 template <class Number>
 void Lexer::fail_number(std::string_view word) const {
+  refuse_lookalikes(word);
   const std::string_view kind = std::is_integral_v<Number> ? "an integer" : "a number";
   if (word.empty()) fail(view(at_, std::min(at_ + 1, end_)), fmt::format("expected {}", kind));
   double value = 0;

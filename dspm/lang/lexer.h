@@ -49,6 +49,8 @@ class Lexer {
   void skip_to_directive();
 
   SourceLocation locate(std::string_view piece) const { return source_.locate(piece); }
+  /// Fails if the word has a no-break space, a typographic quote or the like.
+  void refuse_lookalikes(std::string_view word) const;
   [[noreturn]] void fail(std::string_view piece, const std::string& message, std::string hint = {}) const;
 
  private:

@@ -71,6 +71,7 @@ Declaration split(std::string_view inside, OldTypes old_types) {
 }
 
 [[noreturn]] void fail_type(const Lexer& lexer, const Token& string, std::string_view inside) {
+  lexer.refuse_lookalikes(inside);
   const std::string_view word = inside.substr(0, inside.find_first_of(" \t"));
   if (word.size() == inside.size())
     lexer.fail(string.text, fmt::format("expected a type and a name, as in \"float {}\"", inside));

@@ -1,6 +1,7 @@
 #include "dspm/lang/source_files.h"
 
 #include "dspm/system/file_access.h"
+#include "dspm/system/plain_text.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
@@ -31,7 +32,8 @@ const SourceFile& SourceFiles::load(const std::string& path) {
 }
 
 void SourceFiles::put(const std::string& path, std::string text) {
-  files_.push_back(std::make_unique<SourceFile>(SourceFile{path == "-" ? "standard input" : path, std::move(text)}));
+  files_.push_back(
+      std::make_unique<SourceFile>(SourceFile{path == "-" ? "standard input" : path, plain_text(std::move(text))}));
   loaded_[identity_of(path)].file = files_.back().get();
 }
 

@@ -21,7 +21,7 @@ class SourceFiles {
   const std::string& main_name() const { return main_name_; }
   /// "-": standard input. Throws std::runtime_error.
   const SourceFile& load(const std::string& path);
-  /// A text in memory, as if it were that file's.
+  /// A text in memory, as if it were that file's. Throws std::runtime_error if it is no plain text.
   void put(const std::string& path, std::string text);
   /// Next to the file that names it, else next to the main file.
   std::filesystem::path find(const std::string& name, const SourceFile& file) const;

@@ -62,9 +62,9 @@ Body body_of(std::string_view text) {
   std::size_t at = text.starts_with(key) ? 0 : text.find("\nTILT=");
   if (at == text.npos) throw std::runtime_error("it has no line TILT=...");
   at = text.find(key, at) + key.size();
-  const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+  const std::size_t end = std::min(text.find('\n', at), text.size());
   std::string_view tilt = text.substr(at, end - at);
-  while (tilt.ends_with(' ')) tilt.remove_suffix(1);
+  while (tilt.ends_with(' ') || tilt.ends_with('\r')) tilt.remove_suffix(1);
   return {tilt, text.substr(end)};
 }
 
@@ -122,8 +122,10 @@ float mirrored(const std::vector<float>& horizontal, float around) {
 }  // namespace
 
 bool is_ies(std::string_view bytes) {
-  return bytes.starts_with("IESNA") || bytes.starts_with("IES:") || bytes.starts_with("TILT=") ||
-         bytes.substr(0, 20'000).find("\nTILT=") != bytes.npos;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // a byte order mark
+  const std::string_view head = bytes.substr(0, 20'000);
+  return head.starts_with("IESNA") || head.starts_with("IES:") || head.starts_with("TILT=") ||
+         head.find("\nTILT=") != head.npos || head.find("\rTILT=") != head.npos;
 }
 
 Photometry parse_ies(std::string_view text) {

@@ -19,8 +19,9 @@ struct Photometry {
   bool is_symmetric() const { return horizontal.size() == 1; }
 };
 
+/// Of a file as it is.
 bool is_ies(std::string_view bytes);
-/// Throws std::runtime_error with a sentence that does not name the file.
+/// Takes plain_text(). Throws std::runtime_error with a sentence that does not name the file.
 Photometry parse_ies(std::string_view text);
 
 }  // namespace dspm

@@ -7,7 +7,7 @@
 #include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
-#include "dspm/system/read_file.h"
+#include "dspm/system/plain_text.h"
 
 namespace dspm {
 namespace {
@@ -28,7 +28,7 @@ std::string fault(const std::vector<float>& pairs) {
 
 /// The numbers of a text file with # comments. Throws std::runtime_error if it holds anything else.
 std::vector<float> read_numbers(const std::filesystem::path& path) {
-  std::istringstream file(read_file(path));
+  std::istringstream file(read_text(path));
   std::vector<float> numbers;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));

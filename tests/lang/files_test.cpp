@@ -1,4 +1,5 @@
 // Scenes of several files: Include and Import, gzip, -D, and what can be wrong with files.
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include "dspm/system/read_file.h"
@@ -54,6 +55,36 @@ TEST_F(Files, IncludeIsTextual) {
   ASSERT_EQ(scene.shapes.size(), 2u);
   expect_near(scene.shapes[1].world_from_object.at(Moment()), Matrix4::translate(1, 0, 0));
   EXPECT_EQ(scene.shapes[0].where.file->name, (directory / "parts/b.dsc").string());
+}
+
+TEST_F(Files, MayHaveAMarkAndAnyLineEnds) {
+  for (const char* text : {"\xEF\xBB\xBFWorldBegin\n# none\nShape \"a\"\nInclude \"b.dsc\"\n",
+                           "# none\rWorldBegin # none\rShape \"a\"\rInclude \"b.dsc\"\r",
+                           "\xEF\xBB\xBFWorldBegin\r\nShape \"a\"\r\n\r\nInclude \"b.dsc\""}) {
+    put("main.dsc", text);
+    put("b.dsc", "\xEF\xBB\xBF# a comment\rShape \"b\"\rAttributeEnd");
+    EXPECT_NE(parse({"main.dsc"}).find("b.dsc:3:1: error"), std::string::npos);
+    EXPECT_EQ(scene.shapes.size(), 2u) << text;
+  }
+}
+
+TEST_F(Files, SayWhatIsNoPlainText) {
+  using namespace std::string_literals;
+  put("main.dsc", "\xFF\xFEW\0o\0r\0"s);
+  EXPECT_EQ(parse({"main.dsc"}), "error: cannot read \"main.dsc\": it is text in UTF-16: save it as UTF-8\n");
+  put("main.dsc",
+      "WorldBegin\nTranslate\xC2\xA0"
+      "1 2 3\nScale 1 2\xC2\xA0"
+      "3\n\xE2\x80\x9C"
+      "a\xE2\x80\x9D\n"
+      "Shape \"sphere\" \"float\xC2\xA0radius\" [ 1\xC2\xA0]\n");
+  const std::string messages = parse({"main.dsc"});
+  for (const char* place : {"2:10", "3:10", "5:23"})
+    EXPECT_NE(messages.find(fmt::format("main.dsc:{}: error: this is a no-break space (U+00A0)", place)),
+              std::string::npos)
+        << place << "\n"
+        << messages;
+  EXPECT_NE(messages.find("4:1: error: this is a typographic quote (U+201C)"), std::string::npos) << messages;
 }
 
 TEST_F(Files, AreLookedForBesideTheNamingFileThenBesideTheMainFile) {

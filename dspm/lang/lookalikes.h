@@ -1,0 +1,17 @@
+// Characters that look like those of the language and are others. Word processors and web pages put them into texts.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace dspm {
+
+struct Lookalike {
+  std::string_view where;      // within the word
+  const char *name, *instead;  // what it is, and what to write
+};
+
+/// The first in the word, which is UTF-8.
+std::optional<Lookalike> find_lookalike(std::string_view word);
+
+}  // namespace dspm
