@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/shapes/mtl_options.h"
 #include "dspm/shapes/mtl_pictures.h"
+#include "dspm/shapes/mtl_statements.h"
 
 namespace dspm {
 namespace {
@@ -235,7 +235,7 @@ std::string trimmed(std::string_view text) {
 
 std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
                                    std::vector<std::string>& complaints, MtlLeftOut& left_out) {
-  std::istringstream file(with_all_numbers(text));
+  std::istringstream file(for_tinyobj(text, left_out));
   std::vector<tinyobj::material_t> materials;
   std::map<std::string, int> numbers;
   std::string warning, error;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dspm/shapes/obj_statements.h"
 #include "dspm/system/file_access.h"
 
 namespace dspm {
@@ -36,11 +37,11 @@ std::optional<std::string> MtlPictures::add_normals(const MtlPicture& picture, F
 }
 
 std::optional<std::filesystem::path> MtlPictures::find(const MtlPicture& picture, const FileMaterial& of) {
-  std::string file = picture.file;
+  const std::string file = trimmed(picture.file);
   if (file.empty()) return std::nullopt;
-  std::replace(file.begin(), file.end(), '\\', '/');
-  const std::filesystem::path path = mtl_.parent_path() / file;
-  if (seems_to_exist(path)) return std::filesystem::absolute(path);
+  for (const std::string& spelling : spellings_of(file))
+    if (const std::filesystem::path path = mtl_.parent_path() / spelling; seems_to_exist(path))
+      return std::filesystem::absolute(path);
   complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, of.name));
   return std::nullopt;
 }

@@ -1,18 +1,21 @@
 #include "dspm/shapes/obj.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <charconv>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "dspm/math/vec.h"
-#include "dspm/shapes/obj_check.h"
+#include "dspm/shapes/mtl_files.h"
+#include "dspm/shapes/obj_statements.h"
 #include "dspm/shapes/polygons.h"
+#include "dspm/shapes/vertex_colour.h"
 #include "dspm/system/file_access.h"
+#include "dspm/system/plain_text.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
@@ -35,6 +38,21 @@ struct CornerHash {
 struct Attributes {
   std::vector<Vec3> vertices, normals;
   std::vector<Vec2> uvs;
+  std::vector<Vec3> colours;  // as written, of the first vertices; none is white
+
+  void colour_last(const Vec3& colour) {
+    colours.resize(vertices.size() - 1, {1, 1, 1});
+    colours.push_back(colour);
+  }
+  /// As programs write them: sRGB in 0..1, or in bytes.
+  void settle_colours() {
+    float most = 1;
+    for (const Vec3& c : colours) most = std::max({most, c.x, c.y, c.z});
+    const double unit = most > 1 ? 255 : 1;
+    for (Vec3& c : colours)
+      for (int i = 0; i < 3; ++i) c[i] = linear_of_srgb(std::max(c[i], 0.f) / unit);
+    if (!colours.empty()) colours.resize(vertices.size(), {1, 1, 1});
+  }
 };
 
 /// The faces of one material while the file is read.
@@ -60,6 +78,10 @@ struct Faces {
       mesh.vertices.push_back(attributes.vertices[static_cast<std::size_t>(c.vertex)]);
       if (has_normals)
         mesh.normals.push_back(c.normal < 0 ? Vec3{} : attributes.normals[static_cast<std::size_t>(c.normal)]);
+      if (const auto& all = attributes.colours; !all.empty()) {
+        const Vec3& colour = all[static_cast<std::size_t>(c.vertex)];
+        mesh.colours.push_back({colour.x, colour.y, colour.z, 1});
+      }
       if (has_uvs) mesh.uvs.push_back(c.uv < 0 ? Vec2{} : attributes.uvs[static_cast<std::size_t>(c.uv)]);
     }
     mesh.faces = triangulate(polygons, mesh.vertices);
@@ -67,80 +89,112 @@ struct Faces {
   }
 };
 
-/// Hands material files to read_mtl, with their names.
-class MaterialFiles : public tinyobj::MaterialReader {
- public:
-  MaterialFiles(const std::filesystem::path& directory, const ObjCompanion& companion, ObjFile& out)
-      : directory_(directory), companion_(companion), out_(out) {}
+constexpr std::size_t kMostShown = 60;
 
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
-                  std::string*) override {
-    if (const std::optional<std::string> text = companion_(name))
-      for (FileMaterial& material : read_mtl(*text, directory_ / name, out_.complaints, left_out_))
-        out_.materials.push_back(std::move(material));
-    else
-      out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name));
-    return true;  // it has been handled
+[[noreturn]] void fail(const ObjStatement& at, const std::string& why) {
+  throw std::runtime_error(fmt::format("line {}: {}: {}", at.line, at.text.substr(0, kMostShown), why));
+}
+
+/// 7, 7/1, 7//3 or 7/1/3: indices as they are written; 0: none.
+std::optional<Corner> corner_of(std::string_view word) {
+  int indices[3] = {0, 0, 0};
+  for (int& index : indices) {
+    const bool is_first = &index == indices;
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    const auto used = static_cast<std::size_t>(stop - word.data());
+    if (error != std::errc() && (is_first || used > 0 || error == std::errc::result_out_of_range)) return std::nullopt;
+    word.remove_prefix(used);
+    if (word.empty()) return Corner{indices[0], indices[1], indices[2]};
+    if (word.front() != '/') return std::nullopt;
+    word.remove_prefix(1);
   }
+  return std::nullopt;
+}
 
-  void complain_of_what_is_left_out() {
-    for (std::string& sentence : in_words(left_out_)) out_.complaints.push_back(std::move(sentence));
+/// Faces are resolved at the end: they may come before their vertices.
+class Reader {
+ public:
+  Reader(const std::string& group, bool split, MtlFiles& libraries, ObjFile& out)
+      : group_(group), split_(split), libraries_(libraries), out_(out) {}
+
+  void read(std::string_view text) {
+    ObjStatements statements(text);
+    while (const auto statement = statements.next()) take(*statement);
+    finish();
   }
 
  private:
-  const std::filesystem::path& directory_;
-  const ObjCompanion& companion_;
-  ObjFile& out_;
-  MtlLeftOut left_out_;
-};
-
-/// Collects the data of tinyobjloader's callbacks. Faces are resolved at the end: they may come before their vertices.
-class Collector {
- public:
-  Collector(const std::string& group, bool split, ObjFile& out) : group_(group), split_(split), out_(out) {}
-
-  static tinyobj::callback_t callbacks() {
-    tinyobj::callback_t c;
-    c.vertex_cb = [](void* self, float x, float y, float z, float) {
-      at(self).attributes_.vertices.push_back({x, y, z});
-    };
-    c.normal_cb = [](void* self, float x, float y, float z) { at(self).attributes_.normals.push_back({x, y, z}); };
-    c.texcoord_cb = [](void* self, float u, float v, float) { at(self).attributes_.uvs.push_back({u, v}); };
-    c.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
-      at(self).add_face({corners, static_cast<std::size_t>(count)});
-    };
-    c.usemtl_cb = [](void* self, const char* name, int) { at(self).material_ = trimmed(name); };
-    c.group_cb = [](void* self, const char** names, int count) { at(self).groups_.assign(names, names + count); };
-    c.object_cb = [](void* self, const char* name) {
-      at(self).object_ = trimmed(name);
-      at(self).groups_.clear();
-    };
-    return c;
-  }
-
-  void finish() {
-    for (Faces& f : faces_) {
-      for (const Corner& c : f.corners) check(c);
-      out_.meshes.push_back({f.material, f.mesh(attributes_)});
+  void take(const ObjStatement& s) {
+    if (s.keyword == "v") {
+      const auto v = numbers(s, 3);
+      attributes_.vertices.push_back({v[0], v[1], v[2]});
+      if (v.size() >= 6) attributes_.colour_last({v[3], v[4], v[5]});
+    } else if (s.keyword == "vn") {
+      const auto v = numbers(s, 3);
+      attributes_.normals.push_back({v[0], v[1], v[2]});
+    } else if (s.keyword == "vt") {
+      const auto v = numbers(s, 1);
+      attributes_.uvs.push_back({v[0], v.size() > 1 ? v[1] : 0});
+    } else if (s.keyword == "f" || s.keyword == "fo") {
+      add_face(s);
+    } else if (s.keyword == "usemtl") {
+      material_ = name_of_material(s.rest);
+    } else if (s.keyword == "mtllib") {
+      libraries_.read_named(s.rest);
+    } else if (s.keyword == "o") {
+      object_ = s.rest;
+      groups_.clear();
+    } else if (s.keyword == "g") {
+      std::string_view rest = s.rest;
+      groups_.clear();
+      for (std::string_view name = next_word(rest); !name.empty(); name = next_word(rest)) groups_.emplace_back(name);
+    } else if (s.keyword == "surf" && !std::exchange(has_free_forms_, true)) {
+      out_.complaints.emplace_back("its free-form surfaces (surf) are left out");
     }
   }
 
- private:
-  static Collector& at(void* self) { return *static_cast<Collector*>(self); }
+  std::span<const float> numbers(const ObjStatement& s, std::size_t least) {
+    numbers_.clear();
+    std::string_view rest = s.rest;
+    for (std::string_view word = next_value(rest); !word.empty(); word = next_value(rest)) {
+      const std::optional<float> number = obj_number(word);
+      if (!number) fail(s, fmt::format("\"{}\" is not a number", word.substr(0, kMostShown)));
+      numbers_.push_back(*number);
+    }
+    if (numbers_.size() < least) fail(s, fmt::format("{} of {} numbers", numbers_.size(), least));
+    return numbers_;
+  }
 
-  void add_face(std::span<const tinyobj::index_t> corners) {
-    if (corners.size() < 3) return;
+  void add_face(const ObjStatement& s) {
+    corners_.clear();
+    std::string_view rest = s.rest;
+    for (std::string_view word = next_value(rest); !word.empty(); word = next_value(rest)) {
+      const std::optional<Corner> corner = corner_of(word);
+      if (!corner) fail(s, fmt::format("\"{}\" is not a vertex of a face", word.substr(0, kMostShown)));
+      corners_.push_back(*corner);
+    }
+    if (corners_.empty()) fail(s, "0 of 3 vertices");
+    if (corners_.size() < 3) return;
+    out_.has_faces = true;
     if (!object_.empty()) note_name(object_);
     for (const std::string& name : groups_) note_name(name);
     const bool wanted =
         group_.empty() || object_ == group_ || std::find(groups_.begin(), groups_.end(), group_) != groups_.end();
     if (!wanted) return;
     Faces& faces = faces_of(split_ ? material_ : std::string());
-    for (const tinyobj::index_t& c : corners)
-      faces.corners.push_back({absolute(c.vertex_index, attributes_.vertices.size()),
-                               absolute(c.texcoord_index, attributes_.uvs.size()),
-                               absolute(c.normal_index, attributes_.normals.size())});
+    for (const Corner& c : corners_)
+      faces.corners.push_back({absolute(c.vertex, attributes_.vertices.size()), absolute(c.uv, attributes_.uvs.size()),
+                               absolute(c.normal, attributes_.normals.size())});
     faces.ends.push_back(faces.corners.size());
+  }
+
+  void finish() {
+    attributes_.settle_colours();
+    for (Faces& f : faces_) {
+      for (const Corner& c : f.corners) check(c);
+      out_.meshes.push_back({f.material, f.mesh(attributes_)});
+    }
   }
 
   // From OBJ's indices: counted from 1, or backwards from -1 for the last one read so far; 0 if there is none.
@@ -158,6 +212,18 @@ class Collector {
       throw std::runtime_error("a face refers to a normal or texture coordinate that does not exist");
   }
 
+  /// A name may have a # in it, so what follows one is a comment only if no material has the whole name.
+  std::string name_of_material(std::string_view written) const {
+    const auto is_known = [&](std::string_view name) {
+      return std::any_of(out_.materials.begin(), out_.materials.end(),
+                         [&](const FileMaterial& m) { return m.name == name; });
+    };
+    std::string_view name = written;
+    if (const std::size_t comment = written.find(" #"); comment != written.npos && !is_known(written))
+      if (const std::string short_name = trimmed(written.substr(0, comment)); is_known(short_name)) return short_name;
+    return std::string(name);
+  }
+
   void note_name(const std::string& name) {
     if (std::find(out_.groups.begin(), out_.groups.end(), name) == out_.groups.end()) out_.groups.push_back(name);
   }
@@ -171,11 +237,15 @@ class Collector {
 
   const std::string& group_;
   bool split_;
+  MtlFiles& libraries_;
   ObjFile& out_;
   Attributes attributes_;
   std::vector<Faces> faces_;
   std::string material_, object_;
   std::vector<std::string> groups_;
+  bool has_free_forms_ = false;
+  std::vector<float> numbers_;   // of one statement
+  std::vector<Corner> corners_;  // likewise, with indices as they are written
 };
 
 }  // namespace
@@ -186,21 +256,15 @@ ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bo
     if (!seems_to_exist(directory / name)) return std::nullopt;
     return read_file(directory / name);
   };
-  return parse_obj(read_file(path), directory, companion, group, split);
+  return parse_obj(read_text(path), directory, companion, group, split);
 }
 
 ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
                   const std::string& group, bool split) {
-  check_obj_numbers(text);
-  std::istringstream lines(text);
   ObjFile out;
-  MaterialFiles mtl(directory, companion, out);
-  Collector collector(group, split, out);
-  std::string warning, error;
-  if (!tinyobj::LoadObjWithCallback(lines, Collector::callbacks(), &collector, &mtl, &warning, &error))
-    throw std::runtime_error(error.empty() ? "it is not an OBJ file" : error);
-  mtl.complain_of_what_is_left_out();
-  collector.finish();
+  MtlFiles libraries(directory, companion, out);
+  Reader(group, split, libraries, out).read(text);
+  libraries.complain_of_what_is_left_out();
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Meshes from Wavefront OBJ files, read by tinyobjloader.
+// Meshes from Wavefront OBJ files.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +21,7 @@ struct ObjMesh {
 struct ObjFile {
   std::vector<ObjMesh> meshes;  // in the order in which their materials are first used
   std::vector<FileMaterial> materials;
+  bool has_faces = false;               // of any group
   std::vector<std::string> groups;      // names of all groups and objects that have faces
   std::vector<std::string> complaints;  // faults that are no reason to stop: a missing MTL file, ...
 };
@@ -31,7 +32,7 @@ using ObjCompanion = std::function<std::optional<std::string>(const std::string&
 /// Only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjMesh.
 /// Throws std::runtime_error with a sentence that does not name the file.
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
-/// The same for a text in memory; textures are looked for in `directory`.
+/// The same for a text in memory, as plain_text() gives it; textures are looked for in `directory`.
 ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
                   const std::string& group, bool split);
 

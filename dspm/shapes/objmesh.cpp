@@ -1,7 +1,8 @@
 // Shape "objmesh" "string filename" "chair.obj" "string group" "seat"
 //
 // Triangles from a Wavefront OBJ file, with the materials of its MTL files. Faces of any number of corners, normals,
-// texture coordinates, negative indices.
+// texture coordinates, negative indices, colours of vertices (see the texture "vertexcolor"). In a Dynamic block `%03d` in
+// the name stands for the frame's number; where a file of the sequence has no faces, the shape is not there.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |
@@ -49,8 +50,7 @@ std::optional<FileMaterial> material_of(const ObjMesh& mesh, const ObjFile& file
   return std::nullopt;
 }
 
-void report_empty(ParamReader& reader, const ObjFile& file, const std::string& group) {
-  if (group.empty()) return reader.error("filename", "the file has no faces");
+void report_unknown_group(ParamReader& reader, const ObjFile& file, const std::string& group) {
   constexpr std::size_t kMostNamed = 20;
   const auto end = file.groups.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNamed, file.groups.size()));
   reader.error("group", fmt::format("the file has no group or object \"{}\"", group),
@@ -73,7 +73,7 @@ std::vector<MadeShape> make_objmesh(ParamReader& reader) {
     ObjFile file = read_obj(path, group, materials);
     if (materials)
       for (const std::string& complaint : file.complaints) reader.warning("filename", complaint);
-    if (file.meshes.empty()) report_empty(reader, file, group);
+    if (file.meshes.empty() && file.has_faces) report_unknown_group(reader, file, group);
     for (ObjMesh& mesh : file.meshes) {
       std::optional<FileMaterial> material = material_of(mesh, file, reader);
       made.push_back({std::make_unique<TriangleMesh>(std::move(mesh.mesh)), std::move(material), repair});

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 
 #include "dspm/shapes/ply_header.h"
 #include "dspm/shapes/polygons.h"
+#include "dspm/shapes/vertex_colour.h"
 
 namespace dspm {
 namespace {
@@ -77,7 +77,7 @@ float colour_of(double value, PlyType type, bool is_opacity) {
   const double most = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 0;
   if (most == 0) return static_cast<float>(value);
   const double c = value / most;
-  return static_cast<float>(is_opacity ? c : c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  return is_opacity ? static_cast<float>(c) : linear_of_srgb(c);
 }
 
 /// The meaning of a vertex's property.
@@ -135,10 +135,11 @@ class BodyReader {
         throw std::runtime_error(fmt::format("{} (in \"{}\" {} of {})", e.what(), element.name, i, element.count));
       }
     }
-    const auto count = static_cast<int>(mesh_.vertices.size());
-    for (const int v : polygons_.corners)
-      if (v < 0 || v >= count) throw std::runtime_error(fmt::format("a face refers to vertex {} of {}", v, count));
+    for (const int v : polygons_.corners) check(v);
+    for (const Face& triangle : strips_)
+      for (const int v : triangle) check(v);
     mesh_.faces = triangulate(polygons_, mesh_.vertices);
+    mesh_.faces.insert(mesh_.faces.end(), strips_.begin(), strips_.end());
     return std::move(mesh_);
   }
 
@@ -174,6 +175,8 @@ class BodyReader {
       read_vertex(element);
     else if (element.name == "face")
       read_face(element);
+    else if (element.name == "tristrips")
+      read_strips(element);
     else
       for (const PlyProperty& property : element.properties) skip(property);
   }
@@ -205,9 +208,40 @@ class BodyReader {
         skip(property);
         continue;
       }
-      for (std::uint64_t left = count_of(property); left > 0; --left) polygons_.add_corner(index(property.type));
+      for (std::uint64_t left = count_of(property); left > 0; --left)
+        polygons_.add_corner(index(numbers_.next(property.type)));
       polygons_.close();
     }
+  }
+
+  /// Each corner makes a triangle of the two before it, whose outside is that of the strip's first; -1 ends a strip.
+  /// Corners that occur twice turn a corner and make none.
+  void read_strips(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      if (!is_corners(property)) {
+        skip(property);
+        continue;
+      }
+      Face last{-1, -1, -1};
+      bool is_even = false;
+      for (std::uint64_t left = count_of(property); left > 0; --left) {
+        const double corner = numbers_.next(property.type);
+        if (corner == -1 || (property.type == PlyType::uint32 && corner == 4294967295.0)) {
+          last = {-1, -1, -1};
+          continue;
+        }
+        last = {last[1], last[2], index(corner)};
+        is_even = last[1] < 0 || !is_even;
+        const auto [a, b, c] = last;
+        if (a < 0 || a == b || b == c || c == a) continue;
+        strips_.push_back(is_even ? last : Face{b, a, c});
+      }
+    }
+  }
+
+  void check(int vertex) const {
+    const auto count = static_cast<int>(mesh_.vertices.size());
+    if (vertex >= count) throw std::runtime_error(fmt::format("a face refers to vertex {} of {}", vertex, count));
   }
 
   std::uint64_t count_of(const PlyProperty& property) {
@@ -216,8 +250,7 @@ class BodyReader {
     return static_cast<std::uint64_t>(count);
   }
 
-  int index(PlyType type) {
-    const double v = numbers_.next(type);
+  static int index(double v) {
     if (!(v >= 0 && v < 2147483648.0)) throw std::runtime_error(fmt::format("{} is not a vertex index", v));
     return static_cast<int>(v);
   }
@@ -232,6 +265,7 @@ class BodyReader {
   bool has_normals_ = false, has_uvs_ = false, has_tangents_ = false, has_signs_ = false, has_second_uvs_ = false;
   bool has_colours_ = false, has_opacities_ = false;
   Polygons polygons_;
+  std::vector<Face> strips_;
   MeshData mesh_;
 };
 

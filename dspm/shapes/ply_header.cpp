@@ -36,7 +36,12 @@ class HeaderReader {
  public:
   explicit HeaderReader(std::string_view file) : file_(file) {}
 
+  /// As in plain_text(), which is for texts that do not go on in bytes. Whether lines end with \r alone is what the first
+  /// says: after the last, a \n may be the first byte of the numbers.
   PlyHeader read() {
+    if (file_.starts_with("\xEF\xBB\xBF")) header_.size = 3;  // a byte order mark
+    const std::size_t end = std::min(file_.find_first_of("\r\n", header_.size), file_.size());
+    if (file_.substr(end, 1) == "\r" && file_.substr(end, 2) != "\r\n") line_end_ = '\r';
     if (next_line() != std::vector<std::string_view>{"ply"}) throw std::runtime_error("this is not a PLY file");
     bool has_format = false;
     while (true) {
@@ -62,7 +67,7 @@ class HeaderReader {
   }
 
   std::vector<std::string_view> next_line() {
-    const std::size_t end = file_.find('\n', header_.size);
+    const std::size_t end = file_.find(line_end_, header_.size);
     if (end == std::string_view::npos) throw std::runtime_error("the PLY header does not end");
     const std::string_view line = file_.substr(header_.size, end - header_.size);
     header_.size = end + 1;
@@ -104,6 +109,7 @@ class HeaderReader {
   }
 
   std::string_view file_;
+  char line_end_ = '\n';
   PlyHeader header_;
 };
 

@@ -10,7 +10,8 @@
 // | edgelength | 1 | of a displaced mesh: triangles are split until no edge is longer, in the world |
 // | repair    | false    | repairs the mesh if it is not a closed surface: see mesh_repair.h |
 //
-// In a Dynamic block `%03d` in the name stands for the frame's number. [Turk 1994, The PLY Polygon File Format]
+// In a Dynamic block `%03d` in the name stands for the frame's number; where a file of the sequence has no faces, the
+// shape is not there. [Turk 1994, The PLY Polygon File Format]
 #include <stdexcept>
 
 #include "dspm/params/params.h"
@@ -34,8 +35,10 @@ std::vector<MadeShape> make_plymesh(ParamReader& reader) {
   if (!(displacement.edge_length > 0)) reader.error("edgelength", "\"edgelength\" must be above 0");
   if (path.empty()) return made;
   try {
+    MeshData data = read_ply(read_file(path));
+    if (data.faces.empty()) return made;
     MadeShape& mesh = made.emplace_back();
-    mesh.shape = std::make_unique<TriangleMesh>(read_ply(read_file(path)));
+    mesh.shape = std::make_unique<TriangleMesh>(std::move(data));
     mesh.repair = repair;
     if (displaces) mesh.displacement = displacement;
   } catch (const std::exception& e) {

@@ -5,7 +5,8 @@
 //
 //   | channel | "alpha" | of a texture of numbers: red, green, blue or alpha |
 //
-// Colours come from a PLY file's red, green, blue and alpha. They are linear light between the vertices.
+// Colours come from a PLY file's red, green, blue and alpha, or an OBJ file's vertices. They are linear light between
+// the vertices.
 #include <type_traits>
 
 #include "dspm/colour/rgb.h"

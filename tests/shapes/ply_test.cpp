@@ -91,6 +91,36 @@ TEST(Ply, AllFormatsGiveTheSameMesh) {
   expect_pyramid(read_ply(binary(true)));
 }
 
+// The numbers of a binary file follow the header's last line end at once, whatever they are.
+TEST(Ply, HeadersMayHaveAMarkAndAnyLineEnds) {
+  for (const std::string& file : {ascii(), binary(false), binary(true)})
+    for (const std::string end : {"\n", "\r", "\r\n"}) {
+      const std::size_t size = file.find("end_header\n") + 11;
+      std::string head = file.substr(0, size);
+      std::erase(head, '\r');
+      for (std::size_t at = 0; (at = head.find('\n', at)) != head.npos; at += end.size()) head.replace(at, 1, end);
+      expect_pyramid(read_ply(head + file.substr(size)));
+      expect_pyramid(read_ply("\xEF\xBB\xBF" + head + file.substr(size)));
+    }
+}
+
+// As the Stanford scans have them: the second triangle of a strip is the other way round, and -1 begins another.
+TEST(Ply, StripsAreTriangles) {
+  const auto mesh = [](const std::string& type, const std::string& strip) {
+    return read_ply(
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+        "element tristrips 1\nproperty list int " +
+        type + " vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 1 1 0 0 2 0 1 2 0\n" + strip);
+  };
+  const std::vector<Face> faces{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {3, 4, 5}};
+  EXPECT_EQ(mesh("int", "9 0 1 2 3 4 -1 3 4 5").faces, faces);
+  EXPECT_EQ(mesh("uint", "9 0 1 2 3 4 4294967295 3 4 5").faces, faces);
+  EXPECT_EQ(mesh("int", "7 0 1 2 2 2 3 4").faces, (std::vector<Face>{{0, 1, 2}, {2, 3, 4}})) << "a corner turned";
+  EXPECT_EQ(mesh("int", "4 0 1 -1 2").faces.size(), 0u);
+  EXPECT_THROW(mesh("int", "3 0 1 6"), std::runtime_error);
+  EXPECT_THROW(mesh("int", "3 0 1 -2"), std::runtime_error);
+}
+
 TEST(Ply, PluginReadsCompressedFiles) {
   const test::TemporaryDirectory directory;
   const std::string name = (directory / "pyramid.ply.gz").string(), bytes = binary(true);
