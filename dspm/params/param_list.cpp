@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "dspm/math/frames.h"
+#include "dspm/params/numbered_files.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -142,6 +143,25 @@ const Param* ParamList::find(std::string_view name) const {
 
 bool ParamList::is_keyed() const {
   return std::any_of(params.begin(), params.end(), [](const Param& p) { return p.key || numbered_file_name(p); });
+}
+
+bool has_numbered_file(const ParamList& list) {
+  return std::any_of(list.params.begin(), list.params.end(),
+                     [](const Param& p) { return numbered_file_name(p) != nullptr; });
+}
+
+ParamList holding_files_of(const ParamList& list, const std::vector<Moment>& moments) {
+  ParamList result = list;
+  const auto named = std::find_if(list.params.begin(), list.params.end(),
+                                  [](const Param& p) { return numbered_file_name(p) != nullptr; });
+  if (named == list.params.end()) return result;
+  std::erase_if(result.params, [&](const Param& p) { return p.name == named->name; });
+  take_integer(result.params, "first", 1), take_integer(result.params, "step", 1);
+  for (const Moment moment : moments) {
+    Param& file = result.params.emplace_back(*list.at(moment).find(named->name));
+    file.key = moment;
+  }
+  return result;
 }
 
 ParamList ParamList::at(Moment moment) const {

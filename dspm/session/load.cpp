@@ -10,9 +10,11 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/transform.h"
 #include "dspm/session/load_modules.h"
+#include "dspm/system/plain_text.h"
 #include "dspm/system/read_file.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
+#include "dspm/world/held_files.h"
 #include "dspm/world/kept_geometry.h"
 
 namespace dspm {
@@ -41,11 +43,16 @@ ParseOptions parse_options_of(const Choices& choices) {
 SourceFile file_of(const std::string& name, Diagnostics& diagnostics) {
   SourceFile file{name, {}};
   try {
-    file.text = read_input(name);
+    file.text = plain_text(read_input(name));
   } catch (const std::runtime_error& error) {
     diagnostics.error({}, fmt::format("cannot read \"{}\": {}", name, error.what()));
   }
   return file;
+}
+
+SceneDescription with_files_held(SceneDescription description, const Choices& choices, Diagnostics& diagnostics) {
+  if (diagnostics.error_count() == 0) hold_missing_files(description, chosen_frames(description, choices), diagnostics);
+  return description;
 }
 
 /// A scene that mirrors its view, as pbrt's do by Scale -1 1 1, goes on doing so.
@@ -67,7 +74,7 @@ LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& c
   reading.reset();
   if (only) read.frames = read.frames.only(*only);
   if (choices.look_at && read.camera) place_camera(*read.camera, *choices.look_at);
-  description = std::make_unique<SceneDescription>(std::move(read));
+  description = std::make_unique<SceneDescription>(with_files_held(std::move(read), choices, diagnostics));
   make(choices, diagnostics, kept);
   messages.show(diagnostics);
   diagnostics.throw_if_errors();
@@ -75,8 +82,8 @@ LoadedScene::LoadedScene(const std::vector<std::string>& files, const Choices& c
 }
 
 LoadedScene::LoadedScene(const std::string& name, std::string text, const Choices& choices, Diagnostics& diagnostics)
-    : description(std::make_unique<SceneDescription>(
-          parse_text(name, std::move(text), parse_options_of(choices), diagnostics))) {
+    : description(std::make_unique<SceneDescription>(with_files_held(
+          parse_text(name, std::move(text), parse_options_of(choices), diagnostics), choices, diagnostics))) {
   make(choices, diagnostics);
   diagnostics.throw_if_errors();
 }

@@ -1,4 +1,6 @@
 // What Shape directives make: by many threads, and in the order of the directives.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -24,6 +26,33 @@ bool are_alike(const ShapeUse& a, const ShapeUse& b) {
          a.material.index == b.material.index && a.material.name == b.material.name && a.area_light == b.area_light &&
          a.dynamic_block == b.dynamic_block && a.world_from_object == b.world_from_object &&
          a.params.find("alpha") == nullptr && b.params.find("alpha") == nullptr;
+}
+
+/// A mesh file without faces is a frame without the shape: a fluid before it flows, smoke that is gone.
+template <class Source>
+void leave_out_empty(const ShapeUse& use, Source& source, Diagnostics& diagnostics) {
+  const auto empty = static_cast<std::size_t>(
+      std::count_if(source.made.begin(), source.made.end(), [](const MadeShapes& made) { return made.empty(); }));
+  const Param* const file = use.params.find("filename");
+  if (empty == 0 || file == nullptr) return;
+  if (!use.params.is_keyed()) return diagnostics.error(file->values_where, "the file has no faces");
+  diagnostics.note(file->values_where,
+                   fmt::format("{} of the {} files of this sequence have no faces: the shape is not "
+                               "there in their frames",
+                               empty, source.made.size()));
+  std::vector<int> place;  // by state before
+  Source left;
+  for (std::size_t s = 0; s < source.made.size(); ++s) {
+    place.push_back(source.made[s].empty() ? -1 : static_cast<int>(left.made.size()));
+    if (source.made[s].empty()) continue;
+    left.made.push_back(std::move(source.made[s]));
+    left.params.states.push_back(std::move(source.params.states[s]));
+    if (!source.keys.empty()) left.keys.push_back(source.keys[s]);
+  }
+  for (int& state : source.params.state_of)
+    if (state >= 0) state = place[static_cast<std::size_t>(state)];
+  source.made = std::move(left.made), source.keys = std::move(left.keys);
+  source.params.states = std::move(left.params.states);
 }
 
 }  // namespace
@@ -152,6 +181,7 @@ std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& use, Diagn
     if (made[at].key) source.keys.push_back(*made[at].key);
   }
   if (!is_kept) source.keys.clear();
+  if (diagnostics.error_count() == 0) leave_out_empty(use, source, diagnostics);
   return source.made.empty() || diagnostics.error_count() > 0 ? std::nullopt : std::optional(std::move(source));
 }
 

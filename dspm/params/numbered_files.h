@@ -1,0 +1,16 @@
+// Sequences of files: names that hold a frame's number, `"string filename" "wave.%03d.ply"`.
+#pragma once
+
+#include <vector>
+
+#include "dspm/math/frames.h"
+#include "dspm/params/params.h"
+
+namespace dspm {
+
+bool has_numbered_file(const ParamList& list);
+/// The same list, but of the numbered files only those of these moments (ascending, not empty): each holds until the
+/// next, the first also before.
+ParamList holding_files_of(const ParamList& list, const std::vector<Moment>& moments);
+
+}  // namespace dspm

@@ -1,0 +1,17 @@
+// Files that are not there yet, of frames that are not rendered: a simulation may still be writing its cache.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/description.h"
+#include "dspm/math/frames.h"
+#include "dspm/params/errors.h"
+
+namespace dspm {
+
+/// Whatever sampling derives from the file, it derives from all frames. Where a file of a numbered sequence is missing
+/// in a frame that is not rendered, that frame takes the file before it, and a note says so.
+void hold_missing_files(SceneDescription& description, const std::vector<FileFrame>& rendered,
+                        Diagnostics& diagnostics);
+
+}  // namespace dspm
