@@ -16,11 +16,11 @@ Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_byte
 /// A whole file of any of the formats. Throws std::runtime_error with the cause.
 Image decode_image(std::string_view bytes, ColorEncoding encoding);
 
-/// Through libjpeg: grey and colour, baseline and progressive; not CMYK. Throws std::runtime_error with the cause.
+/// Through libjpeg: grey, colour and CMYK, baseline and progressive. Throws std::runtime_error with the cause.
 bool is_jpeg(std::string_view bytes);
 Image decode_jpeg(std::string_view bytes, ColorEncoding encoding);
 
-/// Radiance RGBE as stored; the header's EXPOSURE is not applied, as in pbrt and most other readers.
+/// Radiance RGBE: the radiance that the header's EXPOSURE and COLORCORR, which have been applied, say.
 bool is_hdr(std::string_view bytes);
 Image decode_hdr(std::string_view bytes);
 

@@ -7,65 +7,29 @@
 #include <ImfFrameBuffer.h>
 #include <ImfFramesPerSecond.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
-#include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
+#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
 #include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/image/decoders.h"
-#include "dspm/image/exr_check.h"
+#include "dspm/image/exr_channels.h"
 #include "dspm/image/exr_compression.h"
+#include "dspm/image/exr_file.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
 
 namespace {
-
-class MemoryInput : public Imf::IStream {
- public:
-  explicit MemoryInput(std::string_view bytes) : Imf::IStream("OpenEXR"), bytes_(bytes) {}
-  bool read(char* to, int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    if (count < 0 || position_ > bytes_.size() || size > bytes_.size() - position_) {
-      throw std::runtime_error("the file ends too early");
-    }
-    std::memcpy(to, bytes_.data() + position_, size);
-    position_ += size;
-    return position_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return position_; }
-  void seekg(std::uint64_t position) override { position_ = position; }
-
- private:
-  std::string_view bytes_;
-  std::uint64_t position_ = 0;
-};
-
-/// A file in memory, once it is known to be sane.
-struct OpenExr {
-  MemoryInput input;
-  Imf::InputFile file;
-
-  explicit OpenExr(std::string_view bytes) : input(checked(bytes)), file(input) {}
-  const Imf::Header& header() const { return file.header(); }
-
- private:
-  static std::string_view checked(std::string_view bytes) {
-    check_exr(bytes);
-    return bytes;
-  }
-};
 
 /// An image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while they are
 /// read.
@@ -77,36 +41,6 @@ Image image_for(const Imf::Header& header, std::size_t file_bytes) {
     throw std::runtime_error("its rows of tiles are too large");
   }
   return sized_image(width, height, file_bytes);
-}
-
-/// The one layer with R, G and B, as "ViewLayer.Combined."; empty if there is none, or a choice.
-std::string only_colour_layer(const Imf::ChannelList& channels) {
-  std::string only;
-  for (auto c = channels.begin(); c != channels.end(); ++c) {
-    const std::string name = c.name();
-    if (!name.ends_with(".R")) continue;
-    const std::string layer = name.substr(0, name.size() - 1);
-    if (channels.findChannel(layer + "G") == nullptr || channels.findChannel(layer + "B") == nullptr) continue;
-    if (!only.empty()) return "";
-    only = layer;
-  }
-  return only;
-}
-
-/// R, G and B, or Y alone if they are incomplete; without either, those of the only layer that has R, G and B, as in
-/// Blender's files.
-std::vector<std::string> colour_channels(const Imf::ChannelList& channels) {
-  std::vector<std::string> names = {"R", "G", "B"};
-  const auto missing = [&](const std::string& name) { return channels.findChannel(name) == nullptr; };
-  if (std::any_of(names.begin(), names.end(), missing)) names = {"Y"};
-  if (missing(names.front())) {
-    if (const std::string layer = only_colour_layer(channels); !layer.empty())
-      return {layer + "R", layer + "G", layer + "B"};
-    std::string there;
-    for (auto c = channels.begin(); c != channels.end(); ++c) there += std::string(" ") + c.name();
-    throw std::runtime_error("it has neither the channels R, G, B nor Y, only:" + there);
-  }
-  return names;
 }
 
 /// Where the library writes a channel's values: to every `stride`-th byte.
@@ -158,6 +92,29 @@ void convert_to_rec709(Image& image, const Imf::Header& header) {
   }
 }
 
+/// Y, and RY and BY for every second pixel of every second row. The library fills in what is between them.
+Image decode_luminance_chroma(const Imf::Header& header, std::string_view bytes) {
+  Image image = image_for(header, bytes.size());
+  MemoryInput input(bytes);
+  Imf::RgbaInputFile file(input);
+  const Imath::Box2i& window = header.dataWindow();
+  std::vector<Imf::Rgba> row(static_cast<std::size_t>(image.width));
+  const bool has_alpha = (file.channels() & Imf::WRITE_A) != 0;
+  if (has_alpha) image.alpha.resize(image.pixels.size());
+  for (int y = 0; y < image.height; ++y) {
+    file.setFrameBuffer(row.data() - window.min.x, 1, 0);
+    file.readPixels(window.min.y + y);
+    for (int x = 0; x < image.width; ++x) {
+      const Imf::Rgba& pixel = row[static_cast<std::size_t>(x)];
+      image.at(x, y) = {pixel.r, pixel.g, pixel.b};
+      if (has_alpha) image.alpha[image.index(x, y)] = pixel.a;
+    }
+  }
+  if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 1; })) image.alpha.clear();
+  convert_to_rec709(image, header);
+  return image;
+}
+
 ExrFormat format_of(const Imf::Header& header) {
   const int tile = header.hasTileDescription() ? static_cast<int>(header.tileDescription().xSize) : 0;
   return {exr_compression(header.compression()), tile};
@@ -185,6 +142,7 @@ bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01
 Image decode_exr(std::string_view bytes) {
   OpenExr exr(bytes);
   const std::vector<std::string> channels = colour_channels(exr.header().channels());
+  if (channels.front() == "Y" && channels.size() == 3) return decode_luminance_chroma(exr.header(), bytes);
   Image image = decode(exr.file, channels, bytes.size());
   if (channels.size() == 1) {
     for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.r);

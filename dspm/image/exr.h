@@ -51,8 +51,8 @@ struct ExrLayer {
 };
 
 bool is_exr(std::string_view bytes);
-/// The data window of the first part; a missing R, G or B is an error unless there is Y. Colours of
-/// other chromaticities become those of Rec. 709. Throws std::exception.
+/// The data window of the first part: R, G and B, Y or Y with RY and BY, those of the only layer that has them, or the
+/// only channel. Colours of other chromaticities become those of Rec. 709. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
 /// One part with the channels of all layers. Halves end at 65504: brighter values are clamped to that. Layers of

@@ -3,6 +3,7 @@
 // files"]
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -86,6 +87,22 @@ Image image_of(std::string_view resolution, std::size_t file_bytes) {
   return sized_image(number(resolution.substr(second + 4)), number(resolution.substr(3, second - 3)), file_bytes);
 }
 
+/// What a line of the header says that the pixels have been multiplied by: "EXPOSURE=2" or "COLORCORR= 1 .9 1.1". Several
+/// such lines multiply one another.
+Rgb multiplier_of(std::string_view line) {
+  const bool is_exposure = line.starts_with("EXPOSURE="), is_colour = line.starts_with("COLORCORR=");
+  if (!is_exposure && !is_colour) return Rgb(1);
+  std::istringstream values{std::string(line.substr(line.find('=') + 1))};
+  Rgb factor(1);
+  values >> factor.r;
+  factor.g = factor.b = factor.r;
+  if (is_colour) values >> factor.g >> factor.b;
+  const bool is_sound =
+      values && std::isfinite(factor.r * factor.g * factor.b) && factor.r > 0 && factor.g > 0 && factor.b > 0;
+  if (!is_sound) HdrReader::fail("its header has no usable number in " + std::string(line.substr(0, 60)));
+  return factor;
+}
+
 /// The exponent is biased by 128; the mantissa m stands for m / 256; exponent 0 is black.
 Rgb color_of(unsigned char r, unsigned char g, unsigned char b, unsigned char exponent) {
   if (exponent == 0) return {};
@@ -99,18 +116,22 @@ bool is_hdr(std::string_view bytes) { return bytes.starts_with("#?RADIANCE") || 
 
 Image decode_hdr(std::string_view bytes) {
   HdrReader reader(bytes);
+  Rgb applied(1);
   for (std::string_view line = reader.line(); !line.empty(); line = reader.line()) {
     if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe") {
       HdrReader::fail("its colours are not RGB: " + std::string(line));
     }
+    applied *= multiplier_of(line);
   }
+  const Rgb radiance(1 / applied.r, 1 / applied.g, 1 / applied.b);
   Image image = image_of(reader.line(), bytes.size());
   const auto width = static_cast<std::size_t>(image.width);
   Row row(4 * width);
   for (int y = 0; y < image.height; ++y) {
     reader.read_row(row);
     for (std::size_t x = 0; x < width; ++x) {
-      image.at(static_cast<int>(x), y) = color_of(row[x], row[width + x], row[2 * width + x], row[3 * width + x]);
+      image.at(static_cast<int>(x), y) =
+          color_of(row[x], row[width + x], row[2 * width + x], row[3 * width + x]) * radiance;
     }
   }
   return image;

@@ -57,7 +57,8 @@ struct JpegReader {
     jpeg.progress = &progress;
     jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg, TRUE);
-    jpeg.out_color_space = JCS_RGB;
+    is_inked = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
+    jpeg.out_color_space = is_inked ? JCS_CMYK : JCS_RGB;
     jpeg_calc_output_dimensions(&jpeg);
     return true;
   }
@@ -68,6 +69,10 @@ struct JpegReader {
       Rgb* pixel = &image.at(0, static_cast<int>(jpeg.output_scanline));
       JSAMPROW to = row.data();
       jpeg_read_scanlines(&jpeg, &to, 1);
+      if (is_inked) {
+        take_inks(pixel, linear);
+        continue;
+      }
       for (std::size_t i = 0; i < row.size(); i += 3) {
         *pixel++ = {linear[row[i]], linear[row[i + 1]], linear[row[i + 2]]};
       }
@@ -76,6 +81,19 @@ struct JpegReader {
     return true;
   }
 
+  /// Without a profile, inks absorb red, green and blue, each its own, and black all. Adobe's programs write how much
+  /// light they let pass.
+  void take_inks(Rgb* pixel, const std::vector<float>& linear) const {
+    const auto passes = [&](JSAMPLE ink) { return jpeg.saw_Adobe_marker ? int{ink} : 255 - ink; };
+    for (std::size_t i = 0; i < row.size(); i += 4) {
+      const auto light = [&](std::size_t ink) {
+        return linear[static_cast<std::size_t>((passes(row[i + ink]) * passes(row[i + 3]) + 127) / 255)];
+      };
+      *pixel++ = {light(0), light(1), light(2)};
+    }
+  }
+
+  bool is_inked = false;  // CMYK
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
@@ -92,7 +110,7 @@ Image decode_jpeg(std::string_view bytes, ColorEncoding encoding) {
   JpegReader reader;
   if (!reader.start(bytes)) throw std::runtime_error(reader.message);
   Image image = sized_image(reader.jpeg.output_width, reader.jpeg.output_height, bytes.size());
-  reader.row.resize(static_cast<std::size_t>(image.width) * 3);
+  reader.row.resize(static_cast<std::size_t>(image.width) * (reader.is_inked ? 4 : 3));
   if (!reader.read(image, decoding_table(encoding, 256))) throw std::runtime_error(reader.message);
   return image;
 }

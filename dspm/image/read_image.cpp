@@ -4,13 +4,16 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/decoders.h"
 #include "dspm/image/encoding.h"
 #include "dspm/image/exr.h"
+#include "dspm/image/exr_window.h"
 #include "dspm/image/image.h"
 #include "dspm/image/png.h"
+#include "dspm/image/read_picture.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
@@ -54,14 +57,30 @@ Image sized_image(std::int64_t width, std::int64_t height, std::size_t file_byte
   return Image(static_cast<int>(width), static_cast<int>(height));
 }
 
-Image read_image(const std::filesystem::path& path, ColorEncoding encoding) {
+namespace {
+
+template <class Decode>
+Image read(const std::filesystem::path& path, Decode&& decode) {
   try {
-    return decode_image(read_bytes(path), encoding);
+    return decode(read_bytes(path));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("cannot read the image " + path.string() + ": it does not fit into memory");
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot read the image " + path.string() + ": " + error.what());
   }
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path, ColorEncoding encoding) {
+  return read(path, [&](const std::string& bytes) { return decode_image(bytes, encoding); });
+}
+
+Image read_picture(const std::filesystem::path& path, ColorEncoding encoding) {
+  return read(path, [&](const std::string& bytes) {
+    Image image = decode_image(bytes, encoding);
+    return is_exr(bytes) ? in_display_window(std::move(image), bytes) : image;
+  });
 }
 
 }  // namespace dspm

@@ -28,6 +28,7 @@
 #include "dspm/lights/emission_picture.h"
 #include "dspm/lights/emitter_points.h"
 #include "dspm/lights/light.h"
+#include "dspm/lights/read_environment.h"
 #include "dspm/lights/strength.h"
 #include "dspm/math/ray.h"
 #include "dspm/math/sampling.h"
@@ -157,12 +158,9 @@ class DiffuseArea final : public Light {
   Rgb power_;
 };
 
-std::optional<EmissionPicture> read_picture(ParamReader& reader, const std::filesystem::path& path) {
+std::optional<EmissionPicture> read_emission(ParamReader& reader, const std::filesystem::path& path) {
   try {
-    Image image = read_image(path);
-    if (std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& c) { return is_finite(c); }))
-      return EmissionPicture(std::move(image));
-    reader.error("filename", "the picture has values that are not finite");
+    return EmissionPicture(read_light_image(path, reader));
   } catch (const std::runtime_error& unreadable) {
     reader.error("filename", unreadable.what());
   }
@@ -188,7 +186,7 @@ std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext
   if (reader.has("L") && reader.has("filename"))
     reader.error("filename", "the radiance is either \"L\" or a picture, not both", "\"scale\" multiplies a picture");
   reader.finish();
-  if (!path.empty()) glow.picture = read_picture(reader, path);
+  if (!path.empty()) glow.picture = read_emission(reader, path);
   return std::make_unique<DiffuseArea>(*context.shape, std::move(glow), strength);
 }
 

@@ -33,6 +33,7 @@
 #include "dspm/lights/shaped_point.h"
 #include "dspm/lights/strength.h"
 #include "dspm/params/params.h"
+#include "dspm/system/plain_text.h"
 #include "dspm/system/read_file.h"
 
 namespace dspm {
@@ -52,17 +53,17 @@ EnvironmentMap map_of(const Photometry& photometry) {
 /// Nullopt if it is another kind of file.
 std::optional<Photometry> read_ies(const std::filesystem::path& file) {
   try {
-    const std::string bytes = read_bytes(file);
-    if (is_ies(bytes)) return parse_ies(bytes);
+    const std::string bytes = read_file(file);
+    if (is_ies(bytes)) return parse_ies(plain_text(bytes));
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(fmt::format("cannot read the IES file {}: {}", file.string(), e.what()));
   }
   return std::nullopt;
 }
 
-EnvironmentMap read_intensities(const std::filesystem::path& file, const std::string& mapping) {
+EnvironmentMap read_intensities(const std::filesystem::path& file, const std::string& mapping, ParamReader& reader) {
   if (const auto photometry = read_ies(file)) return map_of(*photometry);
-  Image image = read_light_image(file);
+  Image image = read_light_image(file, reader);
   for (Rgb& pixel : image.pixels) pixel = Rgb((pixel.r + pixel.g + pixel.b) / 3);
   const SphereMapping kind = mapping_of(image, mapping);
   return EnvironmentMap(image, kind);
@@ -80,7 +81,7 @@ std::unique_ptr<Light> make_goniometric(ParamReader& reader, const LightContext&
   reader.finish();
   EnvironmentMap map(Image(1, 1), SphereMapping::equal_area);
   try {
-    if (!file.empty()) map = read_intensities(file, mapping);
+    if (!file.empty()) map = read_intensities(file, mapping, reader);
   } catch (const std::runtime_error& e) {
     reader.error("filename", e.what());
   }

@@ -104,8 +104,8 @@ class Infinite final : public Light {
   Rgb power_;  // an estimate if the transform stretches
 };
 
-EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping) {
-  Image image = read_light_image(file);
+EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping, ParamReader& reader) {
+  Image image = read_light_image(file, reader);
   const SphereMapping kind = mapping_of(image, mapping);
   return EnvironmentMap(image, kind);
 }
@@ -132,7 +132,7 @@ std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& co
   EnvironmentMap map = constant(radiance);
   float scale = strength.factor(kPi);
   if (!file.empty()) try {
-      map = read_map(file, mapping);
+      map = read_map(file, mapping, reader);
       scale = strength.factor(map.illuminance());
     } catch (const std::runtime_error& e) {
       reader.error("filename", e.what());

@@ -43,7 +43,7 @@ std::unique_ptr<Light> make_projection(ParamReader& reader, const LightContext& 
   reader.finish();
   Image image(1, 1);
   try {
-    if (!file.empty()) image = read_light_image(file);
+    if (!file.empty()) image = read_light_image(file, reader);
   } catch (const std::runtime_error& e) {
     reader.error("filename", e.what());
   }

@@ -6,14 +6,25 @@
 #include <stdexcept>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/image/read_picture.h"
 
 namespace dspm {
 
-Image read_light_image(const std::filesystem::path& file) {
-  Image image = read_image(file);
-  for (Rgb& pixel : image.pixels)
+Image read_light_image(const std::filesystem::path& file, ParamReader& reader) {
+  Image image = read_picture(file);
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    Rgb& pixel = image.pixels[i];
+    if (!is_finite(pixel) && count++ == 0) first = i;
     for (int c = 0; c < 3; ++c)
       if (!(pixel[c] > 0) || !std::isfinite(pixel[c])) pixel[c] = 0;
+  }
+  const auto width = static_cast<std::size_t>(image.width);
+  if (count > 0)
+    reader.warning(
+        "filename",
+        fmt::format("the picture's pixel {}, {} is not finite{}: what is not finite gives no light", first % width,
+                    first / width, count > 1 ? fmt::format(", nor are {} more", count - 1) : ""));
   return image;
 }
 

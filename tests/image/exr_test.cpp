@@ -1,6 +1,7 @@
 // OpenEXR files: what we write comes back, and files put together by hand from the format's description are read.
 #include "dspm/image/exr.h"
 
+#include <ImfRgbaFile.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dspm/image/read_picture.h"
 #include "dspm/math/vec.h"
 #include "tests/image/exr_by_hand.h"
 #include "tests/support/temporary_directory.h"
@@ -118,6 +120,56 @@ TEST(Exr, ChannelsAreFoundByNameAndOthersIgnored) {
   EXPECT_EQ(image.at(0, 1), Rgb(6, 5, 4));
 }
 
+TEST(Exr, ChannelsOfOtherNames) {
+  const auto first = [](const std::vector<std::string>& channels, const std::vector<float>& values) {
+    ExrByHand file;
+    file.channels = channels, file.width = file.height = 1, file.values = values;
+    return decode_exr(file.bytes()).at(0, 0);
+  };
+  EXPECT_EQ(first({"height"}, {3}), Rgb(3));
+  EXPECT_EQ(first({"A", "mask"}, {1, 3}), Rgb(3));
+  EXPECT_EQ(first({"A"}, {3}), Rgb(3));
+  EXPECT_EQ(first({"R"}, {3}), Rgb(3));
+  EXPECT_EQ(first({"blue", "green", "red"}, {1, 2, 3}), Rgb(3, 2, 1));
+  EXPECT_EQ(first({"b", "g", "r", "z"}, {1, 2, 3, 9}), Rgb(3, 2, 1));
+  EXPECT_EQ(first({"key.B", "key.G", "key.R", "key.Z"}, {1, 2, 3, 9}), Rgb(3, 2, 1));
+}
+
+/// As the library's own writer stores colours in luminance and chroma.
+TEST(Exr, LuminanceAndChromaAreColours) {
+  const TemporaryDirectory directory;
+  const std::string name = directory / "yc.exr";
+  constexpr int kSide = 16;
+  {
+    Imf::RgbaOutputFile file(name.c_str(), kSide, kSide, Imf::WRITE_YC);
+    const std::vector<Imf::Rgba> pixels(kSide * kSide, Imf::Rgba(0.75f, 0.5f, 0.125f));
+    file.setFrameBuffer(pixels.data(), 1, kSide);
+    file.writePixels(kSide);
+  }
+  const Image image = read_image(name);
+  ASSERT_EQ(image.width, kSide);
+  for (const Rgb& pixel : image.pixels) {
+    EXPECT_NEAR(pixel.r, 0.75f, 2e-3f);
+    EXPECT_NEAR(pixel.g, 0.5f, 2e-3f);
+    EXPECT_NEAR(pixel.b, 0.125f, 2e-3f);
+  }
+}
+
+// A picture that covers something is its display window: 10 x 10 pixels from 0, 0 on.
+TEST(Exr, PicturesHaveTheirDisplayWindow) {
+  const TemporaryDirectory directory;
+  ExrByHand file;
+  file.channels = {"Y"}, file.x = 8, file.y = -1, file.width = 3, file.height = 2, file.values = {1, 2, 3, 4, 5, 6};
+  test::put_file(directory / "a.exr", file.bytes());
+  const Image picture = read_picture(directory / "a.exr");
+  ASSERT_EQ(picture.width, 10);
+  ASSERT_EQ(picture.height, 10);
+  EXPECT_EQ(picture.at(8, 0), Rgb(4));
+  EXPECT_EQ(picture.at(9, 0), Rgb(5));
+  EXPECT_EQ(picture.at(0, 0), Rgb(0));
+  EXPECT_EQ(read_image(directory / "a.exr").width, 3);
+}
+
 TEST(Exr, OfSeveralPartsTheFirst) {
   ExrByHand first, second;
   first.channels = second.channels = {"B", "G", "R"};
@@ -151,7 +203,7 @@ TEST(Exr, OfTiledAndMipMappedFilesTheLargestLevel) {
 
 TEST(Exr, MissingChannelsAreNamed) {
   ExrByHand file;
-  file.channels = {"diffuse.R"}, file.width = file.height = 1, file.values = {1};
+  file.channels = {"diffuse.G", "diffuse.R"}, file.width = file.height = 1, file.values = {1, 2};
   EXPECT_NE(message_for(file).find("diffuse.R"), std::string::npos) << message_for(file);
 }
 

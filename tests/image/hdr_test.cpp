@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-const std::string kHeader = "#?RADIANCE\n# made by hand\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n";
+const std::string kHeader = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n";
 
 std::string bytes(std::initializer_list<int> values) {
   std::string result;
@@ -37,6 +37,19 @@ TEST(Hdr, RunsAndLiterals) {
       EXPECT_EQ(image.at(x, y), Rgb(1, static_cast<float>(x) * 0.125f, blue)) << x;
     }
   }
+}
+
+// Ward: pixels have been multiplied by all of them.
+TEST(Hdr, ExposureAndColourCorrectionAreTakenBack) {
+  const auto first = [](const std::string& lines) {
+    return decode_hdr("#?RADIANCE\n" + lines + "\n-Y 1 +X 1\n" + bytes({128, 64, 32, 130})).at(0, 0);
+  };
+  EXPECT_EQ(first(""), Rgb(2, 1, 0.5f));
+  EXPECT_EQ(first("EXPOSURE=2\r\n"), Rgb(1, 0.5f, 0.25f));
+  EXPECT_EQ(first("EXPOSURE= 4.0\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=0.25\n"), Rgb(2, 1, 0.5f));
+  EXPECT_EQ(first("COLORCORR= 2 1 .5\nEXPOSURE=.5\n"), Rgb(2, 2, 2));
+  EXPECT_THROW(first("EXPOSURE=0\n"), std::runtime_error);
+  EXPECT_THROW(first("COLORCORR=1 2\n"), std::runtime_error);
 }
 
 std::string message_for(const std::string& file) {

@@ -1,0 +1,13 @@
+// The windows of OpenEXR files.
+#pragma once
+
+#include <string_view>
+
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+/// The pixels of that file, in its display window. Unchanged if the two have nothing in common.
+Image in_display_window(Image pixels, std::string_view exr);
+
+}  // namespace dspm

@@ -1,0 +1,12 @@
+// Pictures that cover something: a surface, the sky, what a lamp projects.
+#pragma once
+
+#include "dspm/image/image.h"
+
+namespace dspm {
+
+/// As read_image(), but an EXR file's pixels (data window) are where they are in the whole picture (display window):
+/// around them it is black, and what lies outside of it is left out.
+Image read_picture(const std::filesystem::path& path, ColorEncoding encoding = {});
+
+}  // namespace dspm
