@@ -6,6 +6,7 @@
 
 #include "dspm/lang/scene_builder.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/vanishing.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -53,7 +54,8 @@ bool SceneBuilder::is_usable(const Directive& directive, const Matrix4& matrix) 
     diagnostics_.error(directive.where, fmt::format("{} has a number that is too large", directive.info->name));
     return false;
   }
-  if (!is_regular(matrix)) {
+  const bool hides = group_ && vanishes(matrix);
+  if (!is_regular(matrix) && !hides) {
     diagnostics_.error(directive.where, fmt::format("{} is singular", directive.info->name),
                        std::string(reason_singular(directive)));
     return false;
@@ -72,7 +74,7 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
   if (group_) return group_->multiply(op);
   Motion motion = state_.ctm;
   motion.multiply(matrix);
-  if (is_regular(motion.at(Moment())))
+  if (const Matrix4 at_first = motion.at(Moment()); is_regular(at_first) || (motion.is_keyed() && vanishes(at_first)))
     state_.ctm = std::move(motion);
   else
     diagnostics_.error(directive.where,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dspm/math/frames.h"
+#include "dspm/math/vanishing.h"
 
 namespace dspm {
 namespace {
@@ -73,7 +74,8 @@ Motion KeyframeGroup::finish(const Motion& before, Diagnostics& diagnostics) {
 void KeyframeGroup::check_regular(const KeyedTransform& keyed, Diagnostics& diagnostics) const {
   const int last = keyed.keys().back().moment.number();
   for (int number = keyed.keys().front().moment.number(); number <= last; ++number) {
-    if (is_regular(keyed.at(Moment::numbered(number)))) continue;
+    const Matrix4 matrix = keyed.at(Moment::numbered(number));
+    if (is_regular(matrix) || vanishes(matrix)) continue;
     diagnostics.error(where_, fmt::format("the transform between these keys is singular at frame {}", number));
     return;
   }

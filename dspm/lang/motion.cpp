@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dspm/math/vanishing.h"
+
 namespace dspm {
 namespace {
 
@@ -113,7 +115,10 @@ Decomposition decompose(const Matrix4& matrix) {
 
 Matrix4 interpolate(const Matrix4& a, const Matrix4& b, double t) {
   if (a == b) return a;
-  const Decomposition from = decompose(a), to = decompose(b);
+  Decomposition from = decompose(a), to = decompose(b);
+  // Nothing has no rotation, so it takes the other's.
+  if (vanishes(a)) from.rotation = to.rotation, from.stretch = {};
+  if (vanishes(b)) to.rotation = from.rotation, to.stretch = {};
   const auto translation = mix(from.translation, to.translation, t);
   Matrix4 stretch;
   for (std::size_t i = 0; i < 3; ++i)

@@ -13,13 +13,18 @@
 namespace dspm {
 namespace {
 
+/// All frames have the same edges.
+Transform first_placement(const ShapeUse& use, const FileFrames& frames) {
+  for (FileFrame f(0); f.index() < frames.count(); ++f)
+    if (const Matrix4 matrix = use.world_from_object.at(frames.moment(f)); matrix.is_affine() && matrix.inverse())
+      return Transform(matrix);
+  return {};  // geometry reports it
+}
+
 class Displacer {
  public:
   Displacer(const ShapeUse& use, const SceneDescription& description, Looks& looks, Diagnostics& diagnostics)
-      : use_(use),
-        looks_(looks),
-        diagnostics_(diagnostics),
-        to_world_(use.world_from_object.at(description.frames.moment(FileFrame(0)))) {}
+      : use_(use), looks_(looks), diagnostics_(diagnostics), to_world_(first_placement(use, description.frames)) {}
 
   /// Its number among those of Looks; -1: not displaced.
   int number_of(const SourceShape& made) {
@@ -53,7 +58,7 @@ class Displacer {
   const ShapeUse& use_;
   Looks& looks_;
   Diagnostics& diagnostics_;
-  Transform to_world_;  // at the first moment: all frames have the same edges
+  Transform to_world_;
   std::map<std::pair<std::string, float>, int> numbers_;
 };
 

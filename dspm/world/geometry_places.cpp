@@ -1,4 +1,6 @@
 // Geometry: what a directive has made, at each of its places, and the lights that this makes of it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -8,6 +10,8 @@
 #include "dspm/shapes/triangle_mesh.h"
 #include "dspm/world/geometry_source.h"
 #include "dspm/world/likeness.h"
+#include "dspm/world/param_states.h"
+#include "dspm/world/placement_check.h"
 #include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
 
@@ -17,6 +21,10 @@ namespace {
 Matrix4 matrix_at(Moment moment, const ShapeUse& use, const ObjectUse* instance) {
   const Matrix4 own = use.world_from_object.at(moment);
   return instance ? instance->world_from_instance.at(moment) * own : own;
+}
+
+bool moves(const ShapeUse& use, const ObjectUse* instance) {
+  return use.world_from_object.is_keyed() || (instance && instance->world_from_instance.is_keyed());
 }
 
 Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, const FileFrames& frames,
@@ -117,7 +125,12 @@ Geometry::Placement Geometry::placement(const ShapeUse& use, const ObjectUse* in
     const std::vector<bool> there = presence(description_, instance->dynamic_block);
     for (std::size_t f = 0; f < present.size(); ++f) present[f] = present[f] && there[f];
   }
-  const Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
+  Timeline<Matrix4> matrices = placements(use, instance, description_.frames, present);
+  if (moves(use, instance)) {
+    const std::string subject = instance ? fmt::format("object \"{}\"", instance->name) : subject_of(use);
+    leave_out_unplaced(matrices, description_.frames, subject, instance ? instance->where : use.where, diagnostics_);
+    for (std::size_t f = 0; f < present.size(); ++f) present[f] = matrices.state_of[f] >= 0;
+  }
   Placement placement{matrices.states, {}};
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Timeline<Place> places = places_of(source, matrices, present, i);
@@ -132,7 +145,7 @@ Geometry::Placement Geometry::placement(const ShapeUse& use, const ObjectUse* in
 }
 
 void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& source, bool alone) {
-  const bool moves = use.world_from_object.is_keyed() || (instance && instance->world_from_instance.is_keyed());
+  const bool moves = dspm::moves(use, instance);
   const int block = instance ? instance->dynamic_block : -1;
   std::shared_ptr<const Placement> placement = moves ? nullptr : source.unmoved[block];
   if (!placement) placement = std::make_shared<const Placement>(this->placement(use, instance, source));
@@ -140,6 +153,8 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   std::vector<Matrix4> matrices = placement->matrices;
   if (!moves)
     for (Matrix4& only : matrices) only = matrix_at(Moment(), use, instance);
+  if (!moves && !matrices.empty() && !is_sound(matrices.front()))
+    return report_singular(subject_of(use), "", instance ? instance->where : use.where, diagnostics_);
   const int object = object_of(use, instance);
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     const Placement::OfMade& made = placement->made[i];

@@ -11,6 +11,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/world/likeness.h"
+#include "dspm/world/placement_check.h"
 #include "dspm/world/same_in_all_frames.h"
 #include "dspm/world/variations.h"
 
@@ -43,19 +44,30 @@ class LightMaker {
     const auto* plugin = light_plugins().find(typed.type, typed.type_where, diagnostics_);
     if (!plugin) return std::nullopt;
     const std::vector<bool> present = presence(description_, own.dynamic_block);
+    const std::string name = fmt::format("light \"{}\"", typed.type);
+    auto places = Timeline<Matrix4>::of(
+        description_.frames.count(),
+        [&](FileFrame f) -> std::optional<Matrix4> {
+          const LightUse& use = description_.light_of(own, f);
+          if (!present[f.slot()] || use.type != typed.type) return std::nullopt;
+          const Moment moment = description_.frames.moment(f);
+          const Matrix4 place = own.world_from_light.at(moment);
+          return &use == &own ? place : place * use.world_from_light.at(moment);
+        },
+        [](const Matrix4& a, const Matrix4& b) { return a == b; },
+        [](const Matrix4& matrix) { return Likeness().add(matrix).number(); });
+    leave_out_unplaced(places, description_.frames, name, typed.where, diagnostics_);
     const auto states = timeline([&](FileFrame f) -> std::optional<LightState> {
+      if (places.at(f) < 0) return std::nullopt;
       const LightUse& use = description_.light_of(own, f);
-      if (!present[f.slot()] || use.type != typed.type) return std::nullopt;
-      const Moment moment = description_.frames.moment(f);
-      const Matrix4 place = own.world_from_light.at(moment);
       return LightState{light_params(description_, use, use.name, f),
-                        &use == &own ? place : place * use.world_from_light.at(moment),
+                        places.states[static_cast<std::size_t>(places.at(f))],
                         -1,
                         false,
                         nullptr,
                         &use};
     });
-    auto light = finish(typed, fmt::format("light \"{}\"", typed.type), *plugin, states);
+    auto light = finish(typed, name, *plugin, states);
     if (!light) return light;
     const auto& made = light->states.states;
     light->infinite = !made.empty() && made.front()->is_infinite();

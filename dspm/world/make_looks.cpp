@@ -5,8 +5,10 @@
 #include "dspm/materials/mix.h"
 #include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/vanishing.h"
 #include "dspm/params/params.h"
 #include "dspm/world/looks.h"
+#include "dspm/world/placement_check.h"
 
 namespace dspm {
 namespace {
@@ -72,7 +74,13 @@ TexturePtr<T> Looks::make_texture_of(const Recipe& recipe, const TextureSet& tex
   const PluginUse& use = *recipe.use;
   ParamReader reader(recipe.params, fmt::format("texture \"{}\"", use.type), use.where, diagnostics,
                      description_.main_directory());
-  return make_texture<T>(use.type, reader, {textures, Transform(recipe.placement), images_});
+  // What a scale of 0 hides has no texture.
+  const bool is_placed = !vanishes(recipe.placement);
+  if (is_placed && !is_sound(recipe.placement)) {
+    report_singular(fmt::format("texture \"{}\"", use.type), "", use.where, diagnostics);
+    return nullptr;
+  }
+  return make_texture<T>(use.type, reader, {textures, is_placed ? Transform(recipe.placement) : Transform(), images_});
 }
 
 std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const TextureSet& textures,

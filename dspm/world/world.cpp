@@ -14,6 +14,7 @@
 #include "dspm/world/lighting.h"
 #include "dspm/world/likeness.h"
 #include "dspm/world/param_key.h"
+#include "dspm/world/placement_check.h"
 #include "dspm/world/sharing.h"
 #include "dspm/world/texture_cutout.h"
 #include "dspm/world/variations.h"
@@ -27,7 +28,7 @@ const CameraUse& camera_use(const SceneDescription& description, FileFrame frame
   return use != nullptr ? *use : fallback;
 }
 
-/// The language refuses matrices that have no inverse.
+/// make_camera() has refused matrices that have no inverse.
 Transform inverted(const Matrix4& camera_from_world) {
   return Transform(camera_from_world.inverse().value_or(Matrix4()));
 }
@@ -59,6 +60,13 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   Timeline<std::shared_ptr<const Camera>> cameras;
   cameras.state_of = states.state_of;
   const int errors = diagnostics.error_count();
+  for (FileFrame f(0); f.index() < description.frames.count(); ++f) {
+    const State& state = states.states[static_cast<std::size_t>(states.at(f))];
+    if (is_sound(state.camera_from_world)) continue;
+    report_singular("the camera", fmt::format(" in frame {}", description.frames.label(f)), state.use->where,
+                    diagnostics);
+    return cameras;
+  }
   for (const State& state : states.states) {
     const auto* plugin = camera_plugins().find(state.use->type, state.use->type_where, diagnostics);
     if (!plugin) break;

@@ -1,6 +1,8 @@
 // Where shapes and objects stand in the world, and which side of them is outside.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dspm/session/load.h"
 #include "dspm/testing/test_scene.h"
 
 namespace dspm {
@@ -71,6 +73,47 @@ TEST(Placement, TheSphereAroundTheSceneGoesThroughTheCornersOfItsBox) {
 TEST(Placement, TheSphereAroundTheSceneIsNotSmallerThanItsPlaceAllows) {
   const Placed speck("Translate 1000 0 0 Shape \"sphere\" \"float radius\" 1e-9");
   EXPECT_NEAR(speck.scene().radius, 1e-6f * 1001, 1e-8f);
+}
+
+/// What is said of a scene of three frames with such a block.
+std::string said_of(const std::string& block) {
+  Diagnostics diagnostics;
+  std::string text;
+  try {
+    const LoadedScene loaded("test.dsc", "Frames 3\nWorldBegin LightSource \"infinite\"\n" + block, {}, diagnostics);
+  } catch (const SceneError&) {}
+  for (const Diagnostic& each : diagnostics.all()) text += fmt::format("{}: {}\n", each.where.line, each.message);
+  return text;
+}
+
+constexpr const char* kVanishing = "Keyframe 1 Scale 1 1 1 Keyframe 3 Scale -1 -1 -1 KeyframeEnd";
+
+// As exporters hide things, and as keys pass through it.
+TEST(Placement, AScaleOfZeroHides) {
+  EXPECT_EQ(said_of("DynamicBegin \"a\" " + std::string(kVanishing) + "\nShape \"sphere\" DynamicEnd"),
+            "4: a scale of 0 hides shape \"sphere\" in 1 of 3 frames\n");
+  for (const char* keys : {"Keyframe 1 Scale 0 0 0 Keyframe 2 Scale 2 2 2 KeyframeEnd",
+                           "Keyframe 1 Scale 0 0 0 Keyframe 2 Rotate 50 0 1 0 KeyframeEnd Scale 2 2 2"})
+    EXPECT_EQ(said_of(std::string("DynamicBegin \"a\" ") + keys + "\nShape \"sphere\" DynamicEnd"),
+              "4: a scale of 0 hides shape \"sphere\" in 1 of 3 frames\n");
+  EXPECT_EQ(said_of("DynamicBegin \"a\" " + std::string(kVanishing) + "\nLightSource \"point\" DynamicEnd"),
+            "0: the scene has no shape\n4: a scale of 0 hides light \"point\" in 1 of 3 frames\n");
+  EXPECT_EQ(said_of("ObjectBegin \"ball\" Shape \"sphere\" Shape \"disk\" ObjectEnd\nDynamicBegin \"a\" " +
+                    std::string(kVanishing) + "\nObjectInstance \"ball\" DynamicEnd"),
+            "5: a scale of 0 hides object \"ball\" in 1 of 3 frames\n");
+  const TestScene test("Frames 3 WorldBegin LightSource \"infinite\" DynamicBegin \"a\" " + std::string(kVanishing) +
+                       " AreaLightSource \"diffuse\" Shape \"sphere\" DynamicEnd Shape \"disk\"");
+  EXPECT_EQ(test.scene({FileFrame(0)})->shapes.size(), 2u);
+  EXPECT_EQ(test.scene({FileFrame(1)})->shapes.size(), 1u);
+}
+
+// Each block is sound by itself; the error has a place, and hides no other.
+TEST(Placement, SingularProductsOfBlocksAreErrorsWithTheirPlace) {
+  const std::string shrinking = "DynamicBegin \"a\" Keyframe 1 Scale 1 1 1 Keyframe 3 Scale 1e-19 1 1 KeyframeEnd\n";
+  const std::string inner = "AttributeBegin Keyframe 1 Scale 1 1 1 Keyframe 3 Scale 1e-19 1 1 KeyframeEnd\n";
+  EXPECT_EQ(
+      said_of(shrinking + inner + "Shape \"sphere\"\nShape \"disk\" \"float radius\" -1\nAttributeEnd DynamicEnd"),
+      "5: the transform of shape \"sphere\" is singular in frame 3\n6: \"radius\" must be above 0\n");
 }
 
 TEST(Placement, OnlySkiesAnswerRaysThatLeaveTheScene) {

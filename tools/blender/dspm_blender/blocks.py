@@ -47,9 +47,22 @@ def in_block(name, lines):
     return [f"DynamicBegin {quoted(name)}", *indented(lines), "DynamicEnd"] if name else lines
 
 
+def with_inverse(matrix):
+    """A flattened object keeps a trace of thickness. None: the scale of 0 leaves nothing of it."""
+    columns = [matrix.col[i].to_3d() for i in range(3)]
+    largest = max(column.length for column in columns)
+    flat = [i for i in range(3) if columns[i].length <= 1e-12 * largest]
+    if len(flat) == 1:
+        normal = columns[flat[0] - 2].cross(columns[flat[0] - 1]).normalized()
+        matrix = matrix.copy()
+        matrix.col[flat[0]] = (*(normal * largest * 1e-6), 0)
+    return matrix if matrix.to_3x3().determinant() else None
+
+
 def placed(name, matrices, all_frames, inside, deforms=False):
     """`inside(frames)` yields lines that stand where (frame, matrix) pairs say; in other frames there is nothing."""
     lines = []
+    matrices = [(frame, usable) for frame, matrix in matrices if (usable := with_inverse(matrix)) is not None]
     for stretch in stretches(matrices):
         first, last = stretch[0][0], stretch[-1][0]
         body = pose(stretch) + inside([frame for frame, _ in stretch])

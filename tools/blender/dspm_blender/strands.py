@@ -25,7 +25,7 @@ def particle_strands(object, system):
     parents, children = len(system.particles), len(system.child_particles)
     hairs = range(parents, parents + children) if settings.child_type != "NONE" and children else range(parents)
     steps = 2**settings.render_step + 1
-    into = np.array(object.matrix_world.inverted(), dtype=np.float64)
+    into = np.array(object.matrix_world.inverted_safe(), dtype=np.float64)
     radii = 0.5 * settings.radius_scale * np.linspace(settings.root_radius, settings.tip_radius, steps)
     for hair in hairs:
         points = np.array([system.co_hair(object, particle_no=hair, step=step) for step in range(steps)])
