@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "dspm/gltf/excerpt.h"
 #include "dspm/gltf/meshopt.h"
 #include "dspm/gltf/uri.h"
 #include "dspm/system/read_file.h"
@@ -13,6 +14,8 @@ namespace dspm::gltf {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
+constexpr std::size_t kMostOfVersion = 20, kMostOfParser = 240;  // characters that a message quotes
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
@@ -28,12 +31,21 @@ Document::Document(const std::filesystem::path& path) : Document(path, read_file
 Document::Document(const std::filesystem::path& path, std::string file) : path_(path) {
   read_container(std::move(file));
   if (!json_.is_object()) throw std::runtime_error("it is not a glTF file: its JSON is not an object");
-  const std::string version = root()["asset"]["version"].text("");
-  if (!version.starts_with("2."))
-    throw std::runtime_error(version.empty() ? "it is not a glTF file: asset/version is missing"
-                                             : fmt::format("it is of glTF {}, and dspm reads glTF 2", version));
+  check_version();
   read_buffers();
   expanded_.resize(root()["bufferViews"].size());
+}
+
+/// A file of a later glTF 2 that needs nothing of it can be read.
+void Document::check_version() const {
+  const Value asset = root()["asset"];
+  if (!asset["version"].exists()) throw std::runtime_error("it is not a glTF file: asset/version is missing");
+  const auto major = [](const std::string& version) { return version.substr(0, version.find('.')); };
+  const std::string version = asset["version"].text(""), least = asset["minVersion"].text("2.0");
+  if (major(version) != "2")
+    throw std::runtime_error(fmt::format("it is of glTF {}, and dspm reads glTF 2", excerpt(version, kMostOfVersion)));
+  if (least != "2.0")
+    throw std::runtime_error(fmt::format("it needs glTF {}, and dspm reads glTF 2.0", excerpt(least, kMostOfVersion)));
 }
 
 void Document::read_container(std::string file) {
@@ -55,7 +67,7 @@ void Document::read_container(std::string file) {
   try {
     json_ = Json::parse(text);
   } catch (const Json::exception& error) {
-    throw std::runtime_error(fmt::format("it is not a glTF file: {}", error.what()));
+    throw std::runtime_error(fmt::format("it is not a glTF file: {}", excerpt(error.what(), kMostOfParser)));
   }
 }
 
@@ -82,7 +94,7 @@ std::string Document::resource(const std::string& uri) const {
   try {
     return read_bytes(path_.parent_path() / name);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("\"{}\" cannot be read: {}", name.string(), error.what()));
+    throw std::runtime_error(fmt::format("\"{}\" cannot be read: {}", excerpt(name.string()), error.what()));
   }
 }
 
@@ -122,11 +134,13 @@ std::string Document::picture(std::size_t index) const {
 
 std::string Document::extension_of_picture(std::size_t index) const {
   const Value image = root()["images"][index];
-  const std::string kind = image["mimeType"].text(""), uri = image["uri"].text("");
-  if (kind == "image/png" || uri.starts_with("data:image/png")) return ".png";
-  if (kind == "image/jpeg" || uri.starts_with("data:image/jpeg")) return ".jpg";
-  if (kind == "image/webp" || uri.starts_with("data:image/webp")) return ".webp";
-  const std::string own = uri.starts_with("data:") ? "" : std::filesystem::path(unescaped(uri)).extension().string();
+  const std::string uri = image["uri"].text("");
+  const std::optional<std::string> inner = type_of_data_uri(uri);
+  const std::string kind = image["mimeType"].text(inner.value_or(""));
+  for (const char* type : {"image/png", "image/jpeg", "image/webp"})
+    if (lower_case(kind) == type || inner == type)
+      return type == std::string("image/jpeg") ? ".jpg" : "." + std::string(type + 6);
+  const std::string own = inner ? "" : std::filesystem::path(unescaped(uri)).extension().string();
   return own.size() > 6 ? "" : own;
 }
 

@@ -47,6 +47,7 @@ class Document {
     std::string missing;  // why it could not be read, if nothing but a view that has another source needs it
   };
   void read_container(std::string file);
+  void check_version() const;
   void read_buffers();
   std::string_view slice(const Value& view) const;
   std::string resource(const std::string& uri) const;

@@ -1,10 +1,13 @@
 #include "dspm/gltf/uri.h"
 
+#include <cctype>
 #include <cstdint>
 #include <stdexcept>
 
 namespace dspm::gltf {
 namespace {
+
+constexpr std::string_view kData = "data:";
 
 int value_of_base64(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -39,12 +42,24 @@ int hexadecimal(char c) {
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
 std::optional<std::string> data_of_uri(std::string_view uri) {
-  if (!uri.starts_with("data:")) return std::nullopt;
+  if (lower_case(uri.substr(0, kData.size())) != kData) return std::nullopt;
   const std::size_t comma = uri.find(',');
   if (comma == uri.npos) throw std::runtime_error("its data URI has no data");
   const std::string_view data = uri.substr(comma + 1);
-  return uri.substr(0, comma).ends_with(";base64") ? bytes_of_base64(data) : unescaped(data);
+  return lower_case(uri.substr(0, comma)).ends_with(";base64") ? bytes_of_base64(data) : unescaped(data);
+}
+
+std::optional<std::string> type_of_data_uri(std::string_view uri) {
+  if (lower_case(uri.substr(0, kData.size())) != kData) return std::nullopt;
+  const std::string_view rest = uri.substr(kData.size());
+  return lower_case(rest.substr(0, rest.find_first_of(";,")));
 }
 
 std::string unescaped(std::string_view uri) {

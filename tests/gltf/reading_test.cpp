@@ -100,9 +100,22 @@ TEST(Faults, AreNamedWithTheirPlace) {
   EXPECT_EQ(fault_of(file.text(R"("extensionsRequired":["KHR_texture_basisu"])")),
             "it requires the extension KHR_texture_basisu, which dspm does not read");
   EXPECT_EQ(fault_of(R"({"asset":{"version":"1.0"}})"), "it is of glTF 1.0, and dspm reads glTF 2");
+  EXPECT_EQ(fault_of(R"({"asset":{"version":"20.0"}})"), "it is of glTF 20.0, and dspm reads glTF 2");
+  EXPECT_EQ(fault_of(R"({"asset":{"version":"2.1","minVersion":"2.1"}})"),
+            "it needs glTF 2.1, and dspm reads glTF 2.0");
+  EXPECT_EQ(fault_of(R"({"asset":{}})"), "it is not a glTF file: asset/version is missing");
+  EXPECT_LT(fault_of("{\"a\": x" + std::string(100'000, 'y') + "}").size(), 300u);
+  EXPECT_LT(fault_of(R"({"asset":{"version":")" + std::string(100'000, '7') + "\"}}").size(), 100u);
   EXPECT_EQ(fault_of(file.text(R"("nodes":[])")),
             "its scene has nothing to show: no meshes with surfaces, and no lights");
   EXPECT_NE(fault_of("{").find("it is not a glTF file"), std::string::npos);
+}
+
+TEST(Uris, HaveSchemesAndTypesOfAnyCase) {
+  for (const char* uri : {"data:text/plain;base64,YWI=", "DATA:Text/Plain;BASE64,YWI=", "Data:,ab", "data:;x=y,a%62"})
+    EXPECT_EQ(data_of_uri(uri), "ab") << uri;
+  EXPECT_EQ(data_of_uri("datas/a.bin"), std::nullopt);
+  EXPECT_EQ(type_of_data_uri("DATA:Image/PNG;base64,"), "image/png");
 }
 
 }  // namespace
