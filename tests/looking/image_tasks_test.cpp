@@ -167,6 +167,35 @@ TEST(ImageTasks, CompareSaysItAndShowsIt) {
   EXPECT_THROW(compare_images({{a, b}, {}, directory / "errors.exr"}), UsageError);
 }
 
+// Of a crop and a whole image, the crop; of two crops, what they share.
+TEST(ImageTasks, CompareTakesWhatBothShow) {
+  const TemporaryDirectory directory;
+  Image whole = flat(20, 10, Rgb(0.5f));
+  whole.at(12, 6) = Rgb(0.9f);
+  whole.at(0, 0) = Rgb(9);
+  write_exr(directory / "whole.exr", whole, {}, ExrPixels::single);
+  const auto put_crop = [&](const char* name, int x, int width) {
+    ExrHeader header;
+    header.x = x, header.y = 4, header.full_width = 20, header.full_height = 10;
+    write_exr(directory / name, flat(width, 3, Rgb(0.5f)), header, ExrPixels::single);
+  };
+  put_crop("crop.exr", 11, 4), put_crop("left.exr", 2, 10), put_crop("far.exr", 0, 2);
+  const std::string errors = directory / "errors.png";
+  const auto compared = [&](const char* a, const char* b) {
+    return compare_images({{directory / a, directory / b}, {}, errors});
+  };
+  const std::string text = compared("whole.exr", "crop.exr");
+  EXPECT_NE(text.find("pixels         11, 4 to 14, 6 of 20 x 10\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("RMSE           0.11547\n"), std::string::npos) << text;  // 0.4 in one of twelve
+  EXPECT_NE(text.find("largest error  0.4 at pixel 12, 6\n"), std::string::npos) << text;
+  EXPECT_EQ(read_image(errors).width, 4);
+  EXPECT_NE(compared("crop.exr", "whole.exr").find("RMSE           0.11547\n"), std::string::npos);
+  EXPECT_NE(compared("left.exr", "crop.exr").find("pixels         11, 4 to 11, 6 of"), std::string::npos);
+  EXPECT_THROW(compared("crop.exr", "far.exr"), std::runtime_error);
+  write_exr(directory / "other.exr", flat(21, 10, Rgb(0.5f)), {}, ExrPixels::single);
+  EXPECT_THROW(compared("whole.exr", "other.exr"), std::runtime_error);
+}
+
 TEST(ImageTasks, ASheetOfOldAndNewFiles) {
   const TemporaryDirectory directory;
   std::vector<std::string> files;
