@@ -20,6 +20,7 @@
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/missed_light.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/trace_tiles.h"
 #include "dspm/math/frames.h"
@@ -190,6 +191,9 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   if (params.flag("regularize", false, "accepted for pbrt compatibility"))
     params.diagnostics().note(params.where("regularize"),
                               "paths are not regularized: the image has the caustics that pbrt blurs, and their noise");
+  if (const std::string missed = missed_light(scene); !missed.empty())
+    params.diagnostics().note(params.where(), missed,
+                              "dsppm and vcm find it, and path finds that of a small sphere or disk in its place");
   check_max_depth(params, max_depth, 0);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   params.finish();

@@ -15,6 +15,9 @@
 // distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which should be
 // closed; what is opaque may lie in it. Of two bodies of which one lies within the other, the inner one counts.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
+#include <algorithm>
+#include <cmath>
+
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
@@ -146,6 +149,13 @@ float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   return share_of(sum / (kSteps * kSteps), lobes);
 }
 
+/// Near an index of 1 facets hardly turn light aside, so what meets a second one is not lost, as the model has it: the
+/// roughness fades, and glass vanishes as its index comes to 1.
+float share_of_roughness(float eta) {
+  constexpr float kFull = 0.05f;
+  return std::min(std::abs(eta - 1) / kFull, 1.f);
+}
+
 class DielectricMaterial final : public Material {
  public:
   DielectricMaterial(ParamReader& reader, const MaterialContext& context)
@@ -153,7 +163,7 @@ class DielectricMaterial final : public Material {
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
-    const Vec2 alpha = roughness_.alpha(point);
+    const Vec2 alpha = roughness_.alpha(point) * share_of_roughness(eta_);
     if (Ggx::is_smooth(alpha) || eta_ == 1) return slot.emplace<SmoothDielectric>(frame, eta_);
     return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_);
   }
