@@ -23,6 +23,7 @@ void add(CLI::App& app, Options& o) {
          "--new-plugin", [&](const std::vector<std::string>& words) { o.task = Task::new_plugin, o.created = words; },
          "write a starter project for a plugin: integrator ambient my-folder")
       ->expected(3)
+      ->multi_option_policy(CLI::MultiOptionPolicy::Throw)  // else it counts to three no more
       ->type_name("KIND NAME DIR");
 }
 
