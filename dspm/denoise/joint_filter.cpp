@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/denoise/around.h"
+#include "dspm/denoise/specks.h"
 #include "dspm/denoise/tile.h"
 #include "dspm/system/parallel.h"
 
@@ -16,25 +19,8 @@ namespace {
 
 float number(float value) { return std::isfinite(value) ? value : 0; }
 
-/// Calls fn(index of the pixel, x, y) on many threads.
-template <class Fn>
-void for_each_pixel(const Image& image, const Fn& fn) {
-  constexpr int kRows = 8;
-  parallel_for(image.height, kRows, [&](std::int64_t row) {
-    const auto y = static_cast<int>(row);
-    for (int x = 0; x < image.width; ++x) fn(image.index(x, y), x, y);
-  });
-}
-
-/// Calls fn(index) for the pixels of a square around one, as far as they exist.
-template <class Fn>
-void around(const Image& image, int x, int y, int radius, const Fn& fn) {
-  for (int v = std::max(y - radius, 0); v <= std::min(y + radius, image.height - 1); ++v)
-    for (int u = std::max(x - radius, 0); u <= std::min(x + radius, image.width - 1); ++u) fn(image.index(u, v));
-}
-
 /// What radiance is divided by, so that textures do not part pixels under the same light: the albedo, from which the
-/// noise of glossy ones is smoothed; 1 for what is nearly black, such as lamps.
+/// noise of glossy ones is smoothed. Not less than kBlack: what is darker shows light that its albedo does not know.
 Image divisors(const Image& albedo) {
   constexpr int kRadius = 2;
   constexpr float kNoise = 0.06f, kBlack = 0.02f;
@@ -50,44 +36,47 @@ Image divisors(const Image& albedo) {
     });
     for (int c = 0; c < 3; ++c) {
       const float mean = number(sum[c] / weights);
-      divisors.pixels[pixel][c] = mean > kBlack ? std::min(mean, 1.f) : 1;
+      divisors.pixels[pixel][c] = std::clamp(mean, kBlack, 1.f);
     }
   });
   return divisors;
 }
 
-/// The geometric mean around a pixel: few iterations know little of their variance, and one firefly should not make its
-/// neighbours seem as uncertain as itself.
-std::vector<float> smoothed_variance(const Image& size, const std::vector<float>& variance) {
-  std::vector<float> roots(variance.size()), smoothed(variance.size());
-  for (std::size_t i = 0; i < variance.size(); ++i) roots[i] = std::sqrt(std::sqrt(variance[i]));
-  for_each_pixel(size, [&](std::size_t pixel, int x, int y) {
-    float sum = 0;
+/// Of radiance over the divisors, and the geometric mean around a pixel: few iterations know little of their variance,
+/// and one firefly should not make its neighbours seem as uncertain as itself.
+Image smoothed_variance(const Image& variance, const Image& divisors) {
+  Image roots(variance.width, variance.height), smoothed = roots;
+  for_each_pixel(variance, [&](std::size_t i, int, int) {
+    for (int c = 0; c < 3; ++c) {
+      const float divisor = divisors.pixels[i][c];
+      const float known = std::max(0.f, number(variance.pixels[i][c] / (divisor * divisor)));
+      roots.pixels[i][c] = std::sqrt(std::sqrt(known));
+    }
+  });
+  for_each_pixel(variance, [&](std::size_t pixel, int x, int y) {
+    Rgb sum;
     int count = 0;
-    around(size, x, y, 1, [&](std::size_t other) { sum += roots[other], ++count; });
-    const float mean = sum / static_cast<float>(count);
-    smoothed[pixel] = mean * mean * mean * mean;
+    around(variance, x, y, 1, [&](std::size_t other) { sum += roots.pixels[other], ++count; });
+    const Rgb mean = sum / static_cast<float>(count);
+    smoothed.pixels[pixel] = mean * mean * mean * mean;
   });
   return smoothed;
 }
 
-Planes planes_of(const NoisyImage& image, const Image& divisors) {
-  const Image& radiance = image.radiance;
+/// `radiance` and `variance`: without specks, and smoothed.
+Planes planes_of(const NoisyImage& image, const Image& radiance, const Image& variance, const Image& divisors) {
   Planes planes{radiance.width, radiance.height, {}};
   for (std::vector<float>& plane : planes.values) plane.resize(radiance.pixels.size());
   for_each_pixel(radiance, [&](std::size_t i, int, int) {
-    float variance = 0;
     for (int c = 0; c < 3; ++c) {
-      const float divisor = divisors.pixels[i][c], of_component = image.variance.pixels[i][c] / (divisor * divisor);
-      planes.values[static_cast<std::size_t>(c)][i] = radiance.pixels[i][c] / divisor;
+      planes.values[static_cast<std::size_t>(c)][i] = radiance.pixels[i][c] / divisors.pixels[i][c];
       planes.values[static_cast<std::size_t>(kNormalX + c)][i] = number(image.normal.pixels[i][c]);
-      variance += std::max(0.f, number(of_component));
     }
+    const Rgb& noise = variance.pixels[i];
     const float depth = image.depth.pixels[i].r;
-    planes.values[kVariance][i] = variance;
+    planes.values[kVariance][i] = noise.r + noise.g + noise.b;
     planes.values[kNearness][i] = depth < kNoSurface ? number(1 / depth) : 0;
   });
-  planes.values[kVariance] = smoothed_variance(radiance, planes.values[kVariance]);
   const std::vector<float>& nearness = planes.values[kNearness];
   for_each_pixel(radiance, [&](std::size_t i, int x, int y) {
     const auto change = [&](int u, int v) {
@@ -98,6 +87,13 @@ Planes planes_of(const NoisyImage& image, const Image& divisors) {
         std::max(std::min(change(x - 1, y), change(x + 1, y)), std::min(change(x, y - 1), change(x, y + 1)));
   });
   return planes;
+}
+
+/// A mean no farther from the pixel's own value than its noise explains.
+float within_noise(float mean, float own, float variance) {
+  constexpr float kFar = 4;  // standard deviations
+  const float far = kFar * std::sqrt(variance);
+  return std::max(own - far, std::min(own + far, mean));
 }
 
 /// The nearest pixels and, farther away, every second of every second row: photons blur their noise over more than that,
@@ -115,10 +111,12 @@ std::vector<Offset> offsets() {
 }  // namespace
 
 Image joint_filtered(const NoisyImage& image) {
-  Image result = image.radiance;
   const Image divisors = dspm::divisors(image.albedo);
-  const Planes planes = planes_of(image, divisors);
+  Unspecked given = without_specks(image.radiance, image.variance, divisors);
+  given.variance = smoothed_variance(given.variance, divisors);
+  const Planes planes = planes_of(image, given.radiance, given.variance, divisors);
   const std::vector<Offset> offsets = dspm::offsets();
+  Image result = std::move(given.radiance);
   const int across = (result.width + Tile::kSide - 1) / Tile::kSide,
             down = (result.height + Tile::kSide - 1) / Tile::kSide;
   parallel_for(across * down, 1, [&](std::int64_t number) {
@@ -128,8 +126,14 @@ Image joint_filtered(const NoisyImage& image) {
     for (int row = 0; row < std::min(Tile::kSide, result.height - y); ++row)
       for (int column = 0; column < std::min(Tile::kSide, result.width - x); ++column) {
         const std::size_t i = result.index(x + column, y + row);
-        const Rgb mean(tile.mean(kRed, row, column), tile.mean(kGreen, row, column), tile.mean(kBlue, row, column));
-        if (tile.is_mixed(row, column) && is_finite(mean)) result.pixels[i] = mean * divisors.pixels[i];
+        if (!tile.is_mixed(row, column)) continue;
+        Rgb mixed;
+        for (int c = 0; c < 3; ++c) {
+          const auto plane = static_cast<Plane>(kRed + c);
+          mixed[c] = within_noise(tile.mean(plane, row, column), planes.values[plane][i], given.variance.pixels[i][c]) *
+                     divisors.pixels[i][c];
+        }
+        if (is_finite(mixed)) result.pixels[i] = mixed;
       }
   });
   return result;

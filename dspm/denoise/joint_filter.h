@@ -1,5 +1,5 @@
 // An image with less noise: every pixel becomes a weighted mean of its neighbours, those that differ from it by no more
-// than their noise and that show the same surface. [Buades et al. 2005; Rousselle et al. 2012, 2013]
+// than their noise and that show the same surface, but no farther from itself than its own noise explains. [Buades et al. 2005; Rousselle et al. 2012, 2013]
 #pragma once
 
 #include "dspm/image/image.h"
@@ -10,13 +10,13 @@ namespace dspm {
 struct NoisyImage {
   Image radiance;
   Image variance;  // of radiance, by component
-  // Of the surfaces that the camera sees first; only r of depth. Where there is none: 0, and a depth beyond kNoSurface.
+  // Of the surfaces that the camera sees; only r of depth. Where there is none: no normal, and a depth beyond kNoSurface.
   Image albedo, normal, depth;
 };
 inline constexpr float kNoSurface = 1e9f;
 
 /// Images for each pixel while it runs, its result included.
-inline constexpr int kImagesOfJointFilter = 5;
+inline constexpr int kImagesOfJointFilter = 6;
 
 /// A pixel without variance stays as it is. The same bits with any number of threads.
 Image joint_filtered(const NoisyImage& image);

@@ -9,6 +9,7 @@ namespace {
 
 // In standard deviations. Neighbours share photons, so their noise does not average out within a patch.
 constexpr float kColours = 1.5f;
+constexpr float kOwn = 1;                      // what noise makes of a pixel's own difference now and then
 constexpr float kNormals = 0.3f;               // a difference of that length
 constexpr float kPlane = 0.002f;               // of nearness, relative, for each pixel of distance
 constexpr float kDark = 1e-12f, kFar = 1e-9f;  // against divisions by zero
@@ -85,12 +86,13 @@ void Tile::add_row(int row, Offset offset) {
   const float* const inside = &inside_[static_cast<std::size_t>(r - planes_[kRed].data())];
   const auto sums = [&](int i) { return &sums_[static_cast<std::size_t>(i)][static_cast<std::size_t>(row * kSide)]; };
   float *const red = sums(0), *const green = sums(1), *const blue = sums(2), *const weights = sums(kWeight);
+  const float* const own = &differences_[static_cast<std::size_t>((row + kPatch) * kCompared + kPatch)];
   for (int i = 0; i < kSide; ++i) {
     float patch = 0;
     for (int y = 0; y <= 2 * kPatch; ++y) patch += of_rows_[static_cast<std::size_t>((row + y) * kSide + i)];
     const float bend = square(nx[i] - nx2[i]) + square(ny[i] - ny2[i]) + square(nz[i] - nz2[i]);
     const float step = std::abs(z[i] - z2[i]) * per_pixel / (s[i] + s2[i] + kPlane * (z[i] + z2[i]) + kFar);
-    const float by_colour = falloff(std::max(0.f, patch / kPatchPixels));
+    const float by_colour = falloff(std::max({0.f, patch / kPatchPixels, (own[i] - kOwn) / 2}));
     const float by_surface = falloff(bend / (kNormals * kNormals) + square(step) / 2);
     const float weight = std::min(by_colour, by_surface) * inside[i];
     red[i] += weight * r[i], green[i] += weight * g[i], blue[i] += weight * b[i], weights[i] += weight;

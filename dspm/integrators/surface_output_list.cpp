@@ -44,6 +44,14 @@ Table make_table() {
   at(SurfaceKind::catcher) = {
       {kCatcherOutput, {"catcher.X"}, "the share of the pixel's camera paths that meet a shadow catcher first"}};
   at(SurfaceKind::crypto_material) = cryptomatte("cryptomaterial", "CryptoMaterial", "materials");
+  at(SurfaceKind::denoising_normal) = {{kDenoisingNormal,
+                                        {"DenoisingN.X", "DenoisingN.Y", "DenoisingN.Z"},
+                                        "shading normal of the first rough surface, also in mirrors and behind glass"}};
+  at(SurfaceKind::denoising_depth) = {
+      {kDenoisingDepth, {"DenoisingZ.Z"}, "its depth, as if the way there were straight; 1e10: no surface", true}};
+  at(SurfaceKind::denoising_albedo) = {{kDenoisingAlbedo,
+                                        {"DenoisingAlbedo.R", "DenoisingAlbedo.G", "DenoisingAlbedo.B"},
+                                        "the share of light that it scatters and that the way there leaves; 1: none"}};
   return table;
 }
 

@@ -1,4 +1,4 @@
-// The outputs of what the camera sees first, by name.
+// The outputs of what the camera sees first, and of what it sees in and through that, by name.
 #pragma once
 
 #include <string>
@@ -21,15 +21,23 @@ enum class SurfaceKind {
   crypto_object,
   crypto_material,
   catcher,
+  denoising_normal,
+  denoising_depth,
+  denoising_albedo,
 };
-inline constexpr int kSurfaceKinds = 11;
+inline constexpr int kSurfaceKinds = 14;
 inline bool is_id(SurfaceKind kind) { return kind == SurfaceKind::object || kind == SurfaceKind::material; }
 inline bool is_crypto(SurfaceKind kind) {
   return kind == SurfaceKind::crypto_object || kind == SurfaceKind::crypto_material;
 }
+/// Those of the first rough surface behind smooth ones.
+inline bool is_for_denoising(SurfaceKind kind) { return kind >= SurfaceKind::denoising_normal; }
 
 inline constexpr const char* kAlphaOutput = "alpha";
 inline constexpr const char* kCatcherOutput = "catcher";
+inline constexpr const char* kDenoisingNormal = "denoisingN";
+inline constexpr const char* kDenoisingDepth = "denoisingZ";
+inline constexpr const char* kDenoisingAlbedo = "denoisingalbedo";
 
 /// Those of ids without names.
 const std::vector<OutputInfo>& outputs_of(SurfaceKind kind);

@@ -7,7 +7,9 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/integrators/camera_path.h"
+#include "dspm/integrators/clear_sight.h"
 #include "dspm/integrators/coverage_ranks.h"
+#include "dspm/integrators/majority.h"
 #include "dspm/integrators/make_beside.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/wrapping_integrator.h"
@@ -22,8 +24,8 @@ namespace {
 using Kind = SurfaceKind;
 
 constexpr int kTileSide = 16;
-constexpr int kNone = -1;          // no object, no material
-constexpr float kNoDepth = 1e10f;  // where no surface is, as in Blender
+constexpr int kNone = Majority::kNone;  // no object, no material
+constexpr float kNoDepth = 1e10f;       // where no surface is, as in Blender
 
 bool is_of_objects(Kind kind) { return kind == Kind::object || kind == Kind::crypto_object; }
 bool is_mean(Kind kind) { return !is_id(kind) && !is_crypto(kind) && kind != Kind::alpha; }
@@ -41,27 +43,6 @@ Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
   }
   return sum / kSamples;
 }
-
-/// The majority of a row of votes, if there is one, in constant memory. [Boyer and Moore 1981]
-struct Majority {
-  int choice = kNone;
-  std::uint32_t lead = 0;
-
-  void vote(int candidate) {
-    if (lead == 0) choice = candidate;
-    choice == candidate ? ++lead : --lead;
-  }
-  /// A majority of all votes stays one. [Agarwal et al. 2012]
-  Majority& operator+=(const Majority& o) {
-    if (choice == o.choice)
-      lead += o.lead;
-    else if (lead < o.lead)
-      *this = {o.choice, o.lead - lead};
-    else
-      lead -= o.lead;
-    return *this;
-  }
-};
 
 /// What is kept of a kind, by pixel and frame: sums, votes or ranks.
 struct Layer {
@@ -95,6 +76,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
         bytes_(bytes(kinds, render.crop.count(), scene.frame_count())) {
     const std::size_t size = static_cast<std::size_t>(render.crop.count()) * frames_;
     met_.resize(size);
+    looks_on_ = std::any_of(kinds.begin(), kinds.end(), is_for_denoising);
     for (const Kind kind : kinds) {
       Layer& layer = layers_.emplace_back(Layer{kind, outputs_of(kind), {}, {}, {}, {}});
       if (is_mean(kind)) layer.sums.resize(size);
@@ -114,8 +96,9 @@ class SurfaceOutputs final : public WrappingIntegrator {
     ++iterations_;
     const StepTimer timer(step_);
     parallel_for(tile_count(render_.crop, kTileSide), 1, [&](std::int64_t t) {
+      ClearSight sight(scene);
       for_each_pixel_of_tile(render_.crop, kTileSide, static_cast<int>(t),
-                             [&](int x, int y) { look(scene, x, y, static_cast<std::uint64_t>(iteration)); });
+                             [&](int x, int y) { look(scene, sight, x, y, static_cast<std::uint64_t>(iteration)); });
     });
   }
 
@@ -157,18 +140,55 @@ class SurfaceOutputs final : public WrappingIntegrator {
   }
 
   /// Follows one camera ray in all frames.
-  void look(const Scene& scene, int x, int y, std::uint64_t iteration) {
+  void look(const Scene& scene, ClearSight& sight, int x, int y, std::uint64_t iteration) {
     const auto meet = [&](const CameraPath& path) {
       for (const FrameHit& part : scene.accel->partition(path.ray, path.frames)) {
         if (part.hit.missed()) {
           vote(path.pixel, part.frames, [](Kind) { return kNone; });
+          if (looks_on_) add_nothing(path.pixel, part.frames, Rgb(1));
           continue;
         }
         const Vertex met(scene, path.ray, part, path.diameter(part.hit.t));
-        if (is_finite(met.point)) for_each_relief(met, [&](const Vertex& vertex) { add(scene, path, vertex); });
+        if (is_finite(met.point))
+          for_each_relief(met, [&](const Vertex& vertex) {
+            add(scene, path, vertex);
+            if (looks_on_) look_on(scene, sight, path, vertex);
+          });
       }
     };
     start_camera_paths(scene, render_, x, y, iteration, meet, [](const CameraPath&) {});
+  }
+
+  void look_on(const Scene& scene, ClearSight& sight, const CameraPath& start, const Vertex& first) {
+    sight.follow(
+        start, first,
+        [&](const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf) {
+          const bool shines = vertex.shape.light >= 0;  // regardless of what it scatters
+          add_for_denoising(path.pixel, path.frames, normal(scene, vertex),
+                            depth(scene, vertex, start.ray.at(path.length)),
+                            shines ? path.throughput : path.throughput * albedo(bsdf, vertex, path));
+        },
+        [&](const CameraPath& path, FrameSet frames) { add_nothing(path.pixel, frames, path.throughput); });
+  }
+
+  void add_nothing(int pixel, FrameSet frames, const Rgb& left) {
+    add_for_denoising(pixel, frames, Rgb(), std::nullopt, left);
+  }
+
+  void add_for_denoising(int pixel, FrameSet frames, const Rgb& normal, std::optional<float> depth, const Rgb& albedo) {
+    for (Layer& layer : layers_) {
+      const auto sum = [&](const Rgb& value) {
+        if (is_finite(value)) frames.for_each([&](Frame f) { layer.sums[index(pixel, f)] += value; });
+      };
+      switch (layer.kind) {
+        case Kind::denoising_normal: sum(normal); break;
+        case Kind::denoising_depth:
+          if (depth) sum(Rgb(*depth, 1, 0));
+          break;
+        case Kind::denoising_albedo: sum(albedo); break;
+        default: break;
+      }
+    }
   }
 
   void add(const Scene& scene, const CameraPath& path, const Vertex& vertex) {
@@ -180,7 +200,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
       switch (layer.kind) {
         case Kind::normal: sum(vertex.frames, normal(scene, vertex)); break;
         case Kind::position: sum(vertex.frames, position(scene, vertex)); break;
-        case Kind::depth: sum(vertex.frames, Rgb(depth(scene, vertex))); break;
+        case Kind::depth: sum(vertex.frames, Rgb(depth(scene, vertex, vertex.point.p))); break;
         case Kind::catcher: sum(vertex.frames, Rgb(scene.is_catcher(vertex.hit.shape) ? 1.f : 0.f)); break;
         case Kind::uv: sum(vertex.frames, Rgb(vertex.point.uv.x, vertex.point.uv.y, 0)); break;
         case Kind::albedo:
@@ -224,15 +244,18 @@ class SurfaceOutputs final : public WrappingIntegrator {
     return {p.x, p.y, p.z};
   }
 
-  static float depth(const Scene& scene, const Vertex& vertex) {
+  /// Of a point that the vertex's camera sees.
+  static float depth(const Scene& scene, const Vertex& vertex, const Vec3& p) {
     const Transform& to_world = camera_to_world(scene, vertex);
-    return dot(vertex.point.p - to_world.point({}), normalize(to_world.vector({0, 0, 1})));
+    return dot(p - to_world.point({}), normalize(to_world.vector({0, 0, 1})));
   }
 
   /// Of an output of the layer.
   Rgb value(const Layer& layer, std::size_t number, std::size_t at) const {
     if (layer.kind == Kind::alpha) return Rgb(share(met_[at]));
-    if (layer.kind == Kind::catcher) return layer.sums[at] / static_cast<float>(iterations_);
+    if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums[at]);
+    if (layer.kind == Kind::catcher || is_for_denoising(layer.kind))
+      return layer.sums[at] / static_cast<float>(iterations_);
     if (is_crypto(layer.kind)) {
       const CoverageRanks::Share of = layer.ranks[at].sorted()[number];
       return of.paths == 0 ? Rgb() : Rgb(layer.ids[static_cast<std::size_t>(of.thing)], share(of.paths), 0);
@@ -244,6 +267,8 @@ class SurfaceOutputs final : public WrappingIntegrator {
     if (met_[at] == 0) return layer.kind == Kind::depth ? Rgb(kNoDepth) : Rgb();
     return layer.sums[at] / static_cast<float>(met_[at]);
   }
+  /// `sum`: of depths, and how many.
+  static Rgb depth_for_denoising(const Rgb& sum) { return Rgb(sum.g > 0 ? sum.r / sum.g : kNoDepth); }
   /// Of the pixel's camera paths.
   float share(std::uint32_t paths) const { return static_cast<float>(paths) / static_cast<float>(iterations_); }
 
@@ -261,6 +286,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
 
   RenderSettings render_;
   std::size_t frames_, bytes_;
+  bool looks_on_;                   // for surfaces behind smooth ones
   std::vector<std::uint32_t> met_;  // camera paths that met a surface, by pixel and frame
   std::vector<Layer> layers_;
   int iterations_ = 0;

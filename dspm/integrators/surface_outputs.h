@@ -1,5 +1,6 @@
 // What the camera sees first, for any integrator: position, depth, normal, albedo, texture coordinates, object and
-// material, and whether it sees anything. Camera rays of their own find it, through the same film and lens points as the integrator's paths, so that
+// material, and whether it sees anything; and what denoisers take: the first rough surface behind smooth ones. Camera
+// rays of their own find it, through the same film and lens points as the integrator's paths, so that
 // it is filtered like the image.
 #pragma once
 

@@ -4,6 +4,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/denoise/joint_filter.h"
+#include "dspm/integrators/surface_output_list.h"
 #include "dspm/integrators/variance_output.h"
 #include "dspm/output/oidn.h"
 
@@ -19,8 +20,10 @@ Image denoised(Denoiser denoiser, const Image& radiance, const Integrator& integ
       if (!is_finite(pixel)) pixel = Rgb();
     return image;
   };
-  if (denoiser == Denoiser::oidn) return denoised_by_oidn(file, radiance, finite("albedo"), finite("N"));
-  return joint_filtered({radiance, finite(kVarianceOutput), finite("albedo"), finite("N"), finite("Z")});
+  if (denoiser == Denoiser::oidn)
+    return denoised_by_oidn(file, radiance, finite(kDenoisingAlbedo), finite(kDenoisingNormal));
+  return joint_filtered(
+      {radiance, finite(kVarianceOutput), finite(kDenoisingAlbedo), finite(kDenoisingNormal), finite(kDenoisingDepth)});
 }
 
 std::size_t images_while_denoising(Denoiser denoiser) {

@@ -64,8 +64,8 @@ std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& cho
 
 std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, std::optional<Denoiser> denoiser) {
   std::vector<std::string> inputs;
-  if (denoiser) inputs = {"N", "albedo"};
-  if (denoiser == Denoiser::own) inputs.insert(inputs.end(), {"Z", kVarianceOutput});
+  if (denoiser) inputs = {kDenoisingNormal, kDenoisingAlbedo};
+  if (denoiser == Denoiser::own) inputs.insert(inputs.end(), {kDenoisingDepth, kVarianceOutput});
   for (std::string& input : inputs)
     if (std::find(outputs.begin(), outputs.end(), input) == outputs.end()) outputs.push_back(std::move(input));
   return outputs;

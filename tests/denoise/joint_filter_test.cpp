@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -134,6 +135,92 @@ TEST(JointFilter, AFireflyDoesNotSpread) {
       if (x != 40 || y != 40) {
         EXPECT_NEAR(result.at(x, y).r, 1, 0.05) << x << ' ' << y;
       }
+}
+
+/// A ball before black, beside one before a wall; its texture is so dark in blue that divisors reach their least. Pixels
+/// at its edge show parts of both, as do all that is known of them.
+struct BallScene {
+  NoisyImage noisy = wall();
+  Image truth{kSize, kSize};
+
+  static constexpr float kDeviation = 0.04f;  // of the noise, relative
+  static float covered(int x, int y) {
+    const float distance = std::hypot(static_cast<float>(x % 40) - 20, static_cast<float>(y % 40) - 20);
+    return std::clamp(15 - distance, 0.f, 1.f);
+  }
+  explicit BallScene(unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> normal;
+    std::uniform_real_distribution<float> uniform(0, 1);
+    const float blue = 0.01f + 0.03f * uniform(random);
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const float c = covered(x, y), u = (static_cast<float>(x % 40) - 20) / 15, shade = 1.2f - std::abs(u);
+        const bool has_wall = x < 40;
+        const Rgb albedo(0.8f, 0.2f, blue * (1 + 0.1f * normal(random)));
+        const Rgb behind = has_wall ? Rgb(0.3f) : Rgb();
+        const std::size_t i = truth.index(x, y);
+        truth.pixels[i] = Rgb(0.8f, 0.2f, blue) * (c * shade) + behind * (1 - c);
+        noisy.albedo.pixels[i] = albedo * c + Rgb(has_wall ? 0.5f : 1.f) * (1 - c);
+        noisy.normal.pixels[i] = Rgb(u, 0, 1) * (c / std::hypot(u, 1.f)) + Rgb(0, 0, has_wall ? 1.f - c : 0.f);
+        noisy.depth.pixels[i] = Rgb(c > 0 || has_wall ? 4 * c + 8 * (1 - c) : 1e10f);
+        for (int k = 0; k < 3; ++k) {
+          const float deviation = kDeviation * truth.pixels[i][k];
+          noisy.radiance.pixels[i][k] = truth.pixels[i][k] + deviation * normal(random);
+          noisy.variance.pixels[i][k] = deviation * deviation;
+        }
+      }
+  }
+};
+
+// No pixel is brighter than its own noise explains. Pixels at edges have hardly any like them: they gain nothing, and lose
+// little.
+TEST(JointFilter, NothingIsInventedAtEdges) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const BallScene scene(seed);
+    const Image result = joint_filtered(scene.noisy);
+    double before = 0, after = 0;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const float truth = scene.truth.at(x, y)[c], given = scene.noisy.radiance.at(x, y)[c],
+                      deviation = BallScene::kDeviation * truth;
+          EXPECT_NEAR(result.at(x, y)[c], given, 6 * deviation + 1e-6f) << seed << ": " << x << ' ' << y << ' ' << c;
+          const float cover = BallScene::covered(x, y);
+          if (cover == 0 || cover == 1 || !(truth > 0)) continue;
+          before += std::pow(double(given / truth) - 1, 2),
+              after += std::pow(double(result.at(x, y)[c] / truth) - 1, 2);
+        }
+    EXPECT_LT(after, 1.25 * before) << seed;
+  }
+}
+
+// One path in many, which has brought a thousand times what others bring; what is as bright and certain of it stays.
+TEST(JointFilter, ASpeckGoesAndALampStays) {
+  NoisyImage image = wall();
+  add_noise(image, 0.05f);
+  image.radiance.at(30, 30) = Rgb(60), image.variance.at(30, 30) = Rgb(60 * 60);
+  image.radiance.at(50, 50) = Rgb(60), image.variance.at(50, 50) = Rgb(1);
+  const Image result = joint_filtered(image);
+  EXPECT_NEAR(result.at(30, 30).r, 1, 0.1);
+  EXPECT_NEAR(result.at(50, 50).r, 60, 3);
+}
+
+// Many pixels of few bright paths, whose mean is the light.
+TEST(JointFilter, RarePathsKeepTheirLight) {
+  NoisyImage image = wall();
+  std::mt19937 random(1);
+  std::poisson_distribution<int> hits(1.5);
+  for (std::size_t i = 0; i < image.radiance.pixels.size(); ++i) {
+    const auto n = static_cast<float>(hits(random));
+    image.radiance.pixels[i] = Rgb(n / 1.5f), image.variance.pixels[i] = Rgb(n / (1.5f * 1.5f));
+  }
+  const auto mean = [](const Image& of) {
+    double sum = 0;
+    for (const Rgb& pixel : of.pixels) sum += double(pixel.g);
+    return sum / double(of.pixels.size());
+  };
+  EXPECT_NEAR(mean(joint_filtered(image)) / mean(image.radiance), 1, 0.02);
 }
 
 TEST(JointFilter, TheSameBitsWithAnyNumberOfThreads) {

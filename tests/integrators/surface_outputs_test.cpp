@@ -29,7 +29,8 @@ Choices asking_for(std::vector<std::string> outputs) {
   return choices;
 }
 
-const std::vector<std::string> kAll = {"N", "P", "Z", "albedo", "uv", "object", "material"};
+const std::vector<std::string> kAll = {"N",      "P",        "Z",          "albedo",     "uv",
+                                       "object", "material", "denoisingN", "denoisingZ", "denoisingalbedo"};
 
 /// By output, then by frame, after that many iterations.
 std::map<std::string, std::vector<Image>> outputs_of(TestScene& test, int iterations = 4) {
@@ -182,7 +183,7 @@ TEST_P(SurfaceOutputs, GoOnFromTheirState) {
 }
 
 TEST_P(SurfaceOutputs, OfAGbufferFilmAreInTheSpaceThatItSays) {
-  TestScene world(text(R"("gbuffer" "string coordinatesystem" "world")")), asked(text(), asking_for(kAll));
+  TestScene world(text(R"("gbuffer" "string coordinatesystem" "world")")), asked(text(), asking_for(gbuffer_outputs()));
   EXPECT_EQ(outputs_of(world), outputs_of(asked));
   TestScene camera(text(R"("gbuffer")"));
   const auto images = outputs_of(camera);
@@ -209,9 +210,9 @@ TEST_P(SurfaceOutputs, CountAsMemory) {
     }
     return 0;
   };
-  // Five means of three floats, two ids with their votes, and a counter; and a copy of them.
+  // Eight means of three floats, two ids with their votes, and a counter; and a copy of them.
   const std::size_t frames = with.intervals().front().size();
-  EXPECT_EQ(least(with) - least(without), 2 * (5 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
+  EXPECT_EQ(least(with) - least(without), 2 * (8 * 12 + 2 * 8 + 4) * frames * kSize * kSize);
 }
 
 INSTANTIATE_TEST_SUITE_P(
