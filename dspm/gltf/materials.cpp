@@ -102,12 +102,12 @@ class MaterialTranslator {
     return add(part, *channel != '\0' ? "float" : "spectrum", "imagemap", std::move(picture.parameters));
   }
 
-  /// A number, times a picture's channel.
+  /// A number, times a picture's channel. Of the product, the material takes what lies in [0, 1].
   void number(const char* parameter, double factor, const Value& info, const char* channel) {
-    factor = std::clamp(factor, 0.0, 1.0);
+    factor = std::max(factor, 0.0);
     const std::string map = picture(info, parameter, channel, "linear", factor);
     if (map.empty())
-      material().number(parameter, factor, INFINITY);
+      material().number(parameter, std::min(factor, 1.0), INFINITY);
     else
       material().texture(parameter, map);
   }
@@ -119,10 +119,13 @@ class MaterialTranslator {
     material().number((of + "scale").c_str(), info["scale"].number(1), 1);
   }
 
-  /// A colour, times a picture, times the colours of the vertices.
-  void colour(const char* parameter, Triple factor, const Value& info, bool of_vertices = false) {
-    for (double& value : factor) value = std::clamp(value, 0.0, 1.0);
-    std::string map = picture(info, parameter, "", "sRGB");
+  /// A colour, times a picture, times the colours of the vertices. What exceeds 1 goes into the picture's scale, as colours
+  /// of textures must not. `most`: what the material takes.
+  void colour(const char* parameter, Triple factor, const Value& info, double most = 1, bool of_vertices = false) {
+    for (double& value : factor) value = std::max(value, 0.0);
+    const double scale = std::max(1.0, *std::max_element(factor.begin(), factor.end()));
+    std::string map = picture(info, parameter, "", "sRGB", scale);
+    for (double& value : factor) value = map.empty() ? std::min(value, most) : value / scale;
     if (of_vertices && look_.has_colours) map = times_vertices(map, parameter, "spectrum");
     if (map.empty()) return material().rgb(parameter, factor);
     if (factor != Triple{1, 1, 1} || form_.is_keyed)
@@ -152,10 +155,10 @@ class MaterialTranslator {
   /// of both alphas, and their ratio is 1 - 0.9 anisotropy. Where pictures change them, s stands for the anisotropy.
   Facets facets() const {
     const Value pbr = material_["pbrMetallicRoughness"], stretched = material_.extension("KHR_materials_anisotropy");
-    const double roughness = std::clamp(pbr["roughnessFactor"].number(1), 0.0, 1.0);
-    const double s = std::clamp(stretched["anisotropyStrength"].number(0), 0.0, 1.0);
-    if (s == 0 || stretched["anisotropyTexture"].exists() || pbr["metallicRoughnessTexture"].exists())
-      return {roughness, s};
+    const double factor = pbr["roughnessFactor"].number(1), strength = stretched["anisotropyStrength"].number(0);
+    if (strength <= 0 || stretched["anisotropyTexture"].exists() || pbr["metallicRoughnessTexture"].exists())
+      return {factor, strength};
+    const double roughness = std::clamp(factor, 0.0, 1.0), s = std::min(strength, 1.0);
     const double alpha = roughness * roughness, along = alpha + (1 - alpha) * s * s;
     const double ratio = std::max(alpha / along, 0.1);
     return {std::pow(along * along * ratio, 0.25), (1 - ratio) / 0.9};
@@ -164,7 +167,7 @@ class MaterialTranslator {
   void base() {
     const Value pbr = material_["pbrMetallicRoughness"], rough = pbr["metallicRoughnessTexture"];
     const auto factor = base_factor();
-    colour("basecolor", {factor[0], factor[1], factor[2]}, pbr["baseColorTexture"], true);
+    colour("basecolor", {factor[0], factor[1], factor[2]}, pbr["baseColorTexture"], 1, true);
     number("metallic", pbr["metallicFactor"].number(1), rough, "blue");
     number("roughness", facets().roughness, rough, "green");
     normals("normal", material_["normalTexture"]);
@@ -172,13 +175,15 @@ class MaterialTranslator {
       note("KHR_materials_pbrSpecularGlossiness is left out: the material's metallic-roughness part is used");
   }
 
+  static constexpr double kUsualIor = 1.5;
+  /// 0: all light is mirrored, times the specular colour.
+  double ior() const { return material_.extension("KHR_materials_ior")["ior"].number(kUsualIor); }
+
   void transmission() {
     const Value glass = material_.extension("KHR_materials_transmission");
     const Value volume = material_.extension("KHR_materials_volume");
     const Value beyond = material_.extension("KHR_materials_diffuse_transmission");
-    const double eta = material_.extension("KHR_materials_ior")["ior"].number(1.5);
-    if (eta != 0 || !material_.extension("KHR_materials_ior").exists())
-      material().number("eta", std::max(eta, 1.0), 1.5);
+    if (const double eta = ior(); eta != 0) material().number("eta", std::max(eta, 1.0), kUsualIor);
     if (material_.extension("KHR_materials_dispersion").exists())
       note("KHR_materials_dispersion is left out: dspm renders red, green and blue with one index of refraction");
     if (beyond.exists()) {
@@ -191,17 +196,25 @@ class MaterialTranslator {
     number("transmission", glass["transmissionFactor"].number(0), glass["transmissionTexture"], "red");
     const bool is_body = volume["thicknessFactor"].number(0) > 0;
     if (!is_body) return material().flag("thin", true);
-    if (!volume["attenuationDistance"].exists()) return;
-    material().rgb("attenuationcolor", volume["attenuationColor"].numbers(Triple{1, 1, 1}));
-    material().number("attenuationdistance", volume["attenuationDistance"].number(1), INFINITY);
+    const double distance = volume["attenuationDistance"].number(0);  // 0: not given, or as exporters write infinity
+    if (!(distance > 0)) return;
+    colour("attenuationcolor", volume["attenuationColor"].numbers(Triple{1, 1, 1}), Value(nullptr, ""));
+    material().number("attenuationdistance", distance, INFINITY);
+  }
+
+  /// principled, too, bounds the product of the colour and what the index of refraction mirrors.
+  void specular() {
+    const Value mirror = material_.extension("KHR_materials_specular");
+    if (!mirror.exists() && ior() != 0) return;
+    number("specular", mirror["specularFactor"].number(1), mirror["specularTexture"], "alpha");
+    Triple factor = mirror["specularColorFactor"].numbers(Triple{1, 1, 1});
+    if (ior() == 0)
+      for (double& value : factor) value *= std::pow((kUsualIor + 1) / (kUsualIor - 1), 2);
+    colour("specularcolor", factor, mirror["specularColorTexture"], INFINITY);
   }
 
   void layers() {
-    const Value mirror = material_.extension("KHR_materials_specular");
-    if (mirror.exists()) {
-      number("specular", mirror["specularFactor"].number(1), mirror["specularTexture"], "alpha");
-      colour("specularcolor", mirror["specularColorFactor"].numbers(Triple{1, 1, 1}), mirror["specularColorTexture"]);
-    }
+    specular();
     const Value coat = material_.extension("KHR_materials_clearcoat");
     if (coat.exists()) {
       number("coat", coat["clearcoatFactor"].number(0), coat["clearcoatTexture"], "red");
@@ -250,15 +263,16 @@ class MaterialTranslator {
     const auto factor = material_["emissiveFactor"].numbers(Triple{0, 0, 0});
     const double strength = material_.extension("KHR_materials_emissive_strength")["emissiveStrength"].number(1);
     if (factor == Triple{0, 0, 0} && !form_.emits) return;
-    colour("emission", factor, material_["emissiveTexture"]);
-    material().number("emissionstrength", strength, 1);
+    colour("emission", factor, material_["emissiveTexture"], INFINITY);
+    material().number("emissionstrength", std::max(strength, 0.0), 1);
   }
 
   /// It shows its colour whatever the light, so it emits it.
   void unlit() {
     const auto factor = base_factor();
     material().rgb("basecolor", Triple{0, 0, 0}), material().number("specular", 0, 1);
-    colour("emission", {factor[0], factor[1], factor[2]}, material_["pbrMetallicRoughness"]["baseColorTexture"], true);
+    colour("emission", {factor[0], factor[1], factor[2]}, material_["pbrMetallicRoughness"]["baseColorTexture"], 1,
+           true);
   }
 
   void opacity() {

@@ -8,38 +8,24 @@
 namespace dspm {
 namespace {
 
-/// of_facet(facets, o, m): the share of light that facet m sends anywhere.
-template <class Fn>
-BrushedAlbedo mean_of(const Fn& of_facet) {
-  return BrushedAlbedo([&](const Vec3& o, const Ggx& facets) {
-    return mean_over_facets(facets, o, [&](const Vec3& m) { return of_facet(facets, o, m); }, {12, 20, 1});
-  });
-}
-
 float mirrored(const Ggx& facets, const Vec3& o, const Vec3& m, float eta) {
   return reflected_by_facet(facets, o, m, [&](float cos) { return fresnel_dielectric(cos, eta); });
 }
 BrushedAlbedo all_by_glass(float eta) {
-  return mean_of([&](const Ggx& facets, const Vec3& o, const Vec3& m) {
+  return brushed_mean([&](const Ggx& facets, const Vec3& o, const Vec3& m) {
     return mirrored(facets, o, m, eta) + refracted_by_facet(facets, o, m, eta);
   });
 }
 
 }  // namespace
 
-const BrushedAlbedo& brushed_metal() {
-  static const BrushedAlbedo table = mean_of([](const Ggx& facets, const Vec3& o, const Vec3& m) {
-    return reflected_by_facet(facets, o, m, [](float) { return 1.f; });
-  });
-  return table;
-}
-
 std::shared_ptr<const BrushedAlbedo> brushed_dielectric(float eta) {
   static MadeOnce<BrushedAlbedo> made;
   return made_for_index(
       made, eta,
       [](float index) {
-        return mean_of([&](const Ggx& facets, const Vec3& o, const Vec3& m) { return mirrored(facets, o, m, index); });
+        return brushed_mean(
+            [&](const Ggx& facets, const Vec3& o, const Vec3& m) { return mirrored(facets, o, m, index); });
       },
       [](const BrushedAlbedo& a, const BrushedAlbedo& b, float share) { return BrushedAlbedo(a, b, share); });
 }

@@ -1,4 +1,4 @@
-// The albedos of brushed facets of metal and of boundaries, each made when a material first needs it.
+// The albedos of brushed boundaries, each made when a material first needs it.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,6 @@ struct BrushedGlass {
   BrushedAlbedo outside, inside;
 };
 
-/// Of reflectance 1.
-const BrushedAlbedo& brushed_metal();
 /// Of what a boundary mirrors, from outside.
 std::shared_ptr<const BrushedAlbedo> brushed_dielectric(float eta);
 std::shared_ptr<const BrushedGlass> brushed_glass(float eta);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "dspm/materials/brushed_albedo.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/math/vec.h"
@@ -47,6 +48,14 @@ float reflected_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m, Fresne
 inline float refracted_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m, float eta) {
   const auto i = refract(o, m, eta);
   return i && i->z < 0 ? (1 - fresnel_dielectric(dot(o, m), eta)) * facets.visible_after(o, *i) : 0.f;
+}
+
+/// The table of what facets do: of_facet(facets, o, m) is the share of light that facet m sends anywhere.
+template <class Fn>
+BrushedAlbedo brushed_mean(const Fn& of_facet) {
+  return BrushedAlbedo([&](const Vec3& o, const Ggx& facets) {
+    return mean_over_facets(facets, o, [&](const Vec3& m) { return of_facet(facets, o, m); }, {12, 20, 1});
+  });
 }
 
 /// The share of light that facets reflect and that then escapes, if a facet reflects fresnel(cos) of it.

@@ -14,7 +14,8 @@
 //   anisotropyrotation    float texture       0      degrees, from the first tangent towards the second
 //   eta (or ior)          float or spectrum   1.5    index of refraction of the dielectric, at least 1
 //   specular              float texture       1      times what the opaque dielectric mirrors
-//   specularcolor         spectrum texture    1      of that, straight on; at grazing angles it is white
+//   specularcolor         spectrum texture    1      of that, straight on, where no more than all light is mirrored: may
+//                                                    exceed 1; at grazing angles it is white
 //   coat                  float texture       0      share of the surface under a clear coat of index 1.5
 //   coatroughness         float texture       0      as roughness
 //   coatnormaltexture     texture         none    colours of normals for the coat, as the material's normaltexture
@@ -67,6 +68,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/fresnel.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/normal_map.h"
 #include "dspm/materials/parameters.h"
@@ -96,8 +98,9 @@ struct Reader {
   TexturePtr<float> number(std::string_view name, std::string_view unit, std::string_view sentence) {
     return texture_of(params.number_or_texture(name, 0, unit, sentence), context.textures, params.diagnostics());
   }
-  TexturePtr<Rgb> colour(std::string_view name, float fallback, std::string_view sentence) {
-    const auto value = params.rgb_or_texture(name, Rgb(fallback), SpectrumRole::albedo, sentence);
+  TexturePtr<Rgb> colour(std::string_view name, float fallback, std::string_view sentence,
+                         SpectrumRole role = SpectrumRole::albedo) {
+    const auto value = params.rgb_or_texture(name, Rgb(fallback), role, sentence);
     return texture_of(value, context.textures, params.diagnostics());
   }
 };
@@ -121,7 +124,8 @@ class PrincipledMaterial final : public Material {
     const float eta = read_eta(reader);
     if (eta < 1) reader.error("eta", "parameter \"eta\" of " + reader.subject() + " must be at least 1");
     specular_ = read.share("specular", 1, "times what the opaque dielectric mirrors");
-    specular_colour_ = read.colour("specularcolor", 1, "of that, straight on; at grazing angles it is white");
+    specular_colour_ =
+        read.colour("specularcolor", 1, "of that, straight on; at grazing angles it is white", SpectrumRole::unbounded);
     coat_ = read.share("coat", 0, "share of the surface under a clear coat of index 1.5");
     coat_roughness_ = read.share("coatroughness", 0, "as roughness");
     coat_relief_ = read_coat_relief(reader, context);
@@ -158,7 +162,7 @@ class PrincipledMaterial final : public Material {
     const PrincipledLook look{clamped_albedo(base_->evaluate(at)),
                               number(metallic_),
                               number(specular_),
-                              clamped_albedo(specular_colour_->evaluate(at)),
+                              clamped_albedo(specular_colour_->evaluate(at) * fresnel_dielectric(1, eta_)),
                               number(transmission_),
                               number(beyond_),
                               clamped_albedo(beyond_colour_->evaluate(at)),

@@ -3,61 +3,31 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/made_up.h"
 #include "dspm/materials/principled_layers.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
 namespace {
 
-/// What leaves metal facets after two or more reflections, of white metal's share of it. [Kulla and Conty 2017; Hill
-/// 2018]
-Rgb after_more_reflections(const Rgb& mean_fresnel, float mean_albedo) {
-  Rgb left;
-  for (int c = 0; c < 3; ++c)
-    left[c] = mean_fresnel[c] * mean_fresnel[c] * mean_albedo / (1 - mean_fresnel[c] * (1 - mean_albedo));
-  return left;
-}
-
-/// A diffuse lobe for light that directional albedos lack.
-float made_up(float lost_o, float lost_i, float mean_lost) {
-  return mean_lost < 1e-5f ? 0 : lost_o * lost_i / (kPi * mean_lost);
-}
-
-// Tables of brushed facets know what is lost to so much: they make up for less, to gain nothing.
-constexpr float kUnsure = 0.02f, kUnsureInside = 0.1f;
-
 /// LayerBalance's a.
 float balanced(float left, float mean_left) { return left / std::sqrt(std::max(mean_left, 1e-4f)); }
 
 }  // namespace
 
-class PrincipledLayers::FacetAlbedo {
- public:
-  FacetAlbedo(const PrincipledLayers& layers, const AlbedoTable& even, const BrushedAlbedo* brushed)
-      : alpha_(layers.facets_.alpha()), mean_alpha_(layers.alpha_), even_(even), brushed_(brushed) {}
-
-  float lost(const Way& w) const { return 1 - of(w); }
-  float mean_lost() const { return 1 - (brushed_ ? brushed_->mean(alpha_) : even_.mean(mean_alpha_)); }
-  float of(const Way& w) const { return brushed_ ? brushed_->of(w.cos, w.turn, alpha_) : even_.of(w.cos, mean_alpha_); }
-
- private:
-  Vec2 alpha_;
-  float mean_alpha_;
-  const AlbedoTable& even_;
-  const BrushedAlbedo* brushed_;
-};
-
-PrincipledLayers::FacetAlbedo PrincipledLayers::of_metal() const {
-  return {*this, tables_.common.metal, is_isotropic_ ? nullptr : tables_.brushed_metal};
+FacetAlbedo PrincipledLayers::of_metal() const {
+  return {facets_.alpha(), tables_.common.metal, tables_.brushed_metal};
 }
-PrincipledLayers::FacetAlbedo PrincipledLayers::of_dielectric() const {
-  return {*this, tables_.boundary->outside.reflected, is_isotropic_ ? nullptr : tables_.brushed_dielectric.get()};
+FacetAlbedo PrincipledLayers::of_dielectric() const {
+  return {facets_.alpha(), tables_.boundary->outside.reflected, tables_.brushed_dielectric.get()};
 }
-PrincipledLayers::FacetAlbedo PrincipledLayers::of_glass() const {
+FacetAlbedo PrincipledLayers::of_glass() const {
   if (thin_) return of_metal();
-  if (is_isotropic_) return {*this, boundary().reflected_or_refracted, nullptr};
-  return {*this, boundary().reflected_or_refracted,
-          outside_ ? &tables_.brushed_glass->outside : &tables_.brushed_glass->inside};
+  const BrushedGlass* const brushed = tables_.brushed_glass.get();
+  return {facets_.alpha(), boundary().reflected_or_refracted,
+          brushed == nullptr ? nullptr
+          : outside_         ? &brushed->outside
+                             : &brushed->inside};
 }
 
 float PrincipledLayers::left_by_sheen(float cos) const {
@@ -118,11 +88,16 @@ float PrincipledLayers::sent_back(float cos_facet, const Way& o, const Way& i) c
 }
 
 /// Of its brightest colour. Facets under a film mirror no more than what the tables know and the film's most gain.
-float PrincipledLayers::mirrored_by_dielectric(const Way& w) const {
-  if (smooth_) return specular_ * max_component(dielectric_facet(w.cos));
-  const float bare = of_dielectric().of(w);
-  if (!film_) return specular_ * bare;
-  return specular_ * std::min(1.f, bare + under_film_ * tables_.film_gain * of_metal().of(w));
+float PrincipledLayers::mirrored_by_dielectric(const Way& w, float more) const {
+  if (smooth_) {
+    const float usual = max_component(dielectric_facet(w.cos));
+    return specular_ * std::max(0.f, usual + more * (1 - usual));
+  }
+  const float bare = of_dielectric().of(w.cos, w.turn);
+  if (!film_ && more == 0) return specular_ * bare;
+  const float all = of_metal().of(w.cos, w.turn);
+  const float usual = film_ ? std::min(1.f, bare + under_film_ * tables_.film_gain * all) : bare;
+  return specular_ * std::clamp(usual + more * (all - usual), 0.f, 1.f);
 }
 
 float PrincipledLayers::diffuse_norm() const {
@@ -151,19 +126,22 @@ float PrincipledLayers::diffuse_norm() const {
 /// For light that meets several facets.
 Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
   const FacetAlbedo metal = of_metal();
-  const float lost = made_up(metal.lost(o), metal.lost(i), metal.mean_lost()) * (1 - kUnsure * narrowness_);
-  return after_more_reflections(mean_by_metal(), 1 - metal.mean_lost()) * (lost * o.share * i.share);
+  const float lost = made_up(1 - metal.of(o.cos, o.turn), 1 - metal.of(i.cos, i.turn), 1 - metal.mean()) *
+                     (1 - kUnsureIfBrushed * narrowness_);
+  return after_more_reflections(mean_by_metal(), metal.mean()) * (lost * o.share * i.share);
 }
 
 /// A film mirrors a share of what glass alone would let through (or less than none), and facets lose of that what they
 /// lose of metal's.
 Rgb PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
   const FacetAlbedo glass = of_glass();
-  const float sure = 1 - (outside_ ? kUnsure : kUnsureInside) * narrowness_;
-  const float over = over_glass(o, i) * sure, bare_o = glass.lost(o), bare_i = glass.lost(i), bare = glass.mean_lost();
+  const float sure = 1 - (outside_ ? kUnsureIfBrushed : kUnsureInsideIfBrushed) * narrowness_;
+  const auto lost_by = [](const FacetAlbedo& facets, const Way& w) { return 1 - facets.of(w.cos, w.turn); };
+  const float over = over_glass(o, i) * sure;
+  const float bare_o = lost_by(glass, o), bare_i = lost_by(glass, i), bare = 1 - glass.mean();
   if (!film_) return Rgb(over * made_up(bare_o, bare_i, bare));
   const FacetAlbedo metal = of_metal();
-  const float more_o = metal.lost(o) - bare_o, more_i = metal.lost(i) - bare_i, more = metal.mean_lost() - bare;
+  const float more_o = lost_by(metal, o) - bare_o, more_i = lost_by(metal, i) - bare_i, more = 1 - metal.mean() - bare;
   Rgb share, sum;
   for (const float cos : {0.95f, 0.7f, 0.4f}) {
     const float usual = fresnel_dielectric(cos, tables_.eta);

@@ -20,7 +20,7 @@ Principled::Principled(const ShadingFrame& frame, const PrincipledTables& tables
       coat_normal_(frame.local(look.coat_normal, 1)),
       base_(look.base),
       sheen_(look.sheen),
-      specular_colour_(look.specular_colour),
+      straight_(look.straight),
       beyond_colour_(look.beyond_colour),
       metallic_(look.metallic),
       specular_(look.specular),
@@ -86,8 +86,8 @@ float Principled::lobe_probability(const Vec3& wo, LobeSet lobes) const {
 bool Principled::differs_in_base_from(const Principled& o) const {
   return *tables_ == *o.tables_ && ns_ == o.ns_ && ng_ == o.ng_ && tangent_ == o.tangent_ &&
          coat_normal_ == o.coat_normal_ && film_ == o.film_ && film_thickness_ == o.film_thickness_ &&
-         sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ &&
-         specular_colour_ == o.specular_colour_ && transmission_ == o.transmission_ && beyond_ == o.beyond_ &&
+         sheen_ == o.sheen_ && metallic_ == o.metallic_ && specular_ == o.specular_ && straight_ == o.straight_ &&
+         transmission_ == o.transmission_ && beyond_ == o.beyond_ &&
          (beyond_ == 0 || beyond_colour_ == o.beyond_colour_) && alpha_x_ == o.alpha_x_ && alpha_y_ == o.alpha_y_ &&
          coat_ == o.coat_ && coat_alpha_ == o.coat_alpha_ && sheen_alpha_ == o.sheen_alpha_;
 }

@@ -14,7 +14,7 @@ namespace dspm {
 struct PrincipledLook {
   Rgb base;
   float metallic, specular;
-  Rgb specular_colour;
+  Rgb straight;  // what the opaque dielectric mirrors straight on, if specular is 1
   float transmission;
   float beyond;  // share of the ground's light that leaves on the other side
   Rgb beyond_colour;
@@ -59,7 +59,7 @@ class Principled final : public Bsdf {
   const PrincipledTables* tables_;
   Vec3 ns_, ng_;
   SmallDirection tangent_, coat_normal_;  // that of the coat in the frame
-  SmallRgb base_, sheen_, specular_colour_, beyond_colour_;
+  SmallRgb base_, sheen_, straight_, beyond_colour_;
   SmallNumber metallic_, specular_, transmission_, beyond_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
   SmallNumber film_, film_thickness_;  // of kMostFilmNm
   SmallNumber diffuse_norm_;           // 2 times the integral over the cosine of what reaches the diffuse base

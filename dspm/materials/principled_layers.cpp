@@ -8,6 +8,20 @@
 #include "dspm/math/vec.h"
 
 namespace dspm {
+namespace {
+
+/// Of what a boundary of that index lets through straight on, the share that is mirrored besides; below 0 if less is.
+Rgb more_than_usual(const Rgb& straight, float eta) {
+  constexpr float kRounding = 1e-5f;  // of a SmallNumber
+  const float usual = fresnel_dielectric(1, eta);
+  Rgb more = (straight - Rgb(usual)) / (1 - usual);
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(more[c]) < kRounding) more[c] = 0;
+  return more;
+}
+
+}  // namespace
+
 PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& frame, float side)
     : tables_(*at.tables_),
       thin_(tables_.thin),
@@ -16,8 +30,9 @@ PrincipledLayers::PrincipledLayers(const Principled& at, const ShadingFrame& fra
       coat_normal_(at.coat_ > 0 ? Vec3(at.coat_normal_) : Vec3{0, 0, 1}),
       base_(at.base_),
       sheen_(at.sheen_),
-      specular_colour_(at.specular_colour_),
       beyond_colour_(at.beyond_colour_),
+      more_(more_than_usual(at.straight_, tables_.eta)),
+      most_more_(max_component(more_)),
       metal_(at.metallic_),
       glass_((1 - metal_) * at.transmission_),
       opaque_((1 - metal_) * (1 - at.transmission_)),
@@ -77,6 +92,15 @@ Rgb PrincipledLayers::dielectric_facet(float cos) const {
   return film_ ? bare + (film_->over_dielectric(tables_.eta, cos) - bare) * under_film_ : bare;
 }
 
+/// With Schlick's term s, the boundary mirrors F0 + (1 - F0) s, and this F0' + (1 - F0') s.
+/// [glTF 2.0, KHR_materials_specular]
+Rgb PrincipledLayers::opaque_facet(float cos) const {
+  const Rgb bare = dielectric_facet(cos);
+  Rgb facet;
+  for (int c = 0; c < 3; ++c) facet[c] = std::max(0.f, bare[c] + (1 - bare[c]) * more_[c]);
+  return facet;
+}
+
 /// From inside it mirrors what it mirrors of the light that comes the same way from outside.
 Rgb PrincipledLayers::glass_facet(float cos) const {
   if (outside_ || !film_) return outside_ ? dielectric_facet(cos) : Rgb(fresnel_dielectric(cos, eta()));
@@ -88,8 +112,7 @@ Rgb PrincipledLayers::mirrored_by_facet(float cos_facet, const Way& o, const Way
   Rgb sum;
   const float passed = o.share * i.share;
   if (metal_ > 0) sum += metal_facet(cos_facet) * (metal_ * passed);
-  if (opaque_ > 0)
-    sum += fresnel_schlick(specular_colour_, cos_facet) * dielectric_facet(cos_facet) * (opaque_ * specular_ * passed);
+  if (opaque_ > 0) sum += opaque_facet(cos_facet) * (opaque_ * specular_ * passed);
   if (glass_ == 0) return sum;
   const Rgb glass = glass_facet(cos_facet);
   return sum + (glass + (Rgb(1) - glass) * sent_back(cos_facet, o, i)) * (glass_ * over_glass(o, i));

@@ -9,6 +9,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
+#include "dspm/materials/made_up.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/principled_bsdf.h"
 #include "dspm/materials/sheen.h"
@@ -87,7 +88,6 @@ class PrincipledLayers {
   Way way(const Vec3& w, float cos_coat) const;
 
   /// Directional albedos of the base's facets.
-  class FacetAlbedo;
   FacetAlbedo of_metal() const;
   FacetAlbedo of_dielectric() const;  // what a boundary mirrors, from outside
   FacetAlbedo of_glass() const;       // what it mirrors or refracts
@@ -101,14 +101,16 @@ class PrincipledLayers {
   float coat_under_sheen(float cos) const;
   float over_glass(const Way& o, const Way& i) const { return outside_ ? o.share * i.share : 1; }
   float sent_back(float cos_facet, const Way& o, const Way& i) const;
-  float mirrored_by_dielectric(const Way& w) const;  // its directional albedo
-  float left_to_ground(const Way& w) const { return (1 - mirrored_by_dielectric(w)) * w.left; }
+  /// Its directional albedo, if its colour mirrors that share more.
+  float mirrored_by_dielectric(const Way& w, float more) const;
+  float left_to_ground(const Way& w) const { return (1 - mirrored_by_dielectric(w, most_more_)) * w.left; }
   Rgb made_up_by_metal(const Way& o, const Way& i) const;
   Rgb made_up_by_glass(const Way& o, const Way& i) const;
   /// A facet's reflectance, by kind.
   Rgb metal_facet(float cos) const;
   Rgb mean_by_metal() const;
   Rgb dielectric_facet(float cos) const;
+  Rgb opaque_facet(float cos) const;
   Rgb glass_facet(float cos) const;
   Rgb mirrored_by_facet(float cos_facet, const Way& o, const Way& i) const;
   Rgb through_facet(float cos_facet, const Way& o, const Way& i) const;
@@ -127,7 +129,9 @@ class PrincipledLayers {
   const PrincipledTables& tables_;
   bool thin_, outside_;
   Vec3 up_, coat_normal_;  // in the frame, on this side: the geometric normal, and the coat's
-  Rgb base_, sheen_, specular_colour_, beyond_colour_;
+  Rgb base_, sheen_, beyond_colour_;
+  Rgb more_;  // see opaque_facet
+  float most_more_;
   float metal_, glass_, opaque_;     // shares of the base
   float beyond_;                     // share of the ground's light
   float specular_, coat_, covered_;  // covered: the share that has layers on this side

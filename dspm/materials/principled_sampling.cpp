@@ -25,7 +25,7 @@ float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 PrincipledChances PrincipledLayers::weights(const Way& o) const {
   const float cos_o = o.cos, left = o.left, over_glass = outside_ ? left : 1;
   const float metal = metal_ == 0 || smooth_ ? 1 : tables_.common.metal.of(cos_o, alpha_);
-  const float dielectric = mirrored_by_dielectric(o);
+  const float dielectric = mirrored_by_dielectric(o, std::max(0.f, most_more_));
   float glass_mirrored = 0, glass = 1;
   if (glass_ > 0 && smooth_) glass_mirrored = film_ ? mean(glass_facet(cos_o)) : fresnel_dielectric(cos_o, eta());
   if (glass_ > 0 && !smooth_) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dspm/materials/facet_albedo.h"
+#include "dspm/materials/metal_tables.h"
 #include "dspm/materials/sheen.h"
 #include "dspm/materials/thin_film.h"
 #include "dspm/math/vec.h"
@@ -29,8 +30,7 @@ float albedo_of_sheen(float cos, float alpha) {
 
 const CommonAlbedos& common_albedos() {
   static const CommonAlbedos albedos{
-      AlbedoTable([](float cos, float alpha) { return reflected_by_facets(cos, alpha, [](float) { return 1.f; }); }),
-      AlbedoTable([](float cos, float alpha) { return reflected_by_boundary(cos, alpha, kCoatEta); }),
+      even_metal(), AlbedoTable([](float cos, float alpha) { return reflected_by_boundary(cos, alpha, kCoatEta); }),
       AlbedoTable(albedo_of_sheen)};
   return albedos;
 }

@@ -12,9 +12,9 @@ namespace dspm {
 
 /// Of all lobes that do not depend on the index of refraction.
 struct CommonAlbedos {
-  AlbedoTable metal;  // of reflectance 1
-  AlbedoTable coat;   // of index kCoatEta
-  AlbedoTable sheen;  // white
+  const AlbedoTable& metal;  // of reflectance 1
+  AlbedoTable coat;          // of index kCoatEta
+  AlbedoTable sheen;         // white
 };
 
 /// What coat and sheen leave to facets below.

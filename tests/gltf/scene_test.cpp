@@ -208,6 +208,68 @@ TEST(GltfScene, FilmsCoatsAndWhatIsNotThere) {
   EXPECT_EQ(std::count_if(translation.notes.begin(), translation.notes.end(), names_it), 1);
 }
 
+/// A file of one square with that material, and two pictures.
+std::string square_of(const std::string& material) {
+  GltfFile file;
+  const Square square(file);
+  return file.text(fmt::format(R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],"textures":[{{"source":0}}],)"
+                               R"("images":[{{"uri":"a.png"}}],"materials":[{{{}}}])",
+                               square.primitive(R"(,"material":0)"), material));
+}
+
+// What a factor's product with something else may exceed is not cut off before the product.
+TEST(GltfScene, FactorsAreBoundedAfterTheProduct) {
+  TemporaryDirectory directory;
+  put_file(directory / "a.png", "");
+  const auto expect = [&](const std::string& material, const std::vector<std::string>& parts) {
+    put_file(directory / "a.gltf", square_of(material));
+    const std::string text = gltf::translate(directory / "a.gltf", "a", {}).text;
+    for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+  };
+  const std::string picture = R"({"index":0})";
+  const auto extension = [](const std::string& name, const std::string& members) {
+    return fmt::format(R"("extensions":{{"KHR_materials_{}":{{{}}}}})", name, members);
+  };
+  expect(extension("specular", R"("specularColorFactor":[25,1.25,0.5])"), {"\"rgb specularcolor\" [25 1.25 0.5]"});
+  expect(extension("specular", R"("specularColorFactor":[4,2,1],"specularColorTexture":)" + picture),
+         {"\"float scale\" 4", "\"rgb tex2\" [1 0.5 0.25]", "\"texture specularcolor\""});
+  expect(extension("specular", R"("specularColorFactor":[4,4,4],"specularColorTexture":)" + picture),
+         {"\"float scale\" 4", "\"texture specularcolor\""});
+  expect(extension("ior", R"("ior":0)"), {"\"rgb specularcolor\" [25 25 25]"});
+  expect(R"("emissiveFactor":[3,1,0.5])", {"\"rgb emission\" [3 1 0.5]"});
+  expect(R"("emissiveFactor":[3,3,3],"emissiveTexture":)" + picture, {"\"float scale\" 3", "\"texture emission\""});
+  expect(extension("sheen", R"("sheenColorFactor":[2,0.5,0],"sheenRoughnessFactor":3)"),
+         {"\"rgb sheen\" [1 0.5 0]", "\"float sheenroughness\" 1"});
+  expect(extension("sheen", R"("sheenColorFactor":[2,0.5,0],"sheenColorTexture":)" + picture),
+         {"\"float scale\" 2", "\"rgb tex2\" [1 0.25 0]"});
+  expect(extension("clearcoat", R"("clearcoatFactor":1.5)"), {"\"float coat\" 1"});
+  expect(extension("clearcoat", R"("clearcoatFactor":1.5,"clearcoatTexture":)" + picture),
+         {"\"float scale\" 1.5", "\"texture coat\""});
+  expect(extension("iridescence", R"("iridescenceFactor":1.5,"iridescenceTexture":)" + picture),
+         {"\"float scale\" 1.5", "\"texture iridescence\""});
+  expect(extension("anisotropy", R"("anisotropyStrength":1.5,"anisotropyTexture":)" + picture),
+         {"\"float scale\" 1.5", "\"texture anisotropy\""});
+  expect(extension("diffuse_transmission", R"("diffuseTransmissionFactor":1,"diffuseTransmissionColorFactor":[2,1,0],)"
+                                           R"("diffuseTransmissionColorTexture":)" +
+                                               picture),
+         {"\"float scale\" 2", "\"rgb tex2\" [1 0.5 0]"});
+  const std::string glass = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},)"
+                            R"("KHR_materials_volume":{"thicknessFactor":1,"attenuationColor":[1.01,0.5,0])";
+  expect(glass + R"(,"attenuationDistance":2}})", {"\"rgb attenuationcolor\" [1 0.5 0]"});
+  put_file(directory / "a.gltf", square_of(glass + R"(,"attenuationDistance":0}})"));
+  EXPECT_EQ(gltf::translate(directory / "a.gltf", "a", {}).text.find("attenuation"), std::string::npos);
+}
+
+// What the translation writes, the material takes.
+TEST(GltfScene, MakesAWorldOfFactorsAboveOne) {
+  TemporaryDirectory directory;
+  put_file(directory / "a.gltf", square_of(R"("emissiveFactor":[3,1,0.5],"extensions":{"KHR_materials_specular":)"
+                                           R"({"specularColorFactor":[25,1.25,0.5]}})"));
+  Messages messages(true);
+  const LoadedScene loaded({(directory / "a.gltf").string()}, {}, messages);
+  EXPECT_EQ(loaded.description->frames.count(), 1);
+}
+
 /// The world of a whole file, with its meshes.
 TEST(GltfScene, MakesAWorld) {
   TemporaryDirectory directory;

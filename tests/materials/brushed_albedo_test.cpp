@@ -5,6 +5,7 @@
 
 #include "dspm/materials/brushed_tables.h"
 #include "dspm/materials/fresnel.h"
+#include "dspm/materials/metal_tables.h"
 #include "dspm/testing/scattering_cases.h"
 
 namespace dspm {

@@ -166,19 +166,41 @@ TEST(Principled, LeavesDiffuseOnBothSides) {
   }
 }
 
-// Straight on, the dielectric mirrors F0 times the colour; at grazing angles it is white.
+// Straight on, the dielectric mirrors F0 times the colour, but no more than all light; at grazing angles it is white.
+// Between, it is Schlick's term of that, to within the error of Schlick's term itself.
+// [glTF 2.0, KHR_materials_specular: F0 = min(F0 x specularColor, 1) x specular, F90 = specular]
 TEST(Principled, SpecularColourIsThatStraightOn) {
-  const auto paint = make("principled", {number("roughness", 0), rgb("specularcolor", {1, 0.5f, 0})});
-  BsdfSlot slot;
-  const Bsdf& bsdf = paint->bsdf(surface(), slot);
-  for (const float cos : {1.f, 0.3f, 0.01f}) {
-    const Vec3 wo = direction(cos, 1);
-    const auto drawn = bsdf.sample(wo, {}, Transport::radiance, 1);
-    ASSERT_TRUE(drawn && drawn->specular);
-    EXPECT_NEAR(drawn->weight.r, fresnel_dielectric(cos, 1.5f), 1e-3f);
-    EXPECT_NEAR(drawn->weight.b / drawn->weight.r, std::pow(1 - cos, 5.f), 1e-3f);
-    EXPECT_NEAR(drawn->weight.g / drawn->weight.r, 0.5f + 0.5f * std::pow(1 - cos, 5.f), 1e-3f);
-  }
+  for (const float specular : {1.f, 0.4f})
+    for (const Rgb& colour : {Rgb(1, 0.5f, 0), Rgb(1.184f, 5.441f, 13.276f), Rgb(25, 100, 1e6f)}) {
+      const auto paint =
+          make("principled", {number("roughness", 0), rgb("specularcolor", colour), number("specular", specular)});
+      BsdfSlot slot;
+      const Bsdf& bsdf = paint->bsdf(surface(), slot);
+      for (const float cos : {1.f, 0.6f, 0.3f, 0.01f}) {
+        const auto drawn = bsdf.sample(direction(cos, 1), {}, Transport::radiance, 1);
+        ASSERT_TRUE(drawn && drawn->specular);
+        for (int c = 0; c < 3; ++c) {
+          const float straight = std::min(0.04f * colour[c], 1.f);
+          const auto schlick = [&](float f0) { return f0 + (1 - f0) * std::pow(1 - cos, 5.f); };
+          const float error = std::abs(fresnel_dielectric(cos, 1.5f) - schlick(0.04f));
+          EXPECT_NEAR(drawn->weight[c] / specular, schlick(straight), 1.05f * error + 1e-3f) << colour[c] << " " << cos;
+        }
+      }
+    }
+}
+
+// Rough facets, too: what they mirror straight on grows as F0 x colour, up to a mirror.
+TEST(Principled, RoughFacetsMirrorTheSpecularColour) {
+  const auto mirrored = [](float colour) {
+    const auto paint =
+        make("principled", {number("roughness", 0.2f), rgb("basecolor", Rgb(0)), rgb("specularcolor", Rgb(colour))});
+    BsdfSlot slot;
+    return paint->bsdf(surface(), slot).evaluate({0, 0, 1}, {0, 0, 1}, Transport::radiance, 1).r;
+  };
+  const float usual = mirrored(1);
+  EXPECT_NEAR(mirrored(5.441f) / usual, 5.441f, 0.01f);
+  EXPECT_NEAR(mirrored(25) / usual, 25, 0.02f);
+  EXPECT_NEAR(mirrored(300) / usual, 25, 0.02f);
 }
 
 // A highlight that is turned by 90 degrees is that of exchanged axes.

@@ -49,6 +49,8 @@ TEST(White, LosesNothing) {
     const std::string suffix = " " + std::to_string(roughness);
     expect_white({rough}, 0.01, "opaque" + suffix);
     expect_white({rough, number("specular", 0.3f)}, 0.01, "faint" + suffix);
+    for (const float colour : {0.f, 8.f, 25.f})
+      expect_white({rough, rgb("specularcolor", Rgb(colour))}, 0.01, "tinted" + suffix);
     expect_white({rough, number("metallic", 1)}, 0.01, "metal" + suffix);
     expect_white({rough, number("transmission", 1)}, 0.02, "glass" + suffix);
     expect_white({rough, number("transmission", 0.5f), number("metallic", 0.5f)}, 0.01, "mixed" + suffix);
