@@ -55,8 +55,8 @@ class BrushedAlbedo {
 
  private:
   // Of square roots of alpha.y / alpha.x from 1 down, alpha.x, azimuths and cosines.
-  static constexpr int kNarrow = 5, kRows = 10, kTurns = 6, kColumns = 16;
-  static constexpr float kLeastAspect = 0.3162278f;
+  static constexpr int kNarrow = 7, kRows = 10, kTurns = 6, kColumns = 16;
+  static constexpr float kLeastAspect = 0.03162278f;  // of the roughest facets over the smoothest
 
   static float square(float x) { return x * x; }
   static float aspect(int narrow) { return 1 - (1 - kLeastAspect) * static_cast<float>(narrow) / (kNarrow - 1); }

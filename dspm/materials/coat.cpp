@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-RandomWalk read_random_walk(ParamReader& reader, bool as_in_pbrt) {
+RandomWalk read_random_walk(ParamReader& reader, bool loses) {
   const float g = reader.number("g", 0, "", "asymmetry of a medium in the coat; only 0 is supported");
   const auto albedo =
       reader.rgb_or_texture("albedo", Rgb(0), SpectrumRole::albedo, "of that medium; only 0 is supported");
@@ -17,14 +17,14 @@ RandomWalk read_random_walk(ParamReader& reader, bool as_in_pbrt) {
   };
   if (g != 0) refuse("g");
   if (!albedo.texture.empty() || !is_black(albedo.value)) refuse("albedo");
-  const float thickness = reader.number("thickness", 0.01f, "", "of the coat; has an effect in .pbrt files");
-  const int max_depth = reader.integer("maxdepth", 10, "", "of pbrt's random walk; has an effect in .pbrt files");
+  const float thickness = reader.number("thickness", 0.01f, "", "of the coat; has no effect with energycompensation");
+  const int max_depth =
+      reader.integer("maxdepth", 10, "", "of pbrt's random walk; has no effect with energycompensation");
   reader.integer("nsamples", 1, "", "of pbrt's random walk; without effect");
   for (const char* name : {"thickness", "maxdepth", "nsamples"}) {
-    if (as_in_pbrt || !reader.has(name)) continue;
-    reader.warning(
-        name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " has no effect in dspm",
-        "the coat is evaluated exactly, without pbrt's random walk and its thickness, maxdepth and nsamples");
+    if (loses || !reader.has(name)) continue;
+    reader.warning(name, "parameter \"" + std::string(name) + "\" of " + reader.subject() + " has no effect in dspm",
+                   "with \"energycompensation\" false the coat loses light as pbrt's random walk does");
     break;
   }
   if (!(thickness >= 0)) reader.error("thickness", "\"thickness\" must not be negative");

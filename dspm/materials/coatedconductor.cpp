@@ -8,6 +8,7 @@
 //   reflectance             spectrum texture    none        of the metal at normal incidence, instead of both
 //   conductor.roughness     float texture       0           of the metal; also .uroughness and .vroughness
 //   remaproughness          bool                true        alpha is sqrt(roughness), else roughness itself
+//   energycompensation      bool                true        false in .pbrt files: see below
 //   g, albedo                                   0           of a medium in the coat; only 0 is supported
 //   thickness, maxdepth, nsamples               0.01, 10, 1 of pbrt's random walk; in .pbrt files, thickness absorbs
 //
@@ -29,6 +30,7 @@
 #include "dspm/materials/coat.h"
 #include "dspm/materials/facet_albedo.h"
 #include "dspm/materials/made_once.h"
+#include "dspm/materials/made_up.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
@@ -55,6 +57,7 @@ struct CoatedMetal {
   float mirrored_mean;  // of diffuse light from outside, by a smooth coat
   std::shared_ptr<const AlbedoTable> rough_coat;
   std::shared_ptr<const AlbedoTable> by_way;  // of white metal under the coat, by its cosine outside and its alpha
+  bool makes_up;
 
   /// In the coat, on the same side of the surface; nullopt if nothing gets in from there.
   std::optional<Vec3> inside(const Vec3& w) const {
@@ -75,7 +78,7 @@ struct CoatedMetal {
 std::shared_ptr<const AlbedoTable> metal_under_coat(float eta) {
   static MadeOnce<AlbedoTable> tables;
   return tables.of(eta, [](float index) {
-    const CoatedMetal smooth{{index, 0, nullptr}, 0, nullptr, nullptr};
+    const CoatedMetal smooth{{index}, 0, nullptr, nullptr, true};
     return AlbedoTable([&](float cos, float alpha) {
       const auto o = smooth.inside(direction_of_cosine(cos));
       if (!o) return 0.f;
@@ -110,7 +113,8 @@ class CoatedConductor final : public Bsdf {
     const auto if_rough = [&](LobeSet lobe, bool smooth, const Ggx& facets) {
       return (smooth ? 0 : facets.least_alpha()) >= std::max(least_alpha, 0.f) ? lobe : LobeSet{0};
     };
-    const LobeSet rest = is_mirror() ? 0 : static_cast<LobeSet>(kMadeUp | if_rough(kMetal, false, metal()));
+    const LobeSet made_up = shared_->makes_up ? kMadeUp : LobeSet{0};
+    const LobeSet rest = is_mirror() ? 0 : static_cast<LobeSet>(made_up | if_rough(kMetal, false, metal()));
     return if_rough(kCoat, is_coat_smooth(), coat()) | rest;
   }
 
@@ -210,21 +214,16 @@ class CoatedConductor final : public Bsdf {
       const Rgb metal = fresnel_conductor(dot(*in, m), index_.eta, index_.k);
       for (int c = 0; c < 3; ++c) sum[c] += passed_twice(mirrored_o, mirrored_i, metal[c]) * metal[c] * facets;
     }
-    if (lobes & kMadeUp) sum += made_up(o.z, i.z);
+    if (shared_->makes_up && (lobes & kMadeUp)) sum += made_up(o.z, i.z);
     return sum;
   }
 
   Rgb made_up(float cos_o, float cos_i) const {
-    constexpr float kUsualCosine = 0.456f;  // at which Schlick's term is its mean
     const float alpha = metal_alpha(), lost = shared_->lost_mean(alpha, coat_alpha());
-    if (lost < 1e-5f) return {};
-    const Rgb metal = fresnel_conductor(kUsualCosine, index_.eta, index_.k);
+    const Rgb metal = mean_fresnel_conductor(index_.eta, index_.k);
     const float leaves = std::min(1.f, shared_->by_way->mean(alpha) / (1 - shared_->mirrored_mean));
-    const float share =
-        shared_->lost(cos_o, alpha, coat_alpha()) * shared_->lost(cos_i, alpha, coat_alpha()) / (kPi * lost);
-    Rgb sum;
-    for (int c = 0; c < 3; ++c) sum[c] = share * metal[c] * metal[c] * leaves / (1 - metal[c] * (1 - leaves));
-    return sum;
+    return after_more_reflections(metal, leaves) *
+           dspm::made_up(shared_->lost(cos_o, alpha, coat_alpha()), shared_->lost(cos_i, alpha, coat_alpha()), lost);
   }
 
   float density(const Vec3& o, const Vec3& i, const Chances& chances) const {
@@ -245,13 +244,14 @@ class CoatedConductor final : public Bsdf {
 class CoatedConductorMaterial final : public Material {
  public:
   CoatedConductorMaterial(ParamReader& reader, const MaterialContext& context)
-      : shared_{{read_eta(reader, 1.5f, "interface.eta"), 0, nullptr}, 0, nullptr, nullptr},
+      : shared_{{read_eta(reader, 1.5f, "interface.eta")}, 0, nullptr, nullptr, true},
         remap_(Roughness::read_remap(reader)),
         interface_(reader, context, "interface.", remap_),
         metal_roughness_(reader, context, "conductor.", remap_),
         metal_(reader, context, "conductor.") {
-    const RandomWalk walk = read_random_walk(reader, context.as_in_pbrt);
-    if (context.as_in_pbrt) shared_.coat.thickness = walk.thickness;
+    shared_.makes_up = read_energy_compensation(reader, context);
+    const RandomWalk walk = read_random_walk(reader, !shared_.makes_up);
+    if (!shared_.makes_up) shared_.coat.thickness = walk.thickness;
   }
   /// After the parameters have been checked.
   void make_table() {

@@ -8,19 +8,20 @@
 //   uroughness        float texture       roughness   along the first tangent
 //   vroughness        float texture       roughness   across it
 //   remaproughness    bool                true        alpha is sqrt(roughness), else roughness itself
+//   energycompensation   bool             true        false in .pbrt files: see below
 //   g, albedo                             0           of a medium in the coat; only 0 is supported
 //   thickness, maxdepth, nsamples         0.01, 10, 1 of pbrt's random walk, see below
 //
 // Both sides are coated. The coat mirrors (smooth, or GGX). The light that it transmits is scattered by the base,
 // partly reflected back by the coat from inside, scattered again, and so on: a geometric series, with a = reflectance,
 //   f = F-mirror or GGX + (1 - F(wo)) (1 - F(wi)) / eta^2 * a / (pi (1 - a F_in)),
-// where F_in is the mean Fresnel reflectance for diffuse light from inside. A smooth coat over a white base loses
-// nothing. Light enters a rough coat as if it were smooth, and for indices outside 1 to 4, the facets' Fresnel term is
-// bounded by the smooth coat's.
+// where F_in is the mean Fresnel reflectance for diffuse light from inside. A rough coat lets in what its facets do not
+// mirror: F is their albedo then (made_up.h). So a coat over a white base loses nothing. For indices outside 1 to 4, light
+// enters a rough coat as if it were smooth, and the facets' Fresnel term is bounded by the smooth coat's.
 //
-// In a .pbrt file the coat loses what pbrt's random walk loses: exp(-thickness / cos) on each way through it, what is
-// left after maxdepth / 2 (rounded up) visits of the base, and light that meets two facets of a rough coat. As the base
-// is diffuse, the walk's mean is a series as well,
+// Without energycompensation, the coat loses what pbrt's random walk loses: exp(-thickness / cos) on each way through it,
+// what is left after maxdepth / 2 (rounded up) visits of the base, and light that meets two facets of a rough coat. As the
+// base is diffuse, the walk's mean is a series as well,
 //   f = F-mirror or GGX + t(wo) t(wi) / eta^2 * a / pi * sum over k of (a G)^k,
 // with t the albedo of refraction by the facets times exp(-thickness / cos inside), and G that of their reflection of
 // diffuse light from inside, there and back through the coat. nsamples has no effect: there is no noise.
@@ -114,10 +115,11 @@ class CoatedDiffuse final : public Bsdf {
   }
 
   bool lets_through_as(const CoatedDiffuse& o) const {
-    if (coat_->facets != o.coat_->facets || coat_->thickness != o.coat_->thickness) return false;
-    return !coat_->facets || (smooth_ && o.smooth_) || facets_.alpha() == o.facets_.alpha();
+    if (coat_->loses != o.coat_->loses || coat_->thickness != o.coat_->thickness) return false;
+    const bool either = coat_->facets || o.coat_->facets;
+    return !either || (smooth_ && o.smooth_) || facets_.alpha() == o.facets_.alpha();
   }
-  float let_through(float cos) const { return coat_->let_through(cos, smooth_, facets_); }
+  float let_through(const Vec3& w) const { return coat_->let_through(w, smooth_, facets_); }
 
   float share_of_coat(float cos_o) const {
     const float mirrored = fresnel_dielectric(cos_o, eta_);
@@ -128,7 +130,7 @@ class CoatedDiffuse final : public Bsdf {
   /// Both above the surface; as for the density.
   Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
     Rgb sum;
-    if (lobes & kBase) sum += base_ * (let_through(o.z) * let_through(i.z));
+    if (lobes & kBase) sum += base_ * (let_through(o) * let_through(i));
     if ((lobes & kCoat) && !smooth_) {
       const Vec3 m = normalize(o + i);
       sum += Rgb(coat_->mirrored_by_facet(dot(o, m), o.z, i.z) * facets_.reflection(o, i, m));
@@ -156,15 +158,33 @@ class CoatedDiffuse final : public Bsdf {
 class CoatedDiffuseMaterial final : public Material {
  public:
   CoatedDiffuseMaterial(ParamReader& reader, const MaterialContext& context)
-      : coat_{read_eta(reader), 0, nullptr}, let_in_(1 - mean_fresnel_outside(coat_.eta)), roughness_(reader, context) {
+      : coat_{read_eta(reader)},
+        let_in_(1 - mean_fresnel_outside(coat_.eta)),
+        roughness_(reader, context),
+        makes_up_(read_energy_compensation(reader, context)) {
     const auto reflectance = reader.rgb_or_texture("reflectance", Rgb(0.5f), SpectrumRole::albedo, "of the base");
     reflectance_ = texture_of(reflectance, context.textures, reader.diagnostics());
-    walk_ = read_random_walk(reader, context.as_in_pbrt);
+    walk_ = read_random_walk(reader, !makes_up_);
   }
 
-  /// Once the parameters have been checked.
+  /// After the parameters have been checked.
+  void make_tables() {
+    if (!makes_up_) return lose_as_in_pbrt();
+    if (roughness_.is_smooth() || !coat_.is_usual()) return;
+    coat_.facets = boundary_tables(coat_.eta);
+    if (!roughness_.is_even()) coat_.brushed = brushed_dielectric(coat_.eta);
+  }
+
+  const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
+    const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
+    const Vec2 alpha = roughness_.alpha(point);
+    return slot.emplace<CoatedDiffuse>(ShadingFrame(point), alpha, coat_,
+                                       coat_.loses ? walked(a, alpha) : all(a, alpha));
+  }
+
+ private:
   void lose_as_in_pbrt() {
-    coat_.thickness = walk_.thickness;
+    coat_.loses = true, coat_.thickness = walk_.thickness;
     coat_.facets = boundary_tables(coat_.eta);
     constexpr int kSteps = 1024;
     float without = 0;
@@ -176,18 +196,13 @@ class CoatedDiffuseMaterial final : public Material {
     left_inside_ = without > 0 ? mirrored_inside_ / without : 1;
   }
 
-  const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
-    const Rgb a = clamped_albedo(reflectance_->evaluate(texture_point(point)));
-    const Vec2 alpha = roughness_.alpha(point);
-    return slot.emplace<CoatedDiffuse>(ShadingFrame(point), alpha, coat_, coat_.facets ? walked(a, alpha) : all(a));
-  }
-
- private:
   /// Over eta^2, which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
-  Rgb all(const Rgb& a) const {
+  Rgb all(const Rgb& a, Vec2 alpha) const {
+    const bool smooth = Ggx::is_smooth(alpha) || !coat_.facets;
+    const float let_in = smooth ? let_in_ : 1 - coat_.mirrored(Ggx(alpha)).mean();
     Rgb base;
     for (int c = 0; c < 3; ++c) {
-      const float remaining = coat_.eta * coat_.eta * (1 - a[c]) + a[c] * let_in_;
+      const float remaining = coat_.eta * coat_.eta * (1 - a[c]) + a[c] * let_in;
       base[c] = remaining > 0 ? a[c] / (kPi * remaining) : 0;
     }
     return base;
@@ -207,8 +222,9 @@ class CoatedDiffuseMaterial final : public Material {
   }
 
   Coat coat_;
-  float let_in_;  // the fraction of diffuse light that enters the coat
+  float let_in_;  // the fraction of diffuse light that enters the coat, if it is smooth
   Roughness roughness_;
+  bool makes_up_;
   TexturePtr<Rgb> reflectance_;
   RandomWalk walk_;
   float mirrored_inside_ = 0;  // the fraction of diffuse light that a smooth coat sends back to the base
@@ -220,7 +236,7 @@ class CoatedDiffuseMaterial final : public Material {
 std::unique_ptr<Material> make_coateddiffuse(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<CoatedDiffuseMaterial>(reader, context);
   reader.finish();
-  if (context.as_in_pbrt) material->lose_as_in_pbrt();
+  material->make_tables();
   return material;
 }
 

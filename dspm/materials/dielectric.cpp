@@ -7,25 +7,32 @@
 //   uroughness            float texture       roughness   along the first tangent
 //   vroughness            float texture       roughness   across it
 //   remaproughness        bool                true        alpha is sqrt(roughness), else roughness itself
+//   energycompensation    bool                true        false in .pbrt files: see below
 //   attenuationcolor      spectrum            1           of white light after attenuationdistance in the body
 //   attenuationdistance   float               1           in world units
 //
 // Inside is the side away from the geometric normal. A spectrum for eta is averaged over the colours: there is no
-// dispersion. Rough glass is GGX; light that hits a second facet is lost. Coloured glass absorbs within the body: after a
-// distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which should be
-// closed; what is opaque may lie in it. Of two bodies of which one lies within the other, the inner one counts.
+// dispersion. Rough glass is GGX, and on the side that light comes from, a diffuse lobe for light that meets a second
+// facet (made_up.h); without energycompensation that light is lost, as in pbrt. Coloured glass absorbs within the body:
+// after a distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which
+// should be closed; what is opaque may lie in it. Of two bodies of which one lies within the other, the inner one counts.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/materials/boundary_tables.h"
+#include "dspm/materials/brushed_tables.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/interface.h"
+#include "dspm/materials/made_up.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
 #include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
+#include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 
@@ -67,78 +74,130 @@ class SmoothDielectric final : public Bsdf {
   float eta_;
 };
 
+/// What all points of a rough body share.
+struct GlassTables {
+  std::shared_ptr<const BoundaryTables> even;
+  std::shared_ptr<const BrushedGlass> brushed;  // null: all facets are equally rough in both directions
+};
+
 class RoughDielectric final : public Bsdf {
  public:
-  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta)
-      : frame_(frame), facets_(facets), eta_(eta) {}
+  static constexpr LobeSet kMadeUp = 4;
 
-  LobeSet lobes(float least_alpha) const override { return facets_.least_alpha() >= least_alpha ? kBothLobes : 0; }
+  /// `tables`: null: what meets a second facet is lost. They must outlive it.
+  RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta, const GlassTables* tables)
+      : frame_(frame), facets_(facets), eta_(eta), tables_(tables) {}
+
+  LobeSet lobes(float least_alpha) const override {
+    const LobeSet by_facets = facets_.least_alpha() >= least_alpha ? kBothLobes : 0;
+    return static_cast<LobeSet>(by_facets | (tables_ != nullptr ? kMadeUp : 0));
+  }
   bool transmits(LobeSet lobes) const override { return (lobes & kTransmission) != 0; }
 
   Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    const std::optional<Facet> facet = facet_of(w, lobes);
+    if (!w.valid) return {};
+    if (w.reflection()) return Rgb(f_above(w.wo, w.wi, w.side, lobes));
+    const float eta = eta_from(w.side);
+    const auto facet = lobes & kTransmission ? facet_between(w.wo, w.wi, eta) : std::nullopt;
     if (!facet) return {};
-    if (w.reflection()) return Rgb(facet->fresnel * facets_.reflection(w.wo, w.wi, facet->m));
-    const float scale = transport_scale(transport, eta_from(w.side));
-    return Rgb((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * scale);
+    return Rgb((1 - facet->fresnel) * refraction(facets_, w.wo, w.wi, *facet) * transport_scale(transport, eta));
   }
 
   float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const override {
     const LocalPair w(frame_, wo, wi, transport);
-    const std::optional<Facet> facet = facet_of(w, lobes);
+    if (!w.valid) return 0;
+    if (w.reflection()) return w.share * density_above(w.wo, w.wi, w.side, lobes);
+    const auto facet = lobes & kTransmission ? facet_between(w.wo, w.wi, eta_from(w.side)) : std::nullopt;
     if (!facet) return 0;
-    const float reflected = chance_of_reflection(facet->fresnel, lobes);
-    if (w.reflection()) return w.share * reflected * facets_.reflection_density(w.wo, facet->m);
-    return w.share * (1 - reflected) * refraction_density(facets_, w.wo, *facet);
+    const float chance =
+        (1 - chance_of_made_up(w.wo, w.side, lobes)) * (1 - chance_of_reflection(facet->fresnel, lobes));
+    return w.share * chance * refraction_density(facets_, w.wo, *facet);
   }
 
   std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const override {
     const float side = frame_.side(wo), eta = eta_from(side);
     const auto arriving = frame_.arrive(wo, side, transport);
-    if (!(lobes & kBothLobes) || !arriving) return std::nullopt;
+    if (!(lobes & this->lobes(0)) || !arriving) return std::nullopt;
     const Vec3 o = *arriving;
+    const float by_facets = 1 - chance_of_made_up(o, side, lobes);
     const Vec3 m = facets_.sample_visible(o, u.x, u.y);
-    const float fresnel = fresnel_dielectric(dot(o, m), eta), chance = chance_of_reflection(fresnel, lobes);
-    const bool reflected = u.z < chance;
-    const std::optional<Vec3> i = reflected ? reflect(o, m) : refract(o, m, eta);
-    if (!i || (i->z > 0) != reflected) return std::nullopt;
+    const float fresnel = fresnel_dielectric(dot(o, m), eta), mirror = chance_of_reflection(fresnel, lobes);
+    const bool mirrored = u.z < mirror * by_facets, refracted = !mirrored && u.z < by_facets;
+    const std::optional<Vec3> i = mirrored    ? reflect(o, m)
+                                  : refracted ? refract(o, m, eta)
+                                              : std::optional(cosine_hemisphere({u.x, u.y}));
+    if (!i || (refracted ? i->z >= 0 : i->z <= 0)) return std::nullopt;
     const auto leaving = frame_.leave(*i, side, transport, u.x);
     if (!leaving) return std::nullopt;
-    if (reflected) {
-      const float weight = fresnel / chance * facets_.visible_after(o, *i);
-      return BsdfSample{leaving->wi, Rgb(weight / leaving->share),
-                        leaving->share * chance * facets_.reflection_density(o, m), false};
+    if (!refracted) {
+      const float pdf = leaving->share * density_above(o, *i, side, lobes);
+      if (!(pdf > 0)) return std::nullopt;
+      return BsdfSample{leaving->wi, Rgb(f_above(o, *i, side, lobes) * i->z / pdf), pdf, false};
     }
-    const float weight = (1 - fresnel) / (1 - chance) * facets_.visible_after(o, *i);
-    const float pdf_w = (1 - chance) * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
-    const float scale = transport_scale(transport, eta);
-    return BsdfSample{leaving->wi, Rgb(weight * scale / leaving->share), leaving->share * pdf_w, false, scale};
+    const float chance = leaving->share * by_facets * (1 - mirror), scale = transport_scale(transport, eta);
+    const float weight = (1 - fresnel) / chance * facets_.visible_after(o, *i);
+    const float pdf = chance * facets_.visible_density(o, m) * solid_angle_ratio(o, *i, m, eta);
+    return BsdfSample{leaving->wi, Rgb(weight * scale), pdf, false, scale};
   }
 
   float lobe_probability(const Vec3& wo, LobeSet lobes) const override;
 
  private:
   float eta_from(float side) const { return side > 0 ? eta_ : 1 / eta_; }
-  /// The facet that sends light from wo to wi, by one of `lobes`.
-  std::optional<Facet> facet_of(const LocalPair& w, LobeSet lobes) const {
-    if (!w.valid || !(lobes & (w.reflection() ? kReflection : kTransmission))) return std::nullopt;
-    return facet_between(w.wo, w.wi, eta_from(w.side));
+  /// Both above.
+  float f_above(const Vec3& o, const Vec3& i, float side, LobeSet lobes) const {
+    const Vec3 m = normalize(o + i);
+    float sum = makes_up(lobes) ? f_made_up(o, i, side) : 0;
+    if (lobes & kReflection) sum += fresnel_dielectric(dot(o, m), eta_from(side)) * facets_.reflection(o, i, m);
+    return sum;
+  }
+  float density_above(const Vec3& o, const Vec3& i, float side, LobeSet lobes) const {
+    const Vec3 m = normalize(o + i);
+    const float made_up = chance_of_made_up(o, side, lobes);
+    const float mirror = (1 - made_up) * chance_of_reflection(fresnel_dielectric(dot(o, m), eta_from(side)), lobes);
+    return made_up * i.z / kPi + mirror * facets_.reflection_density(o, m);
+  }
+
+  bool makes_up(LobeSet lobes) const { return tables_ != nullptr && (lobes & kMadeUp); }
+  /// What the facets send anywhere.
+  FacetAlbedo albedo(float side) const {
+    const BrushedGlass* const brushed = tables_->brushed.get();
+    return {facets_.alpha(), (side > 0 ? tables_->even->outside : tables_->even->inside).reflected_or_refracted,
+            brushed == nullptr ? nullptr
+            : side > 0         ? &brushed->outside
+                               : &brushed->inside};
+  }
+  float f_made_up(const Vec3& o, const Vec3& i, float side) const {
+    const FacetAlbedo all = albedo(side);
+    const float unsure = side > 0 ? kUnsureIfBrushed : kUnsureInsideIfBrushed, narrow = all.narrowness();
+    // Of scratches that are a tenth as rough along themselves or less, tables know too little.
+    const float sure = (1 - unsure * narrow) * std::min(1.f, 10 * (1 - narrow));
+    return made_up(1 - all.of(o), 1 - all.of(i), 1 - all.mean()) * sure;
+  }
+  float chance_of_made_up(const Vec3& o, float side, LobeSet lobes) const {
+    constexpr float kLeast = 1e-4f;  // where the tables round the loss to nothing
+    if (!makes_up(lobes)) return 0;
+    return lobes & kBothLobes ? std::clamp(1 - albedo(side).of(o), kLeast, 1 - kLeast) : 1;
   }
 
   ShadingFrame frame_;
   Ggx facets_;
   float eta_;
+  const GlassTables* tables_;
 };
 
-/// The mean Fresnel reflectance of the facets visible from wo, by a midpoint rule (to about 1e-3). The lobes are
-/// equally rough, so no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled from all
-/// facets, not from those that would have chosen it.)
+/// Of one of both lobes of the facets, by their mean Fresnel reflectance as seen from wo, by a midpoint rule (to about
+/// 1e-3). These are equally rough, so no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled
+/// from all facets, not from those that would have chosen it.)
 float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
-  if ((lobes & kBothLobes) == kBothLobes) return 1;
-  const float side = frame_.side(wo), eta = side > 0 ? eta_ : 1 / eta_;
+  const float side = frame_.side(wo), eta = eta_from(side);
   Vec3 o = frame_.local(wo, side);
   o.z = std::max(std::abs(o.z), 1e-6f);
+  const float made_up = chance_of_made_up(o, side, kBothLobes | kMadeUp);
+  const float rest = lobes & kMadeUp ? made_up : 0;
+  if (!(lobes & kBothLobes)) return rest;
+  if ((lobes & kBothLobes) == kBothLobes) return rest + 1 - made_up;
   constexpr int kSteps = 16;
   float sum = 0;
   for (int i = 0; i < kSteps * kSteps; ++i) {
@@ -146,7 +205,7 @@ float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
     const float v = (static_cast<float>(i / kSteps) + 0.5f) / kSteps;
     sum += fresnel_dielectric(dot(o, facets_.sample_visible(o, u, v)), eta);
   }
-  return share_of(sum / (kSteps * kSteps), lobes);
+  return rest + (1 - made_up) * share_of(sum / (kSteps * kSteps), lobes);
 }
 
 /// Near an index of 1 facets hardly turn light aside, so what meets a second one is not lost, as the model has it: the
@@ -159,13 +218,22 @@ float share_of_roughness(float eta) {
 class DielectricMaterial final : public Material {
  public:
   DielectricMaterial(ParamReader& reader, const MaterialContext& context)
-      : eta_(read_eta(reader)), roughness_(reader, context), absorption_(read_absorption(reader)) {}
+      : eta_(read_eta(reader)),
+        roughness_(reader, context),
+        makes_up_(read_energy_compensation(reader, context)),
+        absorption_(read_absorption(reader)) {}
+  /// After the parameters have been checked.
+  void make_tables() {
+    if (!makes_up_ || roughness_.is_smooth() || eta_ == 1) return;
+    tables_.even = boundary_tables(eta_);
+    if (!roughness_.is_even()) tables_.brushed = brushed_glass(eta_);
+  }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
     const Vec2 alpha = roughness_.alpha(point) * share_of_roughness(eta_);
     if (Ggx::is_smooth(alpha) || eta_ == 1) return slot.emplace<SmoothDielectric>(frame, eta_);
-    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_);
+    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_, makes_up_ ? &tables_ : nullptr);
   }
   bool bounds_a_body() const override { return true; }
   Rgb absorption() const override { return absorption_; }
@@ -173,6 +241,8 @@ class DielectricMaterial final : public Material {
  private:
   float eta_;
   Roughness roughness_;
+  bool makes_up_;
+  GlassTables tables_;
   Rgb absorption_;
 };
 
@@ -181,6 +251,7 @@ class DielectricMaterial final : public Material {
 std::unique_ptr<Material> make_dielectric(ParamReader& reader, const MaterialContext& context) {
   auto material = std::make_unique<DielectricMaterial>(reader, context);
   reader.finish();
+  material->make_tables();
   return material;
 }
 

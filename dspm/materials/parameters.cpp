@@ -38,6 +38,11 @@ Vec2 Roughness::alpha(const SurfacePoint& point) const {
   return remap_ ? Vec2{roughness_to_alpha(roughness.x), roughness_to_alpha(roughness.y)} : roughness;
 }
 
+bool read_energy_compensation(ParamReader& reader, const MaterialContext& context) {
+  return reader.flag("energycompensation", !context.as_in_pbrt,
+                     "light that meets several facets leaves, too; false: it is lost, as in pbrt and .pbrt files");
+}
+
 float read_eta(ParamReader& reader, float fallback, const std::string& name) {
   const Rgb eta = reader.rgb(name, Rgb(fallback), SpectrumRole::unbounded, "index of refraction inside over outside");
   const float mean = (eta.r + eta.g + eta.b) / 3;

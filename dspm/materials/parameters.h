@@ -33,11 +33,17 @@ class Roughness {
   Roughness(ParamReader& reader, const MaterialContext& context, const std::string& prefix, bool remap = true);
   static bool read_remap(ParamReader& reader);
   Vec2 alpha(const SurfacePoint& point) const;
+  /// Whether it is smooth, or equally rough in both directions, at every point.
+  bool is_smooth() const { return u_->constant() == 0.f && v_->constant() == 0.f; }
+  bool is_even() const { return u_ == v_ || (u_->constant() && u_->constant() == v_->constant()); }
 
  private:
   TexturePtr<float> u_, v_;
   bool remap_;
 };
+
+/// "energycompensation": whether what rough facets lose is made up for (made_up.h). In a .pbrt file, only if it says so.
+bool read_energy_compensation(ParamReader& reader, const MaterialContext& context);
 
 /// An index of refraction. dspm does not render dispersion: a spectrum is averaged, with a note.
 float read_eta(ParamReader& reader, float fallback = 1.5f, const std::string& name = "eta");

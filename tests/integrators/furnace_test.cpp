@@ -71,5 +71,30 @@ INSTANTIATE_TEST_SUITE_P(Materials, OpenFurnace,
                                          R"("coateddiffuse" "rgb reflectance" [.6 .4 .2] "float roughness" 0.1)",
                                          R"("dielectric" "float roughness" 0.15)", R"("thindielectric")"));
 
+/// A ball of the material that fills the picture, under a sky of radiance 1.
+std::string white_ball(const std::string& integrator, const std::string& material) {
+  return "Integrator " + integrator + R"(
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "orthographic" "float screenwindow" [-.69 .69 -.69 .69]
+PixelFilter "box"
+Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+WorldBegin
+LightSource "infinite" "rgb L" [1 1 1]
+Material )" +
+         material + "\nShape \"sphere\"\n";
+}
+
+// What absorbs nothing gives back all light, however often light meets it: facets lose nothing, and no depth cuts it off.
+TEST(Furnace, WhiteBallsAreNotSeen) {
+  for (const char* roughness : {"0.1", "0.3", "0.6", "1"})
+    for (const std::string material : {R"("dielectric")", R"("conductor" "rgb reflectance" [1 1 1])",
+                                       R"("coateddiffuse" "rgb reflectance" [1 1 1])"}) {
+      const std::string rough = material + " \"float roughness\" " + roughness;
+      const Verdict verdict = agreement(rendered(white_ball(R"("path" "integer maxdepth" 100)", rough), 8), Rgb(1),
+                                        {0.01, material == "\"dielectric\"" ? 0.015 : 0.005});
+      EXPECT_TRUE(verdict.passed) << rough << ": " << verdict.message;
+    }
+}
+
 }  // namespace
 }  // namespace dspm::test

@@ -11,6 +11,9 @@
 namespace dspm::test {
 namespace {
 
+/// What the walk loses at facets, it loses.
+const Param kLossy = flag("energycompensation", false);
+
 struct Layers {
   std::unique_ptr<Material> coat, base;
   float thickness = 0;
@@ -72,8 +75,8 @@ TEST(Coats, CoatedDiffuseInPbrtFilesIsTheMeanOfTheWalk) {
        {Case{0, 0.01f, 10}, Case{0, 0.2f, 10}, Case{0, 0.01f, 4}, Case{0.1f, 0.01f, 10}, Case{0.4f, 0.01f, 10}}) {
     const Param depth{ParamType::integer, "maxdepth", {}, std::vector<int>{c.max_depth}, {}, {}};
     const Rgb base(0.5f, 0.9f, 0.1f);
-    const Layers layers{make("dielectric", {alpha(c.alpha)}), make("diffuse", {rgb("reflectance", base)}), c.thickness,
-                        c.max_depth};
+    const Layers layers{make("dielectric", {alpha(c.alpha), kLossy}), make("diffuse", {rgb("reflectance", base)}),
+                        c.thickness, c.max_depth};
     for (const float cos : {1.f, 0.6f, 0.2f}) {
       const Vec3 wo = direction(cos, 1);
       const Rgb slow = walked(layers, wo),
@@ -119,15 +122,15 @@ TEST(Coats, WhiteMetalLosesNothing) {
     }
 }
 
-// A mirror under a coat is a series that is known. Rough metal gives back more than in the walk, which loses what meets
-// two facets, and at maxdepth; most is lost of light that the coat keeps in by total reflection.
+// A mirror under a coat is a series that is known. Rough metal in a .pbrt file loses what meets two facets, as the walk
+// does, and all that the coat keeps in by total reflection, which the walk loses for the most part.
 TEST(Coats, CoatedConductorAndTheWalk) {
   const Rgb reflectance(0.9f, 0.6f, 0.3f);
   Rgb k;  // in the coat, where metal mirrors less
   for (int c = 0; c < 3; ++c) k[c] = 2 * std::sqrt(reflectance[c] / (1 - reflectance[c])) / 1.5f;
   for (const float metal : {0.f, 0.1f, 0.3f}) {
     const Layers layers{make("dielectric", {}),
-                        make("conductor", {rgb("eta", Rgb(1 / 1.5f)), rgb("k", k), alpha(metal)}), 0.01f, 10};
+                        make("conductor", {rgb("eta", Rgb(1 / 1.5f)), rgb("k", k), alpha(metal), kLossy}), 0.01f, 10};
     for (const float cos : {1.f, 0.5f}) {
       const Vec3 wo = direction(cos, 1);
       const Rgb slow = walked(layers, wo),
@@ -135,8 +138,8 @@ TEST(Coats, CoatedConductorAndTheWalk) {
                     albedo_in_pbrt("coatedconductor",
                                    {rgb("reflectance", reflectance), number("conductor.roughness", metal * metal)}, wo);
       for (int c = 0; c < 3; ++c) {
-        EXPECT_GE(ours[c], slow[c] - 0.01) << metal << " " << cos << " " << c;
-        EXPECT_LE(ours[c], slow[c] * (metal == 0 ? 1 : 1.4) + 0.01) << metal << " " << cos << " " << c;
+        EXPECT_GE(ours[c], slow[c] * (metal == 0 ? 1 : 0.8f) - 0.01f) << metal << " " << cos << " " << c;
+        EXPECT_LE(ours[c], slow[c] + 0.01f) << metal << " " << cos << " " << c;
       }
     }
   }

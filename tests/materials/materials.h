@@ -104,6 +104,7 @@ inline std::vector<Named> all_materials() {
   };
   for (const float a : {0.05f, 0.1f, 0.3f, 1.f}) add_rough(" alpha " + std::to_string(a), {alpha(a)});
   add_rough(" anisotropic", {number("uroughness", 0.0225f), number("vroughness", 0.25f)});
+  add_rough(" lossy", {alpha(0.4f), flag("energycompensation", false)});
   all.push_back({"dense glass", make("dielectric", {number("eta", 2.4f), alpha(0.4f)})});
   all.push_back({"bubble in water", make("dielectric", {number("eta", 0.75f), alpha(0.4f)})});
   const Param lacquer = number("interface.roughness", 0.01f), brushed = number("conductor.roughness", 0.1f);
