@@ -1,4 +1,4 @@
-// A picture on the surface of a light: (0, 0) is its lower left corner, values between the centres of pixels are
+// A picture on the surface of a light, or on a screen before it: (0, 0) is its lower left corner, values between the centres of pixels are
 // bilinear, and beyond the rim it goes on as it ends there.
 #pragma once
 

@@ -1,31 +1,113 @@
 #include "dspm/lights/environment_map.h"
 
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/lights/linear_density.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
 namespace {
 
-int cell(float place, int count) { return std::min(static_cast<int>(place * static_cast<float>(count)), count - 1); }
+/// Of node i among those of `count` pixels.
+double place_of_node(int i, int count) { return std::clamp((i - 0.5) / count, 0., 1.); }
+
+/// A cell's first and last node, in pixels from half of one before the rim.
+std::pair<float, float> ends(int cell, int count) {
+  const auto first = static_cast<float>(cell);
+  return {std::max(first, 0.5f), std::min(first + 1, static_cast<float>(count) + 0.5f)};
+}
+
+template <class T>
+T mix(const T& a, const T& b, float t) {
+  return a + (b - a) * t;
+}
+
+/// The picture goes on beyond its rim: by its other side, or, of the octahedron, beyond an edge that is folded onto itself.
+const Rgb& pixel_beyond(const Image& image, SphereMapping mapping, int x, int y) {
+  const int w = image.width, h = image.height;
+  if (mapping == SphereMapping::equirectangular) return image.at((x + w) % w, y);
+  if (x < 0 || x >= w) x = x < 0 ? 0 : w - 1, y = h - 1 - y;
+  if (y < 0 || y >= h) y = y < 0 ? 0 : h - 1, x = w - 1 - x;
+  return image.at(x, y);
+}
+
+Rgb mean_of_row(const Image& image, int y) {
+  std::array<double, 3> sum{};
+  for (int x = 0; x < image.width; ++x)
+    for (int c = 0; c < 3; ++c) sum[static_cast<std::size_t>(c)] += static_cast<double>(image.at(x, y)[c]);
+  const auto mean = [&](std::size_t c) { return static_cast<float>(sum[c] / image.width); };
+  return {mean(0), mean(1), mean(2)};
+}
+
+/// Half way between the pixels on both sides of the rim. A pole, which is the whole rim of a latitude-longitude picture,
+/// has one radiance.
+Rgb radiance_of_node(const Image& image, SphereMapping mapping, int x, int y) {
+  const bool at_pole = mapping == SphereMapping::equirectangular && (y == 0 || y == image.height + 1);
+  if (at_pole) return mean_of_row(image, y == 0 ? 0 : image.height - 1);
+  const bool x_at_rim = x == 0 || x == image.width + 1, y_at_rim = y == 0 || y == image.height + 1;
+  Rgb sum;
+  for (int down = y - 1; down <= (y_at_rim ? y : y - 1); ++down)
+    for (int across = x - 1; across <= (x_at_rim ? x : x - 1); ++across)
+      sum += pixel_beyond(image, mapping, across - (x == image.width + 1), down - (y == image.height + 1));
+  return sum / ((x_at_rim ? 2.f : 1.f) * (y_at_rim ? 2.f : 1.f));
+}
 
 }  // namespace
 
+/// Four nodes and what lies between them.
+struct EnvironmentMap::Cell {
+  struct Row {
+    const Rgb &left, &right;
+    float light_left = luminance(left), light_right = luminance(right);
+
+    Rgb radiance(float across) const { return mix(left, right, across); }
+    float light(float across) const { return mix(light_left, light_right, across); }
+    float mean() const { return (light_left + light_right) / 2; }
+  };
+  Row upper, lower;
+  float width;  // of places
+
+  Rgb radiance(Vec2 rest) const { return mix(upper.radiance(rest.x), lower.radiance(rest.x), rest.y); }
+  float light(Vec2 rest) const { return mix(upper.light(rest.x), lower.light(rest.x), rest.y); }
+  float light_left(float down) const { return mix(upper.light_left, lower.light_left, down); }
+  float light_right(float down) const { return mix(upper.light_right, lower.light_right, down); }
+  /// Integrated over the cell.
+  float whole(const SphereBand& band) const {
+    return width * (upper.mean() * band.upper() + lower.mean() * band.lower());
+  }
+};
+
+EnvironmentMap::Cell EnvironmentMap::cell(int x, int y) const {
+  const auto [begin, end] = ends(x, width_);
+  const float width = (end - begin) / static_cast<float>(width_);
+  return {{at_node(x, y), at_node(x + 1, y)}, {at_node(x, y + 1), at_node(x + 1, y + 1)}, width};
+}
+
 EnvironmentMap::EnvironmentMap(const Image& image, SphereMapping mapping)
-    : width_(image.width), height_(image.height), mapping_(mapping), rows_(distribution_of_rows(image)) {}
+    : width_(image.width), height_(image.height), mapping_(mapping), rows_(std::vector<float>{0}) {
+  nodes_.reserve((static_cast<std::size_t>(width_) + 2) * (static_cast<std::size_t>(height_) + 2));
+  for (int y = 0; y < height_ + 2; ++y)
+    for (int x = 0; x < width_ + 2; ++x) nodes_.push_back({{}, radiance_of_node(image, mapping, x, y)});
+  for (int y = 0; y <= height_; ++y)
+    bands_.emplace_back(mapping, place_of_node(y, height_), place_of_node(y + 1, height_));
+  rows_ = distribution_of_rows();
+}
 
 /// Fills the rows as well.
-Distribution1D EnvironmentMap::distribution_of_rows(const Image& image) {
-  pixels_.reserve((static_cast<std::size_t>(width_) + 1) * static_cast<std::size_t>(height_));
-  std::vector<float> totals, weights(static_cast<std::size_t>(width_));
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) weights[static_cast<std::size_t>(x)] = luminance(image.at(x, y));
+Distribution1D EnvironmentMap::distribution_of_rows() {
+  const auto cells = static_cast<std::size_t>(width_) + 1;
+  std::vector<float> totals, weights(cells);
+  for (int y = 0; y <= height_; ++y) {
+    for (std::size_t x = 0; x < cells; ++x)
+      weights[x] = cell(static_cast<int>(x), y).whole(bands_[static_cast<std::size_t>(y)]);
     const Distribution1D columns(weights);
-    for (int x = 0; x < width_; ++x) pixels_.push_back({columns.bins()[static_cast<std::size_t>(x)], image.at(x, y)});
-    pixels_.push_back({columns.bins().back(), Rgb()});
+    Node* const first = &nodes_[static_cast<std::size_t>(y) * (cells + 1)];
+    for (std::size_t x = 0; x <= cells; ++x) first[x].begin = columns.bins()[x].begin;
     add_cutpoints(row(y), cutpoints_);
-    totals.push_back(columns.total() * solid_angle(y));
+    totals.push_back(columns.total());
   }
   return Distribution1D(totals);
 }
@@ -33,88 +115,109 @@ Distribution1D EnvironmentMap::distribution_of_rows(const Image& image) {
 bool operator==(const EnvironmentMap& a, const EnvironmentMap& b) {
   const auto same = [](const auto& one, const auto& other) { return one.radiance == other.radiance; };
   return a.mapping_ == b.mapping_ && a.width_ == b.width_ && a.height_ == b.height_ &&
-         std::equal(a.pixels_.begin(), a.pixels_.end(), b.pixels_.begin(), same);
+         std::equal(a.nodes_.begin(), a.nodes_.end(), b.nodes_.begin(), same);
 }
 
-float EnvironmentMap::solid_angle(int row) const {
-  const float w = static_cast<float>(width_), h = static_cast<float>(height_);
-  if (mapping_ == SphereMapping::equal_area) return 4 * kPi / (w * h);
-  // 2 pi / w times the difference of the two edges' cosines.
-  const float middle = kPi * (static_cast<float>(row) + 0.5f) / h;
-  return 2 * kPi / w * 2 * std::sin(middle) * std::sin(kPi / (2 * h));
-}
-
-EnvironmentMap::Place EnvironmentMap::pixel_at(const Vec3& direction) const {
+EnvironmentMap::Place EnvironmentMap::cell_at(const Vec3& direction) const {
   const Vec2 place = place_of(mapping_, direction);
-  const int x = cell(place.x, width_), y = cell(place.y, height_);
-  const float w = static_cast<float>(width_), h = static_cast<float>(height_);
-  return {x, y, {place.x * w - static_cast<float>(x), place.y * h - static_cast<float>(y)}};
+  const auto along = [](float at, int count) {
+    const float node = at * static_cast<float>(count) + 0.5f;
+    const int first = std::min(static_cast<int>(node), count);
+    const auto [begin, end] = ends(first, count);
+    return std::pair(first, std::clamp((node - begin) / (end - begin), 0.f, 1.f));
+  };
+  const auto [x, across] = along(place.x, width_);
+  const auto [y, down] = along(place.y, height_);
+  return {x, y, {across, down}};
+}
+
+Vec3 EnvironmentMap::direction_at(const Place& at) const {
+  const auto along = [](int cell, float rest, int count) {
+    const auto [begin, end] = ends(cell, count);
+    return (begin - 0.5f + rest * (end - begin)) / static_cast<float>(count);
+  };
+  return dspm::direction_at(mapping_, {along(at.x, at.rest.x, width_), along(at.y, at.rest.y, height_)});
 }
 
 Rgb EnvironmentMap::radiance(const Vec3& direction) const {
-  const Place at = pixel_at(direction);
-  return radiance(at.x, at.y);
+  const Place at = cell_at(direction);
+  return cell(at.x, at.y).radiance(at.rest);
 }
 
-float EnvironmentMap::pdf_w(int x, int y) const {
-  return rows_.probability(y) * probability_of(row(y), x) / solid_angle(y);
+float EnvironmentMap::pdf_w(const Place& at, const Cell& cell) const {
+  const float whole = cell.whole(bands_[static_cast<std::size_t>(at.y)]);
+  return whole > 0 ? rows_.probability(at.y) * probability_of(row(at.y), at.x) * (cell.light(at.rest) / whole) : 0;
 }
 
 float EnvironmentMap::pdf_w(const Vec3& direction) const {
-  const Place at = pixel_at(direction);
-  return pdf_w(at.x, at.y);
+  const Place at = cell_at(direction);
+  return pdf_w(at, cell(at.x, at.y));
 }
 
-// Uniform by solid angle over the pixel.
-Vec3 EnvironmentMap::direction_in(int x, int y, Vec2 u) const {
-  const float w = static_cast<float>(width_), h = static_cast<float>(height_);
-  const float column = (static_cast<float>(x) + u.x) / w, row = static_cast<float>(y);
-  if (mapping_ == SphereMapping::equal_area) return direction_at(mapping_, {column, (row + u.y) / h});
-  const float upper = std::cos(kPi * row / h), lower = std::cos(kPi * (row + 1) / h);
-  const float z = upper + u.y * (lower - upper), s = std::sqrt(std::max(0.f, (1 - z) * (1 + z)));
-  return {s * std::cos(2 * kPi * column), s * std::sin(2 * kPi * column), z};
-}
-
+// First how far down in the cell, whatever the place across; then how far across there.
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
-  const auto [y, row_probability, rest_y] = rows_.choose(u.y);
-  const auto [x, column_probability, rest_x] = choose_bin(row(y), cutpoints_of_row(y), u.x);
-  return {direction_in(x, y, {rest_x, rest_y}), radiance(x, y), row_probability * column_probability / solid_angle(y)};
+  const BinChoice down = rows_.choose(u.y);
+  const BinChoice across = choose_bin(row(down.index), cutpoints_of_row(down.index), u.x);
+  const Cell here = cell(across.index, down.index);
+  Place at{across.index, down.index, {}};
+  at.rest.y = bands_[static_cast<std::size_t>(at.y)].sample(down.rest, here.upper.mean(), here.lower.mean());
+  at.rest.x = sample_linear(across.rest, here.light_left(at.rest.y), here.light_right(at.rest.y));
+  return {direction_at(at), here.radiance(at.rest), pdf_w(at, here)};
 }
 
 void EnvironmentMap::prefetch(Vec2 u) const {
-  constexpr std::size_t kPixelsOfLine = 64 / sizeof(Pixel);
+  constexpr std::size_t kNodesOfLine = 64 / sizeof(Node);
   const int y = rows_.choose(u.y).index;
   const auto points = cutpoints_of_row(y);
-  const Pixel* const first = &row(y)[points[cutpoint_of(u.x, points.size())]];
-  __builtin_prefetch(first), __builtin_prefetch(first + kPixelsOfLine);
+  const Node* const first = &row(y)[points[cutpoint_of(u.x, points.size())]];
+  for (const Node* node : {first, first + width_ + 2}) {
+    __builtin_prefetch(node), __builtin_prefetch(node + kNodesOfLine);
+  }
 }
 
 Vec2 EnvironmentMap::sample_numbers(const Vec3& direction) const {
-  auto [x, y, rest] = pixel_at(direction);
-  if (mapping_ == SphereMapping::equirectangular) {
-    const float h = static_cast<float>(height_), row = static_cast<float>(y);
-    const float upper = std::cos(kPi * row / h), lower = std::cos(kPi * (row + 1) / h);
-    rest.y = std::clamp((direction.z - upper) / (lower - upper), 0.f, 1.f);
-  }
-  return {bin_number(row(y), x, rest.x), rows_.number(y, rest.y)};
+  const Place at = cell_at(direction);
+  const Cell here = cell(at.x, at.y);
+  const float down = bands_[static_cast<std::size_t>(at.y)].number(at.rest.y, here.upper.mean(), here.lower.mean());
+  const float across = linear_number(at.rest.x, here.light_left(at.rest.y), here.light_right(at.rest.y));
+  return {bin_number(row(at.y), at.x, across), rows_.number(at.y, down)};
 }
 
 Rgb EnvironmentMap::fluence() const {
   std::array<double, 3> sum{};
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x)
+  for (int y = 0; y <= height_; ++y) {
+    const SphereBand& band = bands_[static_cast<std::size_t>(y)];
+    for (int x = 0; x <= width_; ++x) {
+      const Cell here = cell(x, y);
+      const Rgb upper = here.upper.radiance(0.5f), lower = here.lower.radiance(0.5f);
       for (int c = 0; c < 3; ++c)
         sum[static_cast<std::size_t>(c)] +=
-            static_cast<double>(radiance(x, y)[c]) * static_cast<double>(solid_angle(y));
+            static_cast<double>(here.width) * (static_cast<double>(upper[c]) * static_cast<double>(band.upper()) +
+                                               static_cast<double>(lower[c]) * static_cast<double>(band.lower()));
+    }
+  }
   return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
 }
 
 float EnvironmentMap::illuminance() const {
+  constexpr int kEnough = 256;  // steps across the picture
+  const int steps = (kEnough - 1) / size() + 1;
+  const auto middle = [&](int step) { return (static_cast<float>(step) + 0.5f) / static_cast<float>(steps); };
   double sum = 0;
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x) {
-      const float cosine = direction_in(x, y, {0.5f, 0.5f}).z;
-      if (cosine > 0) sum += static_cast<double>(luminance(radiance(x, y)) * cosine * solid_angle(y));
+  for (int y = 0; y <= height_; ++y)
+    for (int down = 0; down < steps; ++down) {
+      const double top = place_of_node(y, height_), bottom = place_of_node(y + 1, height_);
+      const SphereBand band(mapping_, std::lerp(top, bottom, double(down) / steps),
+                            std::lerp(top, bottom, double(down + 1) / steps));
+      for (int x = 0; x <= width_; ++x) {
+        const Cell here = cell(x, y);
+        const float solid_angle = (band.upper() + band.lower()) * here.width / static_cast<float>(steps);
+        for (int across = 0; across < steps; ++across) {
+          const Place at{x, y, {middle(across), middle(down)}};
+          const float cosine = direction_at(at).z;
+          if (cosine > 0) sum += static_cast<double>(here.light(at.rest) * cosine * solid_angle);
+        }
+      }
     }
   return static_cast<float>(sum);
 }

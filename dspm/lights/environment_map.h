@@ -1,5 +1,5 @@
-// Radiance from all directions, constant within each pixel of an image; directions are sampled in exact proportion to
-// its luminance.
+// Radiance from all directions: a picture around the sphere, bilinear between the centres of its pixels and continuous
+// everywhere. Directions are sampled in exact proportion to its luminance.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/lights/sphere_band.h"
 #include "dspm/math/bins.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/sphere_mapping.h"
@@ -39,7 +40,7 @@ class EnvironmentMap {
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b);
   /// The radiance, if it is the same in all directions and not black.
   std::optional<Rgb> constant() const {
-    return width_ == 1 && height_ == 1 && !is_black() ? std::optional(radiance(0, 0)) : std::nullopt;
+    return width_ == 1 && height_ == 1 && !is_black() ? std::optional(nodes_.front().radiance) : std::nullopt;
   }
   /// The larger number of pixels, across or down.
   int size() const { return std::max(width_, height_); }
@@ -50,37 +51,41 @@ class EnvironmentMap {
   float illuminance() const;
 
  private:
-  /// A row's pixels are the bins of its luminance. What a sample needs lies together: memory is what it waits for.
-  struct Pixel : Bin {
+  /// The centre of a pixel, or a place at the picture's rim: each row and column has two more than pixels. Four are the
+  /// corners of a cell, within which radiance is bilinear. A row's cells are the bins of the luminance in them; a cell
+  /// stands with its upper left corner. What a sample needs lies together: memory is what it waits for.
+  struct Node : Bin {
     Rgb radiance;
   };
   struct Place {
-    int x, y;
-    Vec2 rest;  // within the pixel
+    int x, y;  // of the cell
+    Vec2 rest;
   };
+  struct Cell;
 
-  Place pixel_at(const Vec3& direction) const;
-  const Rgb& radiance(int x, int y) const { return row(y)[static_cast<std::size_t>(x)].radiance; }
-  float solid_angle(int row) const;  // of one of its pixels
-  float pdf_w(int x, int y) const;
-  Vec3 direction_in(int x, int y, Vec2 u) const;
-  Distribution1D distribution_of_rows(const Image& image);
-  /// One more than the image has: the end of the last bin.
-  std::span<const Pixel> row(int y) const {
-    const auto length = static_cast<std::size_t>(width_) + 1;
-    return std::span(pixels_).subspan(static_cast<std::size_t>(y) * length, length);
+  Place cell_at(const Vec3& direction) const;
+  Cell cell(int x, int y) const;
+  float pdf_w(const Place& at, const Cell& cell) const;
+  Vec3 direction_at(const Place& at) const;
+  void place_nodes(const Image& image);
+  Distribution1D distribution_of_rows();
+  std::span<const Node> row(int y) const {
+    const auto length = static_cast<std::size_t>(width_) + 2;
+    return std::span(nodes_).subspan(static_cast<std::size_t>(y) * length, length);
   }
+  const Rgb& at_node(int x, int y) const { return row(y)[static_cast<std::size_t>(x)].radiance; }
 
   std::span<const std::uint16_t> cutpoints_of_row(int y) const {
-    const std::size_t length = cutpoint_count(static_cast<std::size_t>(width_));
+    const std::size_t length = cutpoint_count(static_cast<std::size_t>(width_) + 1);
     return std::span(cutpoints_).subspan(static_cast<std::size_t>(y) * length, length);
   }
 
-  int width_, height_;
+  int width_, height_;  // in pixels
   SphereMapping mapping_;
-  std::vector<Pixel> pixels_;  // row by row
+  std::vector<Node> nodes_;  // row by row
+  std::vector<SphereBand> bands_;
   std::vector<std::uint16_t> cutpoints_;
-  Distribution1D rows_;
+  Distribution1D rows_;  // of cells
 };
 
 }  // namespace dspm

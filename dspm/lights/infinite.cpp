@@ -1,7 +1,7 @@
 // LightSource "infinite" "string filename" "sky.exr" "float scale" 2
 //
-// Light from all directions: of one colour, or an image around the scene. Radiance is constant within a pixel, and
-// directions are sampled in exact proportion to its luminance. Photons start on a disk, perpendicular to their
+// Light from all directions: of one colour, or an image around the scene, bilinear between the centres of its pixels
+// also across the image's rim. Directions are sampled in exact proportion to its luminance. Photons start on a disk, perpendicular to their
 // direction, that covers the sphere around the scene.
 //
 // | parameter   | default | meaning |
@@ -15,7 +15,8 @@
 // | illuminance | -1      | if above 0: lux on a surface facing +z of light space; with L, as if its luminance were 1 |
 //
 // +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
-// "illuminance" gives half of what pbrt-v4 gives, which counts each pixel at half its solid angle.
+// "illuminance" gives half of what pbrt-v4 gives, which counts each pixel at half its solid angle. A pole of a
+// latitude-longitude image has the mean of the pixels around it.
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.5; Clarberg 2008, Fast Equal-Area Mapping of the
 // (Hemi)Sphere using SIMD]
@@ -51,6 +52,7 @@ class Infinite final : public Light {
   std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const override {
     if (map_.is_black()) return std::nullopt;
     const EnvironmentMap::Sample s = draw(u_direction);
+    if (!(s.pdf_w > 0)) return std::nullopt;
     return Emission{scene_.entering(s.direction, u_position), s.radiance * (scene_.disk_area() / s.pdf_w),
                     pdf(s.pdf_w)};
   }
@@ -68,6 +70,7 @@ class Infinite final : public Light {
   std::optional<Illumination> illuminate(const Vec3&, Vec2 u) const override {
     if (map_.is_black()) return std::nullopt;
     const EnvironmentMap::Sample s = draw(u);
+    if (!(s.pdf_w > 0)) return std::nullopt;
     return Illumination{s.direction, kInfinity, s.radiance, s.pdf_w};
   }
 

@@ -12,11 +12,20 @@
 namespace dspm {
 namespace {
 
-/// As fine as the image, within bounds.
-WindowMap map_through(const Rectangle& portal, const EnvironmentMap& map, const LightSpace& space) {
-  const int side = std::clamp(map.size(), 64, 1024), samples = std::clamp((2 * map.size() - 1) / side + 1, 2, 4);
-  return WindowMap(side, samples,
-                   [&](const Vec3& w) { return map.radiance(space.to_light(portal.basis.to_world(w))); });
+/// What shines through, by directions in the window's space.
+struct Sky {
+  EnvironmentMap map;
+  LightSpace space;
+  Basis window;
+
+  Rgb radiance(const Vec3& w) const { return map.radiance(space.to_light(window.to_world(w))); }
+  friend bool operator==(const Sky& a, const Sky& b) { return a.space == b.space && a.map == b.map; }
+};
+
+/// As fine as the picture, within bounds.
+WindowMap map_of(const Sky& sky) {
+  const int size = sky.map.size(), side = std::clamp(size, 128, 1024);
+  return WindowMap(side, std::clamp((2 * size - 1) / side + 1, 2, 4), [&](const Vec3& w) { return sky.radiance(w); });
 }
 
 /// A point sees the light along the rays that pass the portal; what lies beyond it casts shadows. Photons start outside
@@ -26,7 +35,8 @@ class PortalLight final : public Light {
   PortalLight(const LightContext& context, const EnvironmentMap& map, float scale, const Rectangle& portal)
       : scene_(context),
         portal_(portal),
-        map_(map_through(portal, map, LightSpace(context.to_world))),
+        sky_{map, LightSpace(context.to_world), portal.basis},
+        map_(map_of(sky_)),
         scale_(scale),
         power_(map_.irradiance() * (portal.area() * scale)) {}
 
@@ -39,7 +49,7 @@ class PortalLight final : public Light {
     const EmissionPdf pdf = this->pdf(s.direction.z, s.pdf_w);
     if (!(pdf.position * pdf.direction > 0)) return std::nullopt;
     const float outside = std::max(0.f, dot(scene_.center - through, w) + SceneSphere::kClear * scene_.radius);
-    Emission e{{through + w * outside, -w}, scale_ * s.radiance / (pdf.position * pdf.direction), pdf};
+    Emission e{{through + w * outside, -w}, scale_ * sky_.radiance(s.direction) / (pdf.position * pdf.direction), pdf};
     e.must_reach = outside * (1 - 1e-5f);
     return e;
   }
@@ -61,13 +71,13 @@ class PortalLight final : public Light {
     const auto part = seen_from(p);
     const auto s = part ? map_.sample(*part, u) : std::nullopt;
     if (!s) return std::nullopt;
-    return Illumination{portal_.basis.to_world(s->direction), kInfinity, scale_ * s->radiance, s->pdf_w};
+    return Illumination{portal_.basis.to_world(s->direction), kInfinity, scale_ * sky_.radiance(s->direction),
+                        s->pdf_w};
   }
 
   bool is_infinite() const override { return true; }
   Rgb escaped(const Ray& ray) const override {
-    const auto place = seen_along(ray);
-    return place ? scale_ * map_.radiance(*place) : Rgb();
+    return seen_along(ray) ? scale_ * sky_.radiance(portal_.basis.to_local(ray.direction)) : Rgb();
   }
   float escaped_pdf_w(const Ray& ray) const override {
     const auto place = seen_along(ray);
@@ -76,7 +86,7 @@ class PortalLight final : public Light {
 
   std::optional<Rgb> ratio_to(const Light& other) const override {
     const auto* o = dynamic_cast<const PortalLight*>(&other);
-    if (o == nullptr || !(portal_ == o->portal_ && map_ == o->map_)) return std::nullopt;
+    if (o == nullptr || !(portal_ == o->portal_ && sky_ == o->sky_)) return std::nullopt;
     return ratio(Rgb(scale_), Rgb(o->scale_));
   }
 
@@ -101,6 +111,7 @@ class PortalLight final : public Light {
 
   SceneSphere scene_;
   Rectangle portal_;
+  Sky sky_;
   WindowMap map_;
   float scale_;
   Rgb power_;

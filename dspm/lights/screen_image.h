@@ -1,5 +1,5 @@
-// What a projector sends through the image on a screen in front of it: radiant intensity by direction, constant within
-// each pixel. The screen lies in the plane z = 1, its image upright for an eye at the origin with +x to the right and
+// What a projector sends through the image on a screen in front of it: radiant intensity by direction, bilinear between
+// the centres of pixels. The screen lies in the plane z = 1, its image upright for an eye at the origin with +x to the right and
 // +y up.
 #pragma once
 
@@ -8,6 +8,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/lights/emission_picture.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
 
@@ -34,27 +35,32 @@ class ScreenImage {
   /// Integrated over all directions.
   Rgb fluence() const;
   friend bool operator==(const ScreenImage& a, const ScreenImage& b) {
-    return a.half_ == b.half_ && a.image_ == b.image_;
+    return a.half_ == b.half_ && a.picture_ == b.picture_;
   }
 
  private:
-  /// Pixels are cut into cells, so that their solid angle varies little within one.
+  /// Pixels are cut into an even number of cells, so that their solid angle varies little within one and the image is
+  /// bilinear in it.
   struct Place {
     int x, y;  // of the cell
     Vec2 rest;
   };
 
+  struct Cell;
+
   std::optional<Place> place_of(const Vec3& direction) const;
-  const Rgb& pixel(int cell_x, int cell_y) const { return image_.at(cell_x / cut_, cell_y / cut_); }
+  Cell cell(int x, int y) const;
+  /// Of the whole screen.
+  Vec2 place_in(int x, int y, Vec2 rest) const;
+  Rgb at(Vec2 place) const { return picture_.at({place.x, 1 - place.y}); }
   float solid_angle(int x, int y) const;
-  float pdf_w(int x, int y, float cosine) const;
+  float pdf_w(const Place& place, const Cell& cell, float cosine) const;
   std::vector<Distribution1D> distributions_within_rows() const;
   Distribution1D distribution_of_rows() const;
 
-  Image image_;
-  Vec2 half_;  // of the screen's width and height
-  int cut_;
-  int width_, height_;                   // in cells
+  Vec2 half_;           // of the screen's width and height
+  int width_, height_;  // in cells
+  EmissionPicture picture_;
   std::vector<Distribution1D> columns_;  // of each row
   Distribution1D rows_;
 };

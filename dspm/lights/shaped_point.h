@@ -27,6 +27,7 @@ class ShapedPoint final : public Light {
     if (map_.is_black()) return std::nullopt;
     const auto s = map_.sample(u);
     const float pdf_w = s.pdf_w * space_.density_scale(s.direction);
+    if (!(pdf_w > 0)) return std::nullopt;
     return Emission{{p_, space_.to_world(s.direction)}, s.radiance * intensity_ / pdf_w, pdf(pdf_w)};
   }
 

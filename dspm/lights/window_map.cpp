@@ -53,6 +53,17 @@ float WindowMap::solid_angle_per_place(const Vec3& d) {
 
 int WindowMap::cell(float place) const { return std::clamp(static_cast<int>(place * side()), 0, image_.width - 1); }
 
+/// A cell's luminance. Light that reaches into a cell between the directions that were looked up is sampled, too: its
+/// neighbours have it.
+float WindowMap::sampled_light(int x, int y) const {
+  constexpr float kShare = 1 / 8.f;
+  float around = 0;
+  const auto within = [&](int i) { return std::clamp(i, 0, image_.width - 1); };
+  for (int down = y - 1; down <= y + 1; ++down)
+    for (int across = x - 1; across <= x + 1; ++across) around += luminance(image_.at(within(across), within(down)));
+  return std::max(luminance(image_.at(x, y)), kShare / 9 * around);
+}
+
 void WindowMap::sum() {
   const int n = image_.width;
   const auto at = [&](int x, int y) -> double& { return sums_[static_cast<std::size_t>(y * (n + 1) + x)]; };
@@ -60,7 +71,7 @@ void WindowMap::sum() {
   std::vector<float> crossing(static_cast<std::size_t>(n)), of_rows;
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {
-      const float light = luminance(image_.at(x, y));
+      const float light = sampled_light(x, y);
       at(x + 1, y + 1) = at(x, y + 1) + at(x + 1, y) - at(x, y) + static_cast<double>(light) * solid_angle(x, y, n);
       crossing[static_cast<std::size_t>(x)] = light * static_cast<float>(projected_solid_angle(x, y, n));
     }
@@ -101,7 +112,7 @@ std::optional<WindowMap::Sample> WindowMap::sample(const Part& part, Vec2 u) con
   const Vec3 direction = direction_at({static_cast<float>(x) / side(), static_cast<float>(y) / side()});
   const float pdf_w = density(column, row, whole, direction);
   if (!(pdf_w > 0)) return std::nullopt;
-  return Sample{direction, image_.at(column, row), pdf_w};
+  return Sample{direction, pdf_w};
 }
 
 float WindowMap::pdf_w(const Part& part, Vec2 place) const {
@@ -116,7 +127,7 @@ WindowMap::Sample WindowMap::sample_crossing(Vec2 u) const {
   const Vec3 direction =
       direction_at({(static_cast<float>(x) + rest_x) / side(), (static_cast<float>(y) + rest_y) / side()});
   const float of_cell = row_probability * column_probability * side() * side();
-  return {direction, image_.at(x, y), of_cell / solid_angle_per_place(direction)};
+  return {direction, of_cell / solid_angle_per_place(direction)};
 }
 
 float WindowMap::crossing_pdf_w(Vec2 place) const {

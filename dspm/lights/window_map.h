@@ -1,5 +1,5 @@
-// Radiance in the hemisphere above a window, constant in cells between two angles, so that what a point sees through the
-// window is a rectangle of cells: directions are sampled within it in exact proportion to luminance.
+// Where light comes from in the hemisphere above a window, as means over cells between two angles, so that what a point
+// sees through the window is a rectangle of cells: directions are sampled within it in proportion to the means.
 // [Bitterli, Novak, Jarosz 2015, Portal-Masked Environment Map Sampling]
 #pragma once
 
@@ -25,7 +25,6 @@ class WindowMap {
   };
   struct Sample {
     Vec3 direction;
-    Rgb radiance;
     float pdf_w;
   };
 
@@ -41,11 +40,10 @@ class WindowMap {
   static Vec2 place_of(const Vec3& direction);
 
   bool is_black() const { return !(rows_.total() > 0); }
-  Rgb radiance(Vec2 place) const { return image_.at(cell(place.x), cell(place.y)); }
   /// Integrated over the hemisphere, times the cosine to z: irradiance on the window.
   Rgb irradiance() const;
 
-  /// Within a part, by luminance. Nullopt if it is black there.
+  /// Within a part, by the cells' luminance. Nullopt if it is black there.
   std::optional<Sample> sample(const Part& part, Vec2 u) const;
   float pdf_w(const Part& part, Vec2 place) const;
 
@@ -54,8 +52,6 @@ class WindowMap {
   float crossing_pdf_w(Vec2 place) const;
   /// The u for which sample_crossing(u) has that place.
   Vec2 crossing_numbers(Vec2 place) const;
-
-  friend bool operator==(const WindowMap& a, const WindowMap& b) { return a.image_ == b.image_; }
 
  private:
   template <class Radiance>
@@ -76,6 +72,7 @@ class WindowMap {
   float side() const { return static_cast<float>(image_.width); }
   int cell(float place) const;
   void sum();
+  float sampled_light(int x, int y) const;
   static float solid_angle_per_place(const Vec3& direction);
   /// Luminance integrated over [0, x] x [0, y] of the square; in cells, not in places.
   double sum_to(double x, double y) const;

@@ -19,8 +19,8 @@ inline Image random_environment(int width, int height, std::uint64_t seed = 1) {
     pixel = {random.number(), random.number(), random.number()};
     pixel *= 2 * random.number();
   }
-  image.at(width / 2, height / 3) = {20, 30, 40};
   image.at(0, height / 2) = Rgb();
+  image.at(width / 2, height / 3) = {20, 30, 40};
   return image;
 }
 

@@ -5,6 +5,7 @@
 
 #include "dspm/lights/ies.h"
 #include "dspm/math/sampling.h"
+#include "dspm/math/sphere_mapping.h"
 #include "tests/lights/environment.h"
 #include "tests/lights/lamps.h"
 
@@ -72,9 +73,14 @@ TEST(Goniometric, MiddleOfTheImageIsUp) {
   image.at(32, 63) = Rgb(7);        // +y of the map
   const EnvironmentFile file(image);
   const auto light = make_light("goniometric", {text("filename", file.path())}, {});
-  EXPECT_NEAR(intensity(*light, normalize({.01f, 1, .01f})), 3, 1e-5f);
-  EXPECT_NEAR(intensity(*light, normalize({1, .01f, .01f})), 5, 1e-5f);
-  EXPECT_NEAR(intensity(*light, normalize({.01f, .01f, 1})), 7, 1e-5f);
+  const auto at = [&](float x, float y) {  // the centre of that pixel
+    const Vec3 w = direction_at(SphereMapping::equal_area, {(x + .5f) / 64, (y + .5f) / 64});
+    return intensity(*light, {w.x, w.z, w.y});
+  };
+  EXPECT_GT(direction_at(SphereMapping::equal_area, {32.5f / 64, 32.5f / 64}).z, .99f);
+  EXPECT_NEAR(at(32, 32), 3, 1e-4f);
+  EXPECT_NEAR(at(63, 32), 5, 1e-4f);
+  EXPECT_NEAR(at(32, 63), 7, 1e-4f);
   EXPECT_EQ(intensity(*light, {0, -1, 0}), 0);
 }
 
@@ -125,6 +131,27 @@ TEST(Projection, IsUprightForAnEyeInItsPlace) {
   EXPECT_NEAR(intensity(*light, normalize({.5f, .5f, 1})), 2, 1e-5f);
   EXPECT_NEAR(intensity(*light, normalize({-.5f, -.5f, 1})), 3, 1e-5f);
   EXPECT_NEAR(intensity(*light, normalize({.5f, -.5f, 1})), 4, 1e-5f);
+}
+
+// Between the centres of pixels, and as it ends there beyond the last ones.
+TEST(Projection, IsBilinear) {
+  Image image = grey(2, 2, 0);
+  image.at(0, 0) = Rgb(1), image.at(1, 0) = Rgb(2), image.at(0, 1) = Rgb(3), image.at(1, 1) = Rgb(4);
+  const EnvironmentFile file(image);
+  const auto light = make_light("projection", {text("filename", file.path())}, {});
+  EXPECT_NEAR(intensity(*light, {0, 0, 1}), 2.5f, 1e-5f);
+  EXPECT_NEAR(intensity(*light, normalize({-.25f, .5f, 1})), 1.25f, 1e-5f);
+  EXPECT_NEAR(intensity(*light, normalize({.5f, .25f, 1})), 2.5f, 1e-5f);
+  EXPECT_NEAR(intensity(*light, normalize({-.9f, .9f, 1})), 1, 1e-5f);
+}
+
+// Its luminance over its density is the same in all directions but for the solid angle's change within a cell.
+TEST(Projection, PhotonsFollowThePicture) {
+  const EnvironmentFile file(5, 4);
+  const auto light = make_light("projection", {text("filename", file.path())}, {});
+  Sequence random(4);
+  for (int i = 0; i < 10'000; ++i)
+    EXPECT_NEAR(luminance(light->emit({}, random.pair())->flux) / luminance(light->power()), 1, 0.05f);
 }
 
 TEST(Ies, UniformLampIsAPoint) {
