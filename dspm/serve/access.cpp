@@ -67,9 +67,8 @@ std::optional<ServeAddress> parse_serve_address(std::string_view text) {
   return is_address(address.host) ? std::optional(address) : std::nullopt;
 }
 
-Access::Access(const ServeAddress& address, int port) : address_{address.host, port} {
-  if (!address.is_local()) prefix_ = fmt::format("/{}/", random_token());
-}
+Access::Access(const ServeAddress& address, int port)
+    : address_{address.host, port}, prefix_(fmt::format("/{}/", random_token())) {}
 
 std::string Access::url() const {
   return fmt::format("http://{}:{}{}", bracketed(address_.host), address_.port, prefix_);
@@ -93,7 +92,8 @@ std::string_view Access::refusal(const RequestSource& source) const {
   if (!source.origin.empty() && source.origin != "http://" + std::string(source.host)) return "another page asks";
   if (!source.fetch_site.empty() && source.fetch_site != "same-origin" && source.fetch_site != "none")
     return "another page asks";
-  if (!begins_with_secret(source.path, prefix_)) return "the address has a token, which is wrong";
+  if (!begins_with_secret(source.path, prefix_))
+    return "the address has a token: use the whole address that dspm printed";
   return {};
 }
 

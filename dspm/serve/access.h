@@ -1,5 +1,5 @@
-// Who may use the page: the browser of a user of this machine, on dspm's own pages only. With an address that others
-// can reach, whoever knows the token.
+// Who may use the page: whoever knows the token, which is part of the printed address, on dspm's own pages only. If only
+// this machine can reach the page, its own names are required, too.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ class Access {
   /// `port`: the one that was opened.
   Access(const ServeAddress& address, int port);
 
-  /// "/", or "/<token>/": all paths begin so.
+  /// "/<token>/": all paths begin so.
   const std::string& prefix() const { return prefix_; }
   std::string url() const;
   /// Why the request is refused; empty: it is not.
@@ -39,7 +39,7 @@ class Access {
   bool is_own(std::string_view host) const;
 
   ServeAddress address_;
-  std::string prefix_ = "/";
+  std::string prefix_;
 };
 
 }  // namespace dspm

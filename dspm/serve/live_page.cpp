@@ -183,7 +183,8 @@ void LivePage::wait_while_paused(const Exhibit& exhibit, const std::function<boo
 int LivePage::wait_for_more(const Exhibit& exhibit, const std::function<bool()>& interrupted) {
   show_state("done");
   while (!end_wanted() && !interrupted()) {
-    if (const int more = orders_.take_iterations(); more > 0) {
+    const int room = std::max(Orders::kMostIterations - exhibit.iterations, 0);
+    if (const int more = std::min(orders_.take_iterations(), room); more > 0) {
       iterations_ = exhibit.iterations + more;
       return show_state("rendering"), more;
     }

@@ -13,10 +13,19 @@ using LookAt = std::array<double, 9>;
 
 class Orders {
  public:
+  static constexpr int kMostIterations = 1'000'000'000;  // as in a checkpoint
+
   void pause(bool paused) { paused_ = paused; }
   void stop() { stopping_ = true; }
   void write() { write_ = true; }
-  void add_iterations(int count) { more_ += count; }
+  /// False: that would be more than a run may have, and nothing was added.
+  bool add_iterations(int count) {
+    int more = more_;
+    do {
+      if (more > kMostIterations - count) return false;
+    } while (!more_.compare_exchange_weak(more, more + count));
+    return true;
+  }
   void restart() { restarting_ = true; }
   /// Where the camera stands in all frames; nothing: where the scene says.
   void place_camera(const std::optional<LookAt>& place) {

@@ -1,19 +1,18 @@
 #include "dspm/serve/server.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
-#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "dspm/output/json.h"
+#include "dspm/serve/http_server.h"
 #include "dspm/serve/page_files.h"
 #include "dspm/serve/requests.h"
 
@@ -22,10 +21,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A viewer's connections each hold a thread: one for events, one that waits for pictures, others for a moment.
-constexpr int kMostViewers = 16;
-constexpr std::size_t kThreads = 3 * kMostViewers, kLongestBody = 64 << 10;
-constexpr int kMostIterations = 1'000'000;
+constexpr int kMostViewers = 16, kMostIterations = 1'000'000;
 constexpr milliseconds kPatience(10'000), kHeartbeat(2'000), kBetweenEvents(100);
 
 constexpr const char* kPolicy =
@@ -51,10 +47,7 @@ class Places {
   std::atomic<int> taken_ = 0;
 };
 
-void refuse(httplib::Response& response, int status, std::string_view reason) {
-  response.status = status;
-  response.set_content(fmt::format("{}\n", reason), "text/plain; charset=utf-8");
-}
+const HttpAnswer kDone{204};
 
 std::string event_of(const Board::Line& line) {
   JsonWriter json;
@@ -84,139 +77,107 @@ std::string bundle_of(const Gallery::Pictures& pictures) {
 }  // namespace
 
 struct Server::Impl {
+  using Handler = std::function<HttpAnswer(const HttpRequest&)>;
+
   Impl(const ServeAddress& address, Gallery& gallery_of_run, Board& board_of_run, Orders& orders_of_run)
-      : gallery(gallery_of_run), board(board_of_run), orders(orders_of_run), access(address, open(address)) {
-    http.set_pre_routing_handler(
-        [this](const httplib::Request& request, httplib::Response& response) { return let_in(request, response); });
+      : gallery(gallery_of_run),
+        board(board_of_run),
+        orders(orders_of_run),
+        http(address.host, address.port),
+        access(address, http.port()) {
     for (const PageFile& file : page_files()) serve(file);
-    http.Get(path("run"), [this](const httplib::Request&, httplib::Response& response) {
-      response.set_content(board.run(), "application/json");
-    });
-    http.Get(path("events"), [this](const auto& request, auto& response) { send_events(request, response); });
-    http.Post(path("pictures"), [this](const auto& request, auto& response) { send_pictures(request, response); });
+    get["run"] = [this](const HttpRequest&) { return HttpAnswer{200, "application/json", board.run()}; };
+    get["events"] = [this](const HttpRequest& request) { return events(request); };
+    post["pictures"] = [this](const HttpRequest& request) { return pictures(request); };
     take_orders();
-    listener = std::thread([this] {
-      pthread_setname_np(pthread_self(), "dspm page");  // and so are the threads that it starts
-      http.listen_after_bind(), ended = true;
-    });
+    http.serve({{{"Content-Security-Policy", kPolicy},
+                 {"X-Content-Type-Options", "nosniff"},
+                 {"Cross-Origin-Resource-Policy", "same-origin"},
+                 {"Referrer-Policy", "no-referrer"},
+                 {"Cache-Control", "no-store"}},
+                [this](const HttpRequest& head) { return refusal(head); },
+                [this](const HttpRequest& request) { return answer(request); }});
   }
-  ~Impl() {
-    board.close(), gallery.close();
-    while (!http.is_running() && !ended) std::this_thread::sleep_for(milliseconds(1));
-    http.stop();
-    listener.join();
-  }
+  ~Impl() { board.close(), gallery.close(), http.end(); }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// Returns the port.
-  int open(const ServeAddress& address) {
-    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-    http.set_payload_max_length(kLongestBody);
-    http.set_keep_alive_max_count(1000), http.set_keep_alive_timeout(1);
-    http.set_read_timeout(5), http.set_write_timeout(5), http.set_tcp_nodelay(true);
-    // Not SO_REUSEPORT, which httplib sets: two runs must not share a port.
-    http.set_socket_options([](int socket) {
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    const int port = address.port == 0                               ? http.bind_to_any_port(address.host)
-                     : http.bind_to_port(address.host, address.port) ? address.port
-                                                                     : -1;
-    if (port < 0)
-      throw std::runtime_error(fmt::format("--serve cannot listen at {}, port {}: is it taken? --serve 0 takes any",
-                                           address.host, address.port));
-    return port;
+  std::optional<HttpAnswer> refusal(const HttpRequest& head) const {
+    const std::string_view why = access.refusal({head.host, head.origin, head.fetch_site, head.path});
+    if (why.empty()) return {};
+    return http_refusal(403, why);
   }
 
-  std::string path(const std::string& name) const { return access.prefix() + name; }
-
-  httplib::Server::HandlerResponse let_in(const httplib::Request& request, httplib::Response& response) const {
-    response.headers = {{"Content-Security-Policy", kPolicy},
-                        {"X-Content-Type-Options", "nosniff"},
-                        {"Cross-Origin-Resource-Policy", "same-origin"},
-                        {"Referrer-Policy", "no-referrer"},
-                        {"Cache-Control", "no-store"}};
-    const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin"),
-                      site = request.get_header_value("Sec-Fetch-Site");
-    const std::string_view refusal = access.refusal({host, origin, site, request.path});
-    if (refusal.empty()) return httplib::Server::HandlerResponse::Unhandled;
-    refuse(response, 403, refusal);
-    return httplib::Server::HandlerResponse::Handled;
+  HttpAnswer answer(const HttpRequest& request) const {
+    const bool is_get = request.method == "GET" || request.method == "HEAD";
+    const auto& handlers = is_get ? get : post;
+    const auto found = handlers.find(request.path.substr(access.prefix().size()));
+    if (found == handlers.end() || (!is_get && request.method != "POST"))
+      return http_refusal(404, "there is no such page");
+    return found->second(request);
   }
 
   void serve(const PageFile& file) {
-    const std::string name = file.name == "index.html" ? "" : std::string(file.name);
-    http.Get(path(name), [file](const httplib::Request&, httplib::Response& response) {
-      response.set_content(file.text.data(), file.text.size(), type_of(file.name));
-    });
-  }
-
-  void send_events(const httplib::Request& request, httplib::Response& response) {
-    const std::shared_ptr<void> place = viewers.take();
-    if (place == nullptr) return refuse(response, 503, "too many pages are open");
-    struct Known {
-      std::uint64_t version = 0, line = 0;
+    get[file.name == "index.html" ? "" : std::string(file.name)] = [file](const HttpRequest&) {
+      return HttpAnswer{200, type_of(file.name), std::string(file.text)};
     };
-    const auto known = std::make_shared<Known>();
-    known->line =
-        static_cast<std::uint64_t>(parse_count(request.get_header_value("Last-Event-ID"), 0, 1 << 30).value_or(0));
-    response.set_chunked_content_provider(
-        "text/event-stream", [this, place, known](std::size_t, httplib::DataSink& sink) {
-          const Board::News news = board.after(known->version, known->line, kHeartbeat);
-          std::string text;
-          if (!news.state.empty()) text += state_events(news);
-          for (const Board::Line& line : news.lines) text += event_of(line), known->line = line.number;
-          known->version = news.version;
-          if (text.empty()) text = ":\n\n";  // finds out whether the viewer is still there
-          if (!sink.write(text.data(), text.size())) return false;
-          if (news.closed) return sink.done(), true;
-          std::this_thread::sleep_for(kBetweenEvents);
-          return true;
-        });
   }
 
-  void send_pictures(const httplib::Request& request, httplib::Response& response) {
+  HttpAnswer events(const HttpRequest& request) {
+    const std::shared_ptr<void> place = viewers.take();
+    if (place == nullptr) return http_refusal(503, "too many pages are open");
+    const int last_line = parse_count(request.last_event, 0, 1 << 30).value_or(0);
+    HttpAnswer answer{200, "text/event-stream"};
+    answer.next = [this, place, version = std::uint64_t{0}, line = static_cast<std::uint64_t>(last_line),
+                   is_closed = false, is_first = true]() mutable -> std::string {
+      if (is_closed) return {};
+      if (!std::exchange(is_first, false)) std::this_thread::sleep_for(kBetweenEvents);
+      const Board::News news = board.after(version, line, kHeartbeat);
+      std::string text;
+      if (!news.state.empty()) text += state_events(news);
+      for (const Board::Line& each : news.lines) text += event_of(each), line = each.number;
+      version = news.version, is_closed = news.closed;
+      return text.empty() ? ":\n\n" : text;  // finds out whether the viewer is still there
+    };
+    return answer;
+  }
+
+  HttpAnswer pictures(const HttpRequest& request) {
     const auto wishes = parse_wishes(request.body);
-    if (!wishes) return refuse(response, 400, "expected a number, then lines of: frame output halvings version other");
+    if (!wishes) return http_refusal(400, "expected a number, then lines of: frame output halvings version other");
     const std::shared_ptr<void> place = waiting.take();
-    if (place == nullptr) return refuse(response, 503, "too many pages are open");
-    response.set_content(bundle_of(gallery.newer(*wishes, kPatience)), "application/octet-stream");
+    if (place == nullptr) return http_refusal(503, "too many pages are open");
+    return {200, "application/octet-stream", bundle_of(gallery.newer(*wishes, kPatience))};
   }
 
   void take_order(const char* name, std::function<void()> order) {
-    http.Post(path(name), [order = std::move(order)](const httplib::Request&, httplib::Response& response) {
-      order();
-      response.status = 204;
-    });
+    post[name] = [order = std::move(order)](const HttpRequest&) { return order(), kDone; };
   }
   void take_orders() {
     take_order("pause", [this] { orders.pause(true); });
     take_order("resume", [this] { orders.pause(false); });
     take_order("stop", [this] { orders.stop(); });
     take_order("write", [this] { orders.write(); });
-    http.Post(path("more"), [this](const httplib::Request& request, httplib::Response& response) {
+    post["more"] = [this](const HttpRequest& request) {
       const auto count = parse_count(request.body, 1, kMostIterations);
-      if (!count) return refuse(response, 400, "expected a number of iterations");
-      orders.add_iterations(*count);
-      response.status = 204;
-    });
-    http.Post(path("camera"), [this](const httplib::Request& request, httplib::Response& response) {
+      if (!count) return http_refusal(400, "expected a number of iterations");
+      if (!orders.add_iterations(*count)) return http_refusal(409, "a run cannot have so many iterations");
+      return kDone;
+    };
+    post["camera"] = [this](const HttpRequest& request) {
       const auto place = parse_look_at(request.body);
-      if (!place && !request.body.empty()) return refuse(response, 400, "expected nine numbers: eye, target, up");
-      orders.place_camera(place);
-      response.status = 204;
-    });
+      if (!place && !request.body.empty()) return http_refusal(400, "expected nine numbers: eye, target, up");
+      return orders.place_camera(place), kDone;
+    };
   }
 
   Gallery& gallery;
   Board& board;
   Orders& orders;
-  httplib::Server http;
-  Access access;
   Places viewers, waiting;
-  std::atomic<bool> ended = false;
-  std::thread listener;
+  std::map<std::string, Handler> get, post;  // by what follows the token
+  HttpServer http;
+  Access access;
 };
 
 Server::Server(const ServeAddress& address, Gallery& gallery, Board& board, Orders& orders)

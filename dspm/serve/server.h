@@ -1,5 +1,5 @@
-// The page's web server: its files, the state and the log as server-sent events, pictures, and orders. The only place
-// with cpp-httplib. It has threads of its own, which never hold up the one that renders.
+// The page's web server: its files, the state and the log as server-sent events, pictures, and orders. It has
+// threads of its own, which never hold up the one that renders.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // Whatever the headers hold, only the page's own names are let in.
   static const Access access({"127.0.0.1", 0}, 8780);
   const std::size_t half = size / 2;
-  const RequestSource source{text.substr(0, half), text.substr(half), "", "/run"};
+  const std::string run = access.prefix() + "run";
+  const RequestSource source{text.substr(0, half), text.substr(half), "", run};
   if (access.refusal(source).empty())
     fuzz::require(source.host.size() <= 14 && source.host.ends_with(":8780"), "a foreign name is let in");
   return 0;

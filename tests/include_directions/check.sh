@@ -14,7 +14,7 @@ BEGIN {
   confined["^nlohmann/"] = "^dspm/gltf/value[.]"
   confined["^draco/"] = "^dspm/gltf/draco[.]"
   confined["^meshoptimizer[.]h"] = "^dspm/gltf/meshopt[.]"
-  confined["^httplib[.]h"] = "^dspm/serve/server[.]"
+  confined["^boost/(asio|beast)"] = "^dspm/serve/http_"
   confined["^CGAL/"] = "^(dspm/shapes/(cgal_mesh|mesh_check|mesh_repair|loopsubdiv)|scenes/generator/simplify)[.]"
 
   # Who names one of these includes its header, or leaves that to a header of its own name.

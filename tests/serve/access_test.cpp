@@ -30,18 +30,20 @@ TEST(ServeAddress, RefusesAnythingElse) {
 
 TEST(Access, ALocalPageIsForItsOwnNamesOnly) {
   const Access access({"127.0.0.1", 0}, 8780);
-  EXPECT_EQ(access.url(), "http://127.0.0.1:8780/");
+  EXPECT_EQ(access.url(), "http://127.0.0.1:8780" + access.prefix());
+  const std::string run = access.prefix() + "run";
   for (const char* host : {"127.0.0.1:8780", "localhost:8780", "LOCALHOST:8780", "[::1]:8780"})
-    EXPECT_EQ(access.refusal({host, "", "", "/run"}), "") << host;
+    EXPECT_EQ(access.refusal({host, "", "", run}), "") << host;
   // The third is what a browser sends if a foreign page's server points its own name to this machine.
   for (const char* host : {"", "127.0.0.1", "evil.example:8780", "127.0.0.1:8781", "127.0.0.1:8780.evil.example"})
-    EXPECT_NE(access.refusal({host, "", "", "/run"}), "") << host;
+    EXPECT_NE(access.refusal({host, "", "", run}), "") << host;
 }
 
 TEST(Access, OtherPagesAreRefused) {
   const Access access({"127.0.0.1", 0}, 8780);
   const auto refused = [&](const char* origin, const char* site) {
-    return !access.refusal({"127.0.0.1:8780", origin, site, "/stop"}).empty();
+    const std::string stop = access.prefix() + "stop";
+    return !access.refusal({"127.0.0.1:8780", origin, site, stop}).empty();
   };
   EXPECT_FALSE(refused("http://127.0.0.1:8780", "same-origin"));
   EXPECT_FALSE(refused("", "none"));
@@ -53,17 +55,21 @@ TEST(Access, OtherPagesAreRefused) {
   EXPECT_TRUE(refused("", "same-site"));
 }
 
-TEST(Access, OtherAddressesNeedTheToken) {
-  const Access access({"0.0.0.0", 0}, 8780), other({"0.0.0.0", 0}, 8780);
-  EXPECT_EQ(access.prefix().size(), 34u);
-  EXPECT_NE(access.prefix(), other.prefix());
-  const RequestSource good{"render-1:8780", "http://render-1:8780", "", access.prefix()};
-  EXPECT_EQ(access.refusal(good), "");
-  for (const std::string& path : {std::string("/"), std::string("/run"), other.prefix() + "run",
-                                  access.prefix().substr(0, 32), access.prefix().substr(1)}) {
-    RequestSource bad = good;
-    bad.path = path;
-    EXPECT_NE(access.refusal(bad), "") << path;
+TEST(Access, NobodyIsLetInWithoutTheToken) {
+  for (const char* address : {"0.0.0.0", "127.0.0.1"}) {
+    const Access access({address, 0}, 8780), other({address, 0}, 8780);
+    EXPECT_EQ(access.prefix().size(), 34u);
+    EXPECT_NE(access.prefix(), other.prefix());
+    const bool is_local = std::string(address) == "127.0.0.1";
+    const RequestSource good{is_local ? "127.0.0.1:8780" : "render-1:8780",
+                             is_local ? "http://127.0.0.1:8780" : "http://render-1:8780", "", access.prefix()};
+    EXPECT_EQ(access.refusal(good), "");
+    for (const std::string& path : {std::string("/"), std::string("/run"), other.prefix() + "run",
+                                    access.prefix().substr(0, 32), access.prefix().substr(1)}) {
+      RequestSource bad = good;
+      bad.path = path;
+      EXPECT_NE(access.refusal(bad), "") << path;
+    }
   }
 }
 

@@ -17,10 +17,11 @@ class LiveRun : public testing::Test {
     process_.emplace(directory, Arguments{"tiny.dsc", "--serve", "0"} + more);
     ASSERT_TRUE(says(directory, "the page is at"));
     const std::string text = contents(directory / "err.txt");
-    port = port_in(text.substr(text.find("http://")));
+    const std::size_t url = text.find("http://");
+    page = place_in(text.substr(url, text.find('\n', url) - url));
   }
   Outcome end() {
-    ask(port, "POST", "/stop");
+    ask(page, "POST", "/stop");
     const Outcome outcome = process_->wait();
     process_.reset();
     return outcome;
@@ -30,22 +31,22 @@ class LiveRun : public testing::Test {
   }
   /// Reads the events until the text is among them.
   std::string events_until(const std::string& text) const {
-    Connection events(port);
-    events.send(request_text(port, "GET", "/events"));
+    Connection events(page);
+    events.send(request_text(page, "GET", "/events"));
     return events.read_until(text);
   }
-  std::string pictures(const std::string& wishes) const { return ask(port, "POST", "/pictures", "", "1\n" + wishes); }
+  std::string pictures(const std::string& wishes) const { return ask(page, "POST", "/pictures", "", "1\n" + wishes); }
 
   TinyDirectory directory;
   std::optional<Process> process_;
-  int port = 0;
+  Place page{0};
 };
 
 TEST_F(LiveRun, ShowsAllFramesAndStaysUntilItIsStopped) {
   start();
   ASSERT_NE(events_until("\"phase\": \"done\"").find("\"phase\": \"done\""), std::string::npos);
   EXPECT_TRUE(directory.has("tiny.0003.exr")) << "the images are written before the page waits";
-  const std::string run = ask(port, "GET", "/run");
+  const std::string run = ask(page, "GET", "/run");
   EXPECT_NE(run.find("\"label\": \"3\""), std::string::npos) << run;
   EXPECT_NE(run.find("\"fps\": 25"), std::string::npos) << run;
   const std::string answer = pictures("0 radiance 0 0 0\n1 radiance 0 0 0\n2 radiance 0 0 0\n");
@@ -59,7 +60,7 @@ TEST_F(LiveRun, ShowsAllFramesAndStaysUntilItIsStopped) {
 TEST_F(LiveRun, GivesMoreIterationsWritesAndStops) {
   start();
   events_until("\"phase\": \"done\"");
-  EXPECT_EQ(status_of(ask(port, "POST", "/more", "", "3")), 204);
+  EXPECT_EQ(status_of(ask(page, "POST", "/more", "", "3")), 204);
   EXPECT_NE(events_until("\"iterations\": 5,").find("\"iterations\": 5,"), std::string::npos);
   const Outcome outcome = end();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -69,7 +70,7 @@ TEST_F(LiveRun, GivesMoreIterationsWritesAndStops) {
 TEST_F(LiveRun, MoreIterationsGiveTheImageOfALongerRun) {
   start();
   events_until("\"phase\": \"done\"");
-  ask(port, "POST", "/more", "", "3");
+  ask(page, "POST", "/more", "", "3");
   events_until("\"iterations\": 5,");
   end();
   const TinyDirectory other;
@@ -80,14 +81,14 @@ TEST_F(LiveRun, MoreIterationsGiveTheImageOfALongerRun) {
 TEST_F(LiveRun, PausesAndGoesOn) {
   start({"--iterations", "0"});
   events_until("\"step\": \"iteration ");
-  EXPECT_EQ(status_of(ask(port, "POST", "/pause")), 204);
+  EXPECT_EQ(status_of(ask(page, "POST", "/pause")), 204);
   const std::string paused = events_until("\"phase\": \"paused\"");
   ASSERT_NE(paused.find("\"phase\": \"paused\""), std::string::npos);
-  EXPECT_EQ(status_of(ask(port, "GET", "/")), 200);
+  EXPECT_EQ(status_of(ask(page, "GET", "/")), 200);
   EXPECT_NE(pictures("2 radiance 0 0 0\n").find("2 radiance 0 "), std::string::npos)
       << "pictures come while it is paused";
-  EXPECT_EQ(status_of(ask(port, "POST", "/resume")), 204);
-  EXPECT_EQ(status_of(ask(port, "POST", "/write")), 204);
+  EXPECT_EQ(status_of(ask(page, "POST", "/resume")), 204);
+  EXPECT_EQ(status_of(ask(page, "POST", "/write")), 204);
   EXPECT_TRUE(appears(directory / "tiny.0003.exr"));
   const Outcome outcome = end();
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -178,7 +179,7 @@ TEST_F(LiveRun, CoarseRunsAreShownInTheFullSizeAndStartAsTheLastRunHasLearned) {
   put_file(directory / "tiny.dsc", tiny_scene("\"integer photons\" 200", "\"integer photons\" 400000000"));
   const std::string events = events_until("\"coarse\": 1,  \"guided\": 1");  // for as long as these photons take
   EXPECT_NE(events.find("\"coarse\": 1,  \"guided\": 1"), std::string::npos) << events;
-  EXPECT_NE(ask(port, "GET", "/run").find("\"width\": 12"), std::string::npos);
+  EXPECT_NE(ask(page, "GET", "/run").find("\"width\": 12"), std::string::npos);
 }
 
 TEST_F(LiveRun, ErrorsStandOnThePageWithTheirPlaceUntilTheyAreMended) {
@@ -214,8 +215,8 @@ TEST_F(LiveRun, ASceneThatStaysWrongIsAnError) {
 TEST_F(LiveRun, ACameraThatIsMovedGivesTheImageOfThatLookAt) {
   start();
   events_until("\"phase\": \"done\"");
-  EXPECT_EQ(status_of(ask(port, "POST", "/camera", "", "1 0.5 -4 0 0 0 0 1 0")), 204);
-  ASSERT_TRUE(comes_true([&] { return ask(port, "GET", "/run").find("0.5") != std::string::npos; }));
+  EXPECT_EQ(status_of(ask(page, "POST", "/camera", "", "1 0.5 -4 0 0 0 0 1 0")), 204);
+  ASSERT_TRUE(comes_true([&] { return ask(page, "GET", "/run").find("0.5") != std::string::npos; }));
   events_until("\"coarse\": 0");
   ASSERT_TRUE(comes_true([&] { return events_until("\"phase\"").find("\"phase\": \"done\"") != std::string::npos; }));
   EXPECT_EQ(end().code, 0);
