@@ -7,7 +7,7 @@ const add = (range, step) => { range.valueAsNumber += step, range.dispatchEvent(
 export function set_up_keys(does) {
   document.addEventListener('keydown', e => {
     const on = e.target.tagName;
-    if (e.ctrlKey || e.metaKey || e.altKey || on === 'SELECT' || on === 'INPUT' && e.target.type === 'number') return;
+    if (e.ctrlKey || e.metaKey || e.altKey || on === 'SELECT' || on === 'INPUT' && ['number', 'search'].includes(e.target.type)) return;
     if (on === 'INPUT' && e.key.startsWith('Arrow') || on === 'BUTTON' && (e.key === ' ' || e.key === 'Enter') || e.target.id === 'log') return;
     const arrow = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[e.key];
     if (arrow) {

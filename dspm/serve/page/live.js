@@ -105,13 +105,14 @@ function draw() {
 
 function draw_cells(drawn, wishes, box, ratio) {
   $('wipe').hidden = true;
+  const seen = {x: 0, y: 0, width: $('cells').clientWidth * ratio, height: $('cells').clientHeight * ratio};  // beside scroll bars
   for (const {frame: index, rect} of overview.visible(box)) {
     const scaled = {x: rect.x * ratio, y: rect.y * ratio, width: rect.width * ratio, height: rect.height * ratio};
     const halvings = halvings_for(scaled.width);
     for (const name of sources()) wishes.push({frame: index, output: name, halvings});
     const picture = picture_of(index, output().name, halvings);
     if (!picture) continue;
-    drawn.add(picture), painter.draw(picture, scaled, scaled, view_of(picture));
+    drawn.add(picture), painter.draw(picture, scaled, clip(scaled, seen), view_of(picture));
     if (index === frame) legend(picture);
   }
 }
@@ -201,6 +202,19 @@ function take_view(view) {
   $('exposure').value = view.stops, $('stops').textContent = exposure().toFixed(2);
 }
 
+// Which variations the overview shows, and how.
+function lay_out() {
+  run.columns = $('columns').value === '' ? undefined : Number($('columns').value), run.filter = $('filter').value;
+  if (run.frames.length > 0) overview.show(run, run.frames[frame].moment), overview.mark(frame);
+  redraw();
+}
+function list_columns() {
+  const axes = run.column_axes();
+  $('table').hidden = axes.length === 0;
+  options($('columns'), [['', 'as fits'], ...axes.map(([number, name]) => [String(number), name]), ['-1', 'one after the other']]);
+  lay_out();
+}
+
 async function load_run() {
   const response = await fetch('run');
   run = new Run(await response.json());
@@ -210,7 +224,9 @@ async function load_run() {
   options($('output'), run.outputs.map(o => [o.name, o.name]));
   relight.show(run), take_view(run.view);
   list_compared();
-  go_to(Math.min(frame, run.frames.length - 1));
+  frame = Math.max(Math.min(frame, run.frames.length - 1), 0);
+  list_columns();
+  go_to(frame);
 }
 
 listen(next => {
@@ -221,6 +237,7 @@ listen(next => {
 set_up_orders(() => state.phase === 'paused');
 for (const [id, event] of [['output', 'change'], ['tone', 'change'], ['exposure', 'input'], ['split', 'input']])
   $(id).addEventListener(event, () => { $('stops').textContent = exposure().toFixed(2), redraw(); });
+$('columns').onchange = lay_out, $('filter').oninput = lay_out;
 $('compare').onchange = compare, $('keep').onclick = keep_snapshot, $('back').onclick = close;
 $('cells').addEventListener('scroll', redraw);
 $('wipe').addEventListener('pointerdown', e => $('wipe').setPointerCapture(e.pointerId));
