@@ -1,11 +1,10 @@
-// Absorption in bodies: the light that a segment keeps of what it carries. A path knows the body that it is in from the
-// surface that it entered by. Where it arrives at a body's surface from within, that body counts, whatever the path
-// knew: so one that starts in a body, or leaves one body for another around it, errs by a segment at most.
+// Absorption in bodies: the light that a segment keeps of what it carries. A path knows the bodies that it is in from the
+// surfaces that it has crossed; where it arrives at a body's surface from within, it is in that body, whatever the path
+// knew.
 #pragma once
 
-#include <cmath>
-
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/nesting.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/math/frame_array.h"
 #include "dspm/math/frames.h"
@@ -15,38 +14,29 @@
 
 namespace dspm {
 
-/// exp(-absorption distance), Beer's law. The distance may be infinite.
-inline Rgb left_after(const Rgb& absorption, float distance) {
-  Rgb left;
-  for (int c = 0; c < 3; ++c) left[c] = absorption[c] > 0 ? std::exp(-absorption[c] * distance) : 1;
-  return left;
+/// What is left after a distance, perhaps infinite, in these bodies, for each of their states in `frames`.
+FrameArray<FrameFactor> left_within(const Scene& scene, const Inside& inside, FrameSet frames, float distance);
+
+/// Where a surface that is not there lets a ray pass that has met it at a distance: the ray's rest.
+inline Ray beyond(const Ray& ray, const Vertex& vertex, float distance) {
+  return vertex.point.spawn(ray.direction, ray.t_max - distance);
 }
 
-/// What `body` lets through over a distance, for each of its states in `frames`.
-inline FrameArray<FrameFactor> left_by_body(const Scene& scene, int body, FrameSet frames, float distance) {
-  FrameArray<FrameFactor> left;
-  scene.materials[static_cast<std::size_t>(body)].for_each(frames, [&](FrameSet common, const Material& material) {
-    left.add({common, left_after(material.absorption(), distance)});
-  });
-  return left;
+/// The frames in which nothing blocks the segment, which lies in these bodies where it starts. A surface that is not
+/// there does not.
+FrameSet open_frames(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames);
+
+/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which lies in these
+/// bodies.
+template <class Fn>
+void for_each_open(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames, Fn&& fn) {
+  const FrameSet open = open_frames(scene, segment, inside, frames);
+  if (open.empty()) return;
+  if (inside.is_empty()) return fn(open, Rgb(1));
+  for (const FrameFactor& left : left_within(scene, inside, open, segment.t_max)) fn(left.frames, left.factor);
 }
 
-/// The body around a point, found by rays to six sides that pass what is opaque: one of them sees a body if the first
-/// surface of any body that it meets shows its inside.
-inline int body_at(const Scene& scene, const Vec3& p, Frame frame) {
-  constexpr int kMostSurfaces = 32;
-  for (const Vec3& side : {Vec3{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {0, -1, 0}, {-1, 0, 0}}) {
-    Ray ray{p, side};
-    for (int i = 0; i < kMostSurfaces; ++i) {
-      const HitPartition parts = scene.accel->partition(ray, FrameSet::single(frame));
-      if (parts.begin()->hit.missed()) break;
-      const Vertex vertex(scene, ray, *parts.begin());
-      if (const int body = vertex.body_towards(vertex.wo, kNoBody); body != kNoBody) return body;
-      if (vertex.bounds_a_body()) break;
-      ray = vertex.point.spawn(side);
-    }
-  }
-  return kNoBody;
-}
+/// The bodies around a point in a frame.
+Inside inside_at(const Scene& scene, const Vec3& p, Frame frame);
 
 }  // namespace dspm

@@ -22,6 +22,7 @@ namespace dspm {
 ///   void escaped(const Path&, FrameSet)
 ///   void lost(const Path&, FrameSet, const SceneElement&)    the surface is not finite; the shape to blame
 ///   void wandered(const Path& before, const Path& after)  optional: what the path carries has changed inside a body
+/// Surfaces that are not there, because a body of higher priority is (nesting.h), end no segment: no tracer knows of them.
 /// It may also have
 ///   StrandTable& strands()                                frames with different bodies then stay one path
 ///   void dimmed(const Path& before, const Path& after)    by the body that the segment has passed through
@@ -52,7 +53,8 @@ class BranchingPath {
   void arrive(const Path& path, const FrameHit& part, Tracer& tracer) {
     if (path.walk.is_inside()) return wander(path, part, tracer);
     const auto escape = [&](const Path& left) { tracer.escaped(left, left.frames); };
-    if (part.hit.missed() && scene_.absorbs) return dim(path, path.body, part.frames, kInfinity, tracer, escape);
+    if (part.hit.missed() && !path.inside.is_empty())
+      return dim(path, path.inside, part.frames, kInfinity, tracer, escape);
     if (part.hit.missed()) return tracer.escaped(path, part.frames);
     arrive_at_surface(path, part, tracer);
   }
@@ -67,17 +69,52 @@ class BranchingPath {
  private:
   template <class Tracer>
   void arrive_at_surface(const Path& path, const FrameHit& part, Tracer& tracer) {
-    Vertex vertex(scene_, path.ray, part, path.diameter(part.hit.t));
+    FrameHit whole = part;  // with the whole length of the segment
+    whole.hit.t += path.passed;
+    const Vertex vertex(scene_, path.ray, whole, path.diameter(whole.hit.t));
     parted_ |= vertex.differs();
     if (!is_finite(vertex.point)) return tracer.lost(path, part.frames, vertex.shape_element());
-    const auto arrive = [&](const Path& arrived) {
-      for_each_relief(vertex, [&](const Vertex& shown) { tracer.arrived(arrived, shown); });
+    const auto show = [&](const Path& arrived, const Vertex& met) {
+      for_each_relief(met, [&](const Vertex& shown) { tracer.arrived(arrived, shown); });
     };
-    if (!scene_.absorbs) return arrive(path);
-    dim(path, vertex.body_towards(vertex.wo, path.body), part.frames, part.hit.t, tracer, [&](const Path& left) {
-      vertex.frames = left.frames;
-      arrive(left);
-    });
+    if (path.inside.is_empty() && !vertex.leads_inside(vertex.wo)) return show(path, vertex);
+    for (const Boundary& boundary : boundaries_of(scene_, vertex, path.inside)) {
+      if (!boundary.is_there) {
+        pass(path, vertex, boundary, part.hit.t);
+        continue;
+      }
+      dim(path, boundary.arriving, boundary.frames, whole.hit.t, tracer, [&](const Path& left) {
+        Vertex met = vertex;
+        met.frames = left.frames, met.point.outside_eta = boundary.outside_eta;
+        show(left, met);
+      });
+    }
+  }
+
+  /// Sends the path straight on through a surface that is not there, `distance` along its ray.
+  void pass(const Path& path, const Vertex& vertex, const Boundary& boundary, float distance) {
+    Path& on = push(path);
+    on.frames = boundary.frames, on.ray = beyond(path.ray, vertex, distance);
+    on.inside = vertex.inside_beyond(boundary.arriving, path.ray.direction), on.passed += distance;
+    parted_ |= boundary.frames != vertex.frames;
+  }
+
+  /// The same for a walking path; returns the frames in which the surface is not there.
+  template <class Tracer>
+  FrameSet pass_walking(const Path& path, const FrameHit& part, Tracer& tracer) {
+    FrameSet passing;
+    if (part.hit.missed() || !scene_.nests) return passing;
+    const Vertex vertex(scene_, path.ray, part);
+    if (!is_finite(vertex.point)) return passing;
+    for (const Boundary& boundary : boundaries_of(scene_, vertex, path.inside)) {
+      if (boundary.is_there) continue;
+      passing |= boundary.frames;
+      Path after = path;
+      after.frames = boundary.frames, after.throughput *= after.walk.reach(part.hit.t);
+      if constexpr (requires { tracer.wandered(path, after); }) tracer.wandered(path, after);
+      pass(after, vertex, boundary, part.hit.t);
+    }
+    return passing;
   }
 
   /// A path inside a body is scattered there if its ray ends before the surface, and may be thrown back by the surface.
@@ -85,7 +122,8 @@ class BranchingPath {
   template <class Tracer>
   void wander(const Path& path, const FrameHit& part, Tracer& tracer) {
     Path after = path;
-    after.frames = part.frames;
+    after.frames = part.frames - pass_walking(path, part, tracer);
+    if (after.frames.empty()) return;
     bool stays = part.hit.missed();
     if (stays)
       after.throughput *= is_lost(after.ray) ? Rgb() : after.walk.scatter(after.ray, after.random, after.bounces);
@@ -101,21 +139,21 @@ class BranchingPath {
     if (stays)
       push(after);
     else
-      arrive_at_surface(after, part, tracer);
+      arrive_at_surface(after, {after.frames, part.hit}, tracer);
   }
   /// Far outside, through a hole in the body's surface.
   bool is_lost(const Ray& ray) const {
     return !(length2(ray.at(ray.t_max) - scene_.center) < 4 * scene_.radius * scene_.radius);
   }
 
-  /// Calls fn(const Path&) for what arrives, in these frames, of a path that has passed through `body`: for one path if
+  /// Calls fn(const Path&) for what arrives, in these frames, of a path whose segment lies in these bodies: for one path if
   /// the tracer has strands.
   template <class Tracer, class Fn>
-  void dim(const Path& path, int body, FrameSet frames, float distance, Tracer& tracer, Fn&& fn) {
+  void dim(const Path& path, const Inside& inside, FrameSet frames, float distance, Tracer& tracer, Fn&& fn) {
     Path left = path;
-    left.body = body, left.frames = frames;
-    if (body == kNoBody) return fn(left);
-    const FrameArray<FrameFactor> factors = left_by_body(scene_, body, frames, distance);
+    left.inside = inside, left.frames = frames;
+    if (inside.is_empty()) return fn(left);
+    const FrameArray<FrameFactor> factors = left_within(scene_, inside, frames, distance);
     if constexpr (requires { tracer.strands(); }) {
       const Path before = left;
       const bool any = multiply(left, factors, tracer.strands(), ByRatio::yes, keep_all);

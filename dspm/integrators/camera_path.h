@@ -78,11 +78,17 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
     const float weight = camera.weight(film, lens);
     if (!(weight > 0)) return;
     path.throughput = Rgb(weight), path.eta_scale = weight;
-    path.ray = camera.ray(film, lens), path.frames = frames, path.camera = &camera;
-    if (is_finite(path.ray))
-      start(path);
-    else
-      lost(path);
+    path.ray = camera.ray(film, lens), path.camera = &camera;
+    const auto begin = [&](FrameSet in, const Inside& inside) {
+      path.frames = in, path.inside = inside;
+      if (is_finite(path.ray))
+        start(path);
+      else
+        lost(path);
+    };
+    if (scene.around_camera.empty()) return begin(frames, {});
+    for (const auto& around : scene.around_camera)
+      if (const FrameSet common = frames & around.frames; !common.empty()) begin(common, around.inside);
   });
 }
 

@@ -27,16 +27,6 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-/// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which passes through
-/// `body`.
-template <class Fn>
-void for_each_open(const Scene& scene, const Ray& segment, int body, FrameSet frames, Fn&& fn) {
-  const FrameSet open = frames - scene.accel->occluded(segment, frames);
-  if (open.empty()) return;
-  if (body == kNoBody || !scene.absorbs) return fn(open, Rgb(1));
-  for (const FrameFactor& left : left_by_body(scene, body, open, segment.t_max)) fn(left.frames, left.factor);
-}
-
 // Of a few lights, all are sampled; of more, half of the samples go by power, which a sky or a sun beyond everything
 // would take alone, and half to all lights alike.
 inline constexpr std::size_t kFewLights = 8;
@@ -180,8 +170,8 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
     for (const ChosenSample& chosen : choosing)
       if (is_same(chosen)) together |= chosen.frames;
     ++counts.shadow_rays;
-    const int body = body_beyond(vertex, path.body, first.lit.wi);
-    for_each_open(scene, shadow_ray(point, first.lit), body, together, [&](FrameSet open, const Rgb& transmittance) {
+    const Inside inside = vertex.inside_beyond(path.inside, first.lit.wi);
+    for_each_open(scene, shadow_ray(point, first.lit), inside, together, [&](FrameSet open, const Rgb& transmittance) {
       for (const ChosenSample& chosen : choosing) {
         const FrameSet lit = chosen.frames & open;
         if (!is_same(chosen) || lit.empty()) continue;

@@ -47,7 +47,7 @@ class FinalGather {
       if (!sample) continue;
       path.throughput *= sample->weight;
       extend_ray(path, point, *sample);
-      path.body = scattering.body;  // lobes that gather hardly ever transmit
+      path.inside = scattering.inside;  // lobes that gather hardly ever transmit
       if (!is_valid(path, {SceneElement::Kind::material, scattering.material})) continue;
       branches_.push(path);
       branches_.follow(*this);
@@ -84,8 +84,9 @@ class FinalGather {
     HitPoint hit = *path.from;
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.throughput = path.throughput, hit.frames = path.frames;
-    const Scattering scattering{BsdfSlot::copy_of(bsdf),         vertex.wo, point.p_error, lobes, bsdf.transmits(lobes),
-                                vertex.material_element().index, path.body};
+    const Scattering scattering{
+        BsdfSlot::copy_of(bsdf),         vertex.wo,  point.p_error, lobes, bsdf.transmits(lobes),
+        vertex.material_element().index, path.inside};
     estimate_radiance(hit, &scattering, map_, how_, counts_,
                       [&](FrameSet frames, const Rgb& radiance, int group) { add_(hit, frames, radiance, group); });
   }

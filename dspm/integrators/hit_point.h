@@ -36,7 +36,7 @@ struct Scattering {
   LobeSet lobes;   // those that gather here
   bool transmits;  // photons on the other side of the surface count as well
   int material;    // index into the scene's
-  int body;        // around the hit point, see body.h
+  Inside inside;   // the bodies around the hit point
 };
 
 struct HitPointSettings {

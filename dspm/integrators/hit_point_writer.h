@@ -75,7 +75,7 @@ class HitPointWriter {
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(tile_.scatterings.size());
     tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes, bsdf->transmits(lobes),
-                                 vertex.material_element().index, path.body});
+                                 vertex.material_element().index, path.inside});
   }
 
  private:

@@ -20,8 +20,6 @@
 
 namespace dspm {
 
-inline constexpr int kNoBody = -1;
-
 /// A path is a value. When frames part, each group gets a copy, with disjoint frame sets.
 struct PathState {
   Ray ray;                 // the next segment
@@ -32,7 +30,8 @@ struct PathState {
   StrandList strands = 0;  // factors to the throughput by frame, if they differ
   PathRandom random = {};  // shared by all branches of the path
   Walk walk = {};          // through the body that the path is in, if that scatters
-  int body = kNoBody;      // that the next segment passes through: its material, see body.h
+  Inside inside = {};      // the bodies that the next segment lies in, see nesting.h
+  float passed = 0;        // what it has passed of the next segment, through surfaces that are not there
 
   /// The diameter of what the path stands for at the end of its next segment, in the world: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
@@ -52,7 +51,8 @@ struct Vertex {
         wo(-ray.direction),
         frames(part.frames),
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
-        material(scene.materials[static_cast<std::size_t>(shape.material)]) {
+        material(scene.materials[static_cast<std::size_t>(shape.material)]),
+        body(scene.body_of(shape.material)) {
     if (diameter > 0) point.cover(wo, diameter);
   }
 
@@ -62,14 +62,19 @@ struct Vertex {
   FrameSet frames;
   const PlacedShape& shape;
   const FrameStates<Material>& material;
+  int body;  // that the surface bounds in some frame, if paths need know it: its material
 
-  /// The body on w's side of the surface: the surface's own, by its material, or else the one that is `around` it.
-  int body_towards(const Vec3& w, int around) const {
-    return dot(w, point.ng) < 0 && bounds_a_body() ? shape.material : around;
-  }
-  bool bounds_a_body() const {
-    return std::any_of(material.states.begin(), material.states.end(),
-                       [](const auto& state) { return state.object->bounds_a_body(); });
+  /// Whether w leads into that body.
+  bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }
+  /// The bodies that a segment in direction w lies in, if the one that arrived here lay in `arriving`.
+  Inside inside_beyond(const Inside& arriving, const Vec3& w) const {
+    Inside beyond = arriving;
+    if (leads_inside(w) == leads_inside(wo)) return beyond;
+    if (leads_inside(w))
+      beyond.enter(body);
+    else
+      beyond.leave(body);
+    return beyond;
   }
   /// Whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
@@ -79,12 +84,6 @@ struct Vertex {
   SceneElement material_element() const { return {SceneElement::Kind::material, shape.material}; }
   SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
-
-/// The body that a segment from `vertex` in direction w passes through, if the one before came through `body`.
-inline int body_beyond(const Vertex& vertex, int body, const Vec3& w) {
-  const bool came_out = vertex.body_towards(vertex.wo, kNoBody) != kNoBody;
-  return vertex.body_towards(w, came_out ? kNoBody : body);
-}
 
 /// Calls fn(FrameSet, const Material&) for each material that the point is made of in some of the vertex's frames. Mixes
 /// that differ may agree about a point.
@@ -235,13 +234,13 @@ inline std::optional<BsdfSample> sample_bsdf(const Bsdf& bsdf, const PathState& 
 /// Starts the path's next segment along the sampled direction; the caller updates the throughput.
 inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSample& sample) {
   path.eta_scale *= sample.eta_scale;
-  path.ray = point.spawn(sample.wi);
+  path.ray = point.spawn(sample.wi), path.passed = 0;
   ++path.bounces;
   if (sample.ahead) path.walk = Walk(*sample.ahead);
   path.walk.start(path.ray, path.random, path.bounces);
 }
 inline void extend_ray(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
-  path.body = body_beyond(vertex, path.body, sample.wi);
+  path.inside = vertex.inside_beyond(path.inside, sample.wi);
   extend_ray(path, vertex.point, sample);
 }
 inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& sample) {

@@ -72,7 +72,7 @@ class PhotonTracer {
                           {emission->ray, emission->normal, emission->primitive},
                           emission->must_reach,
                           chosen.light});
-      path.random = random, path.strands = start.strands, path.body = start.body;
+      path.random = random, path.strands = start.strands, path.inside = start.inside;
       path.hidden = settings_.hidden && light.is_delta, path.caustics = light.caustics;
       if (start.varied != nullptr && !weigh(path, *start.varied, chosen.light)) {
         branches_.drop();

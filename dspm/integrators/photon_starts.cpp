@@ -9,17 +9,18 @@
 namespace dspm {
 namespace {
 
-/// The starts once more for each body that a light lies in, in some frames.
-std::vector<PhotonStart> by_body(const Scene& scene, const std::vector<PhotonStart>& starts) {
+/// The starts once more for each list of bodies that a light lies in, in some frames.
+std::vector<PhotonStart> by_bodies(const Scene& scene, const std::vector<PhotonStart>& starts) {
   std::vector<PhotonStart> parts;
   for (const PhotonStart& start : starts) {
-    std::map<int, FrameSet> bodies;
+    std::map<Inside, FrameSet> places;
     const auto emission = start.light->is_infinite() ? std::nullopt : start.light->emit({0.5f, 0.5f}, {0.5f, 0.5f});
-    start.frames.for_each(
-        [&](Frame f) { bodies[emission ? body_at(scene, emission->ray.origin, f) : kNoBody] |= FrameSet::single(f); });
-    for (const auto& [body, frames] : bodies) {
+    start.frames.for_each([&](Frame f) {
+      places[emission ? inside_at(scene, emission->ray.origin, f) : Inside()] |= FrameSet::single(f);
+    });
+    for (const auto& [inside, frames] : places) {
       PhotonStart& part = parts.emplace_back(start);
-      part.body = body, part.frames = frames;
+      part.inside = inside, part.frames = frames;
     }
   }
   return parts;
@@ -32,7 +33,7 @@ PhotonStarts::PhotonStarts(const Scene& scene, bool share_paths) {
     auto& of_light = of_choice_.emplace_back();
     for (const SceneLight& light : scene.lights) {
       of_light.push_back(starts_of(light, choice.frames, share_paths));
-      if (scene.absorbs) of_light.back() = by_body(scene, of_light.back());
+      if (!scene.bounds_bodies.empty()) of_light.back() = by_bodies(scene, of_light.back());
     }
   }
 }

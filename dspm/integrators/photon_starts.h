@@ -19,7 +19,7 @@ struct PhotonStart {
   Rgb factor;  // of the light's flux
   StrandList strands;
   const SceneLight::Alike* varied = nullptr;  // set if its weights depend on the photon's direction
-  int body = kNoBody;                         // in which the light lies, all of it
+  Inside inside = {};                         // the bodies in which the light lies, all of it
 };
 
 class PhotonStarts {

@@ -15,11 +15,13 @@
 // dispersion. Rough glass is GGX, and on the side that light comes from, a diffuse lobe for light that meets a second
 // facet (made_up.h); without energycompensation that light is lost, as in pbrt. Coloured glass absorbs within the body:
 // after a distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which
-// should be closed; what is opaque may lie in it. Of two bodies of which one lies within the other, the inner one counts.
+// should be closed; what is opaque may lie in it. Where bodies overlap, the one of the higher "priority" is there, and eta
+// is that over air; between bodies of equal priority it is as written, and the body that light entered last counts.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/boundary_tables.h"
@@ -30,6 +32,7 @@
 #include "dspm/materials/material.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/per_surroundings.h"
 #include "dspm/materials/rough_boundary.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/math/sampling.h"
@@ -224,25 +227,30 @@ class DielectricMaterial final : public Material {
         absorption_(read_absorption(reader)) {}
   /// After the parameters have been checked.
   void make_tables() {
-    if (!makes_up_ || roughness_.is_smooth() || eta_ == 1) return;
-    tables_.even = boundary_tables(eta_);
-    if (!roughness_.is_even()) tables_.brushed = brushed_glass(eta_);
+    if (!makes_up_ || roughness_.is_smooth()) return;
+    tables_.emplace([this](float outside) {
+      const float eta = eta_ / outside;
+      if (eta == 1) return GlassTables{};
+      return GlassTables{boundary_tables(eta), roughness_.is_even() ? nullptr : brushed_glass(eta)};
+    });
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const ShadingFrame frame(point);
-    const Vec2 alpha = roughness_.alpha(point) * share_of_roughness(eta_);
-    if (Ggx::is_smooth(alpha) || eta_ == 1) return slot.emplace<SmoothDielectric>(frame, eta_);
-    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta_, makes_up_ ? &tables_ : nullptr);
+    const float eta = eta_ / point.outside_eta;
+    const Vec2 alpha = roughness_.alpha(point) * share_of_roughness(eta);
+    if (Ggx::is_smooth(alpha) || eta == 1) return slot.emplace<SmoothDielectric>(frame, eta);
+    return slot.emplace<RoughDielectric>(frame, Ggx(alpha), eta, tables_ ? &tables_->of(point.outside_eta) : nullptr);
   }
   bool bounds_a_body() const override { return true; }
+  float eta() const override { return eta_; }
   Rgb absorption() const override { return absorption_; }
 
  private:
   float eta_;
   Roughness roughness_;
   bool makes_up_;
-  GlassTables tables_;
+  std::optional<PerSurroundings<GlassTables>> tables_;
   Rgb absorption_;
 };
 

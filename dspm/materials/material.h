@@ -25,6 +25,10 @@ class Material {
   virtual bool bounds_a_body() const { return false; }
   /// What the body absorbs: over a distance d in the world, exp(-absorption d) of the light is left.
   virtual Rgb absorption() const { return Rgb(0); }
+  /// The body's index of refraction, over that of what SurfacePoint::outside_eta is 1 for.
+  virtual float eta() const { return 1; }
+  /// Whether light that crosses the surface is scattered inside.
+  virtual bool scatters_inside() const { return false; }
   /// False: light passes as if the surface were not there, so its shapes are left out of the scene.
   virtual bool is_seen() const { return true; }
   /// Of a mix, `depth` mixes deep: which of its materials the point is made of. Null: this one.
@@ -41,8 +45,14 @@ class Material {
   const Relief* relief() const { return relief_.get(); }
   void set_relief(std::shared_ptr<const Relief> relief) { relief_ = std::move(relief); }
 
+  /// Of the body, whatever the plugin: where bodies overlap, the one of the highest priority is there. Set once, when the
+  /// material is made.
+  int priority() const { return priority_; }
+  void set_priority(int priority) { priority_ = priority; }
+
  private:
   std::shared_ptr<const Relief> relief_;
+  int priority_ = 0;
 };
 
 struct MaterialContext {

@@ -14,12 +14,15 @@ class MixMaterial final : public Material {
  public:
   using Parts = std::array<std::shared_ptr<const Material>, 2>;
 
-  MixMaterial(Parts parts, TexturePtr<float> amount) : parts_(std::move(parts)), amount_(std::move(amount)) {}
+  MixMaterial(Parts parts, TexturePtr<float> amount) : parts_(std::move(parts)), amount_(std::move(amount)) {
+    set_priority(body().priority());
+  }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override { return at(point).bsdf(point, slot); }
   bool bounds_a_body() const override { return parts_[0]->bounds_a_body() || parts_[1]->bounds_a_body(); }
-  /// Of the part that bounds a body; if both do, they absorb alike.
-  Rgb absorption() const override { return parts_[parts_[0]->bounds_a_body() ? 0 : 1]->absorption(); }
+  Rgb absorption() const override { return body().absorption(); }
+  float eta() const override { return body().eta(); }
+  bool scatters_inside() const override { return parts_[0]->scatters_inside() || parts_[1]->scatters_inside(); }
   bool is_seen() const override { return parts_[0]->is_seen() || parts_[1]->is_seen(); }
   const Material* chosen(const SurfacePoint& point, int depth) const override;
   const Parts& parts() const { return parts_; }
@@ -34,6 +37,8 @@ class MixMaterial final : public Material {
 
  private:
   class Opacity;
+  /// The part that bounds a body; if both do, they absorb alike, and the first one counts.
+  const Material& body() const { return *parts_[parts_[0]->bounds_a_body() ? 0 : 1]; }
   static std::array<float, 2> cover_of(const FloatTexture& amount, const Opacities& opacities, const TexturePoint& at);
 
   Parts parts_;

@@ -112,4 +112,9 @@ Rgb read_absorption(ParamReader& reader) {
   return absorption;
 }
 
+std::optional<int> read_priority(ParamReader& reader) {
+  const int priority = reader.integer("priority", 0, "", "of its body: where bodies overlap, the highest one is there");
+  return reader.has("priority") ? std::optional(priority) : std::nullopt;
+}
+
 }  // namespace dspm

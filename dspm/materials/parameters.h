@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "dspm/colour/rgb.h"
@@ -81,5 +82,9 @@ EmissionLook read_emission_look(ParamReader& reader);
 /// "attenuationcolor" and "attenuationdistance", as in glTF's KHR_materials_volume: white light that has gone that far
 /// through the body, in world units, has this colour. As Material::absorption().
 Rgb read_absorption(ParamReader& reader);
+
+/// "priority" of any material, whatever its plugin, if it is given: as Material::priority(). To be called before the
+/// material's own factory reads the rest.
+std::optional<int> read_priority(ParamReader& reader);
 
 }  // namespace dspm

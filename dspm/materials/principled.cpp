@@ -66,12 +66,14 @@
 // Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF]
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/fresnel.h"
 #include "dspm/materials/material.h"
 #include "dspm/materials/normal_map.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/per_surroundings.h"
 #include "dspm/materials/principled_bsdf.h"
 #include "dspm/materials/principled_tables.h"
 #include "dspm/materials/shading_frame.h"
@@ -151,7 +153,11 @@ class PrincipledMaterial final : public Material {
   void make_tables() {
     const bool layers = coat_->constant() != 0.f || sheen_->constant() != Rgb(0);
     const PrincipledUses uses{anisotropy_->constant() != 0.f, transmission_->constant() != 0.f, layers};
-    tables_ = std::make_shared<const PrincipledTables>(principled_tables(eta_, thin_, film_eta_, uses));
+    tables_.emplace([this, uses](float outside) {
+      const float eta = eta_ / outside;
+      return principled_tables(eta < 1 ? std::min(eta, 1 / kLeastEta) : std::max(eta, kLeastEta), thin_, film_eta_,
+                               uses);
+    });
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
@@ -174,9 +180,10 @@ class PrincipledMaterial final : public Material {
                               coat_normal(point),
                               number(iridescence_),
                               std::max(0.f, film_nm_->evaluate(at))};
-    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), *tables_, look);
+    return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables_->of(point.outside_eta), look);
   }
   bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
+  float eta() const override { return eta_; }
   Rgb absorption() const override { return absorption_; }
 
  private:
@@ -205,7 +212,7 @@ class PrincipledMaterial final : public Material {
   bool thin_;
   float eta_, film_eta_;
   Rgb absorption_;
-  std::shared_ptr<const PrincipledTables> tables_;
+  std::optional<PerSurroundings<PrincipledTables>> tables_;
 };
 
 }  // namespace

@@ -21,6 +21,8 @@
 // else it leaves in the directions (1 - F(w)) cos(w) / (pi T). This is reciprocal and loses nothing, and photons can be
 // gathered where light crosses the surface. As the walk sees the body's real shape, thin parts shine through, which
 // pbrt's profile for a flat thick body leaves out. Nothing else should be inside the body, and its mesh should be closed.
+// Where it overlaps glass, its "priority" must be the higher one: light that enters it by the glass's surface would not
+// be scattered.
 //
 // Of diffuse light, a thick body returns the share R = (1 - s)(1 - 0.139 s) / (1 + 1.17 s), with s^2 = (1 - albedo) /
 // (1 - g albedo) [van de Hulst 1980, Multiple Light Scattering]. Thrown back by the surface again and again, R (1 - r) /
@@ -36,6 +38,7 @@
 #include "dspm/materials/measured_media.h"
 #include "dspm/materials/microfacet.h"
 #include "dspm/materials/parameters.h"
+#include "dspm/materials/per_surroundings.h"
 #include "dspm/materials/shading_frame.h"
 #include "dspm/math/sampling.h"
 #include "dspm/math/vec.h"
@@ -182,30 +185,36 @@ class SubsurfaceMaterial final : public Material {
   };
 
   SubsurfaceMaterial(float eta, float g, float scale, const Roughness& roughness, Textures textures)
-      : boundary_(eta, g), scale_(scale), roughness_(roughness), textures_(std::move(textures)) {}
+      : boundary_([eta, g](float outside) { return Boundary(eta / outside, g); }),
+        scale_(scale),
+        roughness_(roughness),
+        textures_(std::move(textures)) {}
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
     const Rgb a = textures_.a->evaluate(at), s = textures_.s->evaluate(at);
+    const Boundary& boundary = boundary_.of(point.outside_eta);
     Rgb sigma_t, albedo;
     for (int c = 0; c < 3; ++c) {
       const float first = std::max(0.f, a[c]), second = std::max(0.f, scale_ * s[c]);
       if (textures_.by_reflectance) {
         sigma_t[c] = std::min(kDensest, 1 / second);
-        albedo[c] = albedo_of_reflectance(first, boundary_);
+        albedo[c] = albedo_of_reflectance(first, boundary_.of(1));
       } else {
         sigma_t[c] = std::min(kDensest, scale_ * first + second);
         albedo[c] = sigma_t[c] > 0 ? second / (scale_ * first + second) : 0;
       }
     }
-    return slot.emplace<Subsurface>(ShadingFrame(point), roughness_.alpha(point), boundary_, sigma_t, albedo);
+    return slot.emplace<Subsurface>(ShadingFrame(point), roughness_.alpha(point), boundary, sigma_t, albedo);
   }
   bool bounds_a_body() const override { return true; }
+  float eta() const override { return boundary_.of(1).eta; }
+  bool scatters_inside() const override { return true; }
 
  private:
   static constexpr float kDensest = 1e8f;
 
-  Boundary boundary_;
+  PerSurroundings<Boundary> boundary_;
   float scale_;
   Roughness roughness_;
   Textures textures_;

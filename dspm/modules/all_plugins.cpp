@@ -15,6 +15,7 @@
 #include "dspm/lights/light_group.h"
 #include "dspm/lights/photon_controls.h"
 #include "dspm/materials/material.h"
+#include "dspm/materials/parameters.h"
 #include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
@@ -85,6 +86,7 @@ std::vector<CatalogueEntry> all_plugins() {
     read_shape_caustics(params);
     read_shadow_catcher(params);
   });
+  add_common(entries, material_plugins().kind(), [](ParamReader& params) { read_priority(params); });
   add_common(
       entries, material_plugins().kind(), [](ParamReader& params) { read_relief(params, texture); }, has_relief);
   for (const auto* lights : {&light_plugins(), &area_light_plugins()})

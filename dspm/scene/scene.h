@@ -15,6 +15,7 @@
 #include "dspm/math/frames.h"
 #include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
+#include "dspm/scene/inside.h"
 
 namespace dspm {
 
@@ -106,7 +107,15 @@ class Scene {
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
-  bool absorbs = false;                         // a body of some material absorbs light
+  /// By material: whether its shapes bound a body in some frame. Empty if no path need know the bodies that it is in.
+  std::vector<bool> bounds_bodies;
+  bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
+  /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
+  struct AroundCamera {
+    FrameSet frames;
+    Inside inside;
+  };
+  std::vector<AroundCamera> around_camera;
   std::vector<SceneLight> lights;
   std::vector<LightChoice> light_choices;     // of the file; their frames here are disjoint, and all frames in the end
   std::span<const std::string> light_names;   // distinct
@@ -124,6 +133,10 @@ class Scene {
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   bool is_catcher(int shape) const { return !catchers.empty() && catchers[static_cast<std::size_t>(shape)]; }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
+  /// The material if its shapes bound a body that paths need know; else kNoBody.
+  int body_of(int material) const {
+    return !bounds_bodies.empty() && bounds_bodies[static_cast<std::size_t>(material)] ? material : kNoBody;
+  }
   /// Where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {
     return shapes[static_cast<std::size_t>(hit.shape)].seen(hit.primitive, hit.uv, direction);

@@ -41,6 +41,9 @@ struct SurfacePoint {
   // The surface turns to each ray, as a curve does, so ng belongs to the ray that met it here, and there is no area on
   // which photons could be counted.
   bool turns = false;
+  // The index of refraction around the body that the surface bounds, over that for which the body's own is given: 1
+  // unless it lies in another body, of lower priority.
+  float outside_eta = 1;
   VertexPlace vertices{};  // of a mesh with colours of vertices or second texture coordinates
 
   /// A ray that leaves the surface in direction w (unit length), from a point further off p than its error, on w's side

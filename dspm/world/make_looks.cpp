@@ -3,6 +3,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/mix.h"
+#include "dspm/materials/parameters.h"
 #include "dspm/materials/relief.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vanishing.h"
@@ -93,11 +94,18 @@ std::shared_ptr<const Material> Looks::make_material(const Recipe& recipe, const
   if (!plugin) plugin = material_plugins().find("diffuse");
   ParamReader reader(plugin->name == type ? recipe.params : none, fmt::format("material \"{}\"", type), use.where,
                      diagnostics, description_.main_directory());
+  const std::optional<int> priority = read_priority(reader);
   std::shared_ptr<const Relief> relief;
   if (has_relief(plugin->name)) relief = read_relief(reader, {textures, Transform(), images_});
   std::shared_ptr<Material> material = plugin->make(
       reader, MaterialContext{textures, made_materials(recipe, diagnostics), description_.dialect == Dialect::pbrt});
   if (material) material->set_relief(std::move(relief));
+  if (material && priority) {
+    material->set_priority(*priority);
+    if (!material->bounds_a_body())
+      diagnostics.warning(use.where,
+                          fmt::format("material \"{}\" bounds no body, so its priority has no effect", type));
+  }
   if (auto* mix = dynamic_cast<MixMaterial*>(material.get()))
     mix->set_opacities({opacity_of(recipe.materials[0], diagnostics), opacity_of(recipe.materials[1], diagnostics)});
   return material;

@@ -8,11 +8,13 @@
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/system/files_read.h"
+#include "dspm/world/bodies.h"
 #include "dspm/world/coverage.h"
 #include "dspm/world/distinct_names.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/lighting.h"
 #include "dspm/world/likeness.h"
+#include "dspm/world/overlap_warnings.h"
 #include "dspm/world/param_key.h"
 #include "dspm/world/placement_check.h"
 #include "dspm/world/sharing.h"
@@ -133,6 +135,7 @@ struct World::Impl {
     if (text.accelerator && text.accelerator->type == name) accel_params = text.accelerator->params.at(Moment());
     ParamReader reader = accel_reader(diagnostics);
     check(*accel, reader, std::span<const PlacedShape>(), FrameSet());
+    if (options.check_meshes && diagnostics.error_count() == 0) warn_of_overlaps(diagnostics);
   }
 
   ParamReader accel_reader(Diagnostics& diagnostics) const {
@@ -145,7 +148,7 @@ struct World::Impl {
     return static_cast<int>(group - light_groups.begin());
   }
 
-  enum class Contents { all, without_objects };
+  enum class Contents { all, without_objects, bodies };
 
   std::vector<PlacedShape> shapes_in(const std::vector<FileFrame>& frames, Contents contents = Contents::all) const {
     std::vector<PlacedShape> shapes;
@@ -162,6 +165,7 @@ struct World::Impl {
     std::vector<const WorldShape*> there;
     for (const WorldShape& shape : geometry.shapes()) {
       if (contents == Contents::without_objects && !shape.is_catcher && shape.emitter < 0) continue;
+      if (contents == Contents::bodies && !looks.bounds_a_body(shape.placed.material)) continue;
       if (!shape.nowhere && !shape.present.among(frames).empty()) there.push_back(&shape);
     }
     return there;
@@ -190,6 +194,9 @@ struct World::Impl {
   }
 
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents) const;
+
+  /// Looks at the frames that stand for the file.
+  void warn_of_overlaps(Diagnostics& diagnostics) const;
 
   std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents) const {
     const auto make = [&](std::span<const PlacedShape> shapes) {
@@ -251,8 +258,7 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->object_names = geometry.object_names();
   scene->materials = looks.materials_in(scene->file_frames);
   scene->material_names = looks.material_names();
-  for (const FrameStates<Material>& material : scene->materials)
-    for (const auto& state : material.states) scene->absorbs |= !is_black(state.object->absorption());
+  find_bodies(*scene);
   for (const WorldLight& light : lights) {
     if (light.infinite) scene->infinite_lights.push_back(static_cast<int>(scene->lights.size()));
     scene->lights.push_back({cut(light.states, scene->file_frames), light.probability,
@@ -265,7 +271,24 @@ std::unique_ptr<Scene> World::Impl::scene(std::span<const FileFrame> frames, Con
   scene->camera = cut(camera, scene->file_frames);
   for (const FileFrame frame : frames) scene->camera_to_world.push_back(camera_to_world(description, frame));
   scene->accel = make_accel(*scene, contents);
+  find_bodies_around_camera(*scene);
   return scene;
+}
+
+void World::Impl::warn_of_overlaps(Diagnostics& diagnostics) const {
+  Scene bodies;
+  bodies.file_frames = light_choices.sample();
+  const std::vector<const WorldShape*> there = shapes_there(bodies.file_frames, Contents::bodies);
+  if (there.size() < 2) return;
+  bodies.shapes = shapes_in(bodies.file_frames, Contents::bodies);
+  cut_out(bodies, there);
+  bodies.materials = looks.materials_in(bodies.file_frames);
+  const std::vector<Neighbours> pairs = neighbours(bodies);
+  if (pairs.empty()) return;
+  Diagnostics ignored;
+  ParamReader reader = accel_reader(ignored);
+  bodies.accel = accel->make(reader, bodies.shapes, bodies.frames());
+  warn_of(find_overlaps(bodies, pairs), bodies, there, looks, description.frames, diagnostics);
 }
 
 std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(); }

@@ -159,7 +159,7 @@ class CameraSubpathTracer {
   }
 
   void connect(const CameraSubpath& path, const Vertex& vertex, std::span<const Surface> surfaces) {
-    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.body, path.weights, ways_at(vertex)};
+    const CameraVertex end{vertex, surfaces, path.frames, path.bounces, path.inside, path.weights, ways_at(vertex)};
     light_subpath().for_each_connection(pass_, end, counts_, [&](const Brought& brought) {
       add(path, brought, [&] { return vertex.material_element(); });
     });

@@ -6,7 +6,8 @@ void LightSubpath::load(const Scene& scene, std::span<const LightVertex> vertice
   ends_.clear();
   surfaces_.clear();
   for (const LightVertex& light : vertices) {
-    const Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
+    Vertex met(scene, {{}, -light.wi}, {light.frames, light.hit});
+    met.point.outside_eta = light.outside_eta;
     for_each_relief(met, [&](const Vertex& vertex) {  // the same in all of its frames, or it would have parted
       const std::size_t first = surfaces_.size();
       for_each_surface(vertex, [&](FrameSet frames, const Bsdf& bsdf) {

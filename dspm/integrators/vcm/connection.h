@@ -30,7 +30,7 @@ struct CameraVertex {
   std::span<const Surface> surfaces;  // that can be connected
   FrameSet frames;
   int bounces;
-  int body;  // around the segment before
+  Inside inside;  // of the segment before
   SubpathWeights weights;
   VcmWays ways;  // there
 };
@@ -61,8 +61,8 @@ class LightSubpath {
       if (joined.empty()) continue;
       ++counts.shadow_rays;
       const Ray segment = shadow_ray(camera.vertex.point, {way / distance, distance, Rgb(), 0});
-      const int body = body_beyond(camera.vertex, camera.body, segment.direction);
-      for_each_open(pass.scene, segment, body, joined, [&](FrameSet open, const Rgb& transmittance) {
+      const Inside inside = camera.vertex.inside_beyond(camera.inside, segment.direction);
+      for_each_open(pass.scene, segment, inside, joined, [&](FrameSet open, const Rgb& transmittance) {
         for (const Brought& part : parts)
           if (const FrameSet lit = part.frames & open; !lit.empty())
             fn(Brought{lit, part.radiance * transmittance, part.strands, part.light});

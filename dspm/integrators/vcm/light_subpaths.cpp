@@ -48,7 +48,7 @@ class LightPathTracer {
       else
         for (const auto& [frames, light] : start.varied->states)
           if (const FrameSet common = frames & start.frames; !common.empty())
-            follow(chosen, {light.get(), common, Rgb(1), 0, nullptr, start.body}, random);
+            follow(chosen, {light.get(), common, Rgb(1), 0, nullptr, start.inside}, random);
     }
   }
 
@@ -62,7 +62,7 @@ class LightPathTracer {
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
-    path.random = random, path.strands = start.strands, path.body = start.body,
+    path.random = random, path.strands = start.strands, path.inside = start.inside,
     path.merging = merging_after(pass_.ways, 0);
     branches_.follow(*this);
   }
@@ -134,8 +134,8 @@ class LightPathTracer {
     if (!(geometric * shading > 0)) return;
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const LightVertex stored{point.p, vertex.wo,    flux,    light_index_, frames,
-                             strands, path.bounces, weights, path.merging, vertex.hit};
+    const LightVertex stored{point.p,      vertex.wo, flux,         light_index_, frames,           strands,
+                             path.bounces, weights,   path.merging, vertex.hit,   point.outside_eta};
     if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
     if (!pass_.settings.connect && stored.merging == 0) return;
     out_.vertices.push_back(stored);
@@ -148,12 +148,13 @@ class LightPathTracer {
     scene_.camera.for_each(light.frames, [&](FrameSet seeing, const Camera& camera) {
       const auto sight = camera.sight(light.p, lens);
       if (sight && is_seen(sight->film, pass_.render))
-        send(light, vertex, *sight, body_beyond(vertex, path.body, sight->w), seeing);
+        send(light, vertex, *sight, vertex.inside_beyond(path.inside, sight->w), seeing);
     });
   }
 
   /// To the camera, as a radiance that is flux f times the pixels that a unit of area covers.
-  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, int body, FrameSet seeing) {
+  void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, const Inside& inside,
+            FrameSet seeing) {
     const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));
     FrameArray<FrameFactor> parts;
     FrameSet sent;
@@ -173,7 +174,7 @@ class LightPathTracer {
     });
     if (sent.empty()) return;
     ++out_.paths.shadow_rays;
-    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), body, sent,
+    for_each_open(scene_, vertex.point.spawn(sight.w, sight.distance), inside, sent,
                   [&](FrameSet open, const Rgb& transmittance) {
                     for (const FrameFactor& part : parts)
                       for_each_strand(

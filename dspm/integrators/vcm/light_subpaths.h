@@ -28,6 +28,7 @@ struct LightVertex {
   SubpathWeights weights;
   float merging;  // what merges count here; 0: there are none
   RayHit hit;
+  float outside_eta;  // see SurfacePoint
 };
 
 /// The results of a range of light subpaths.

@@ -1,0 +1,53 @@
+// The bodies that a point or a segment of a path lies in.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <span>
+
+namespace dspm {
+
+inline constexpr int kNoBody = -1;
+
+/// A list of bodies, by their materials, in the order in which a path has entered them. It is a value. A path that
+/// enters too many forgets the outermost, and learns of it again where it arrives at its surface from within.
+class Inside {
+ public:
+  static constexpr int kMost = 6;
+
+  bool is_empty() const { return count_ == 0; }
+  std::span<const int> bodies() const { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
+  bool contains(int body) const { return std::find(begin(), end(), body) != end(); }
+
+  void enter(int body) {
+    leave(body);
+    if (count_ == kMost) leave(bodies_[0]);
+    bodies_[static_cast<std::size_t>(count_++)] = body;
+  }
+  void leave(int body) {
+    leave_if([&](int each) { return each == body; });
+  }
+  template <class Predicate>
+  void leave_if(Predicate&& predicate) {
+    count_ = static_cast<int>(std::remove_if(begin(), end(), predicate) - begin());
+  }
+
+  friend bool operator==(const Inside& a, const Inside& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+  friend auto operator<=>(const Inside& a, const Inside& b) {
+    return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
+  }
+
+ private:
+  int* begin() { return bodies_.data(); }
+  int* end() { return bodies_.data() + count_; }
+  const int* begin() const { return bodies_.data(); }
+  const int* end() const { return bodies_.data() + count_; }
+
+  std::array<int, kMost> bodies_{};
+  int count_ = 0;
+};
+
+}  // namespace dspm

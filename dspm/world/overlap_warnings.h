@@ -1,0 +1,18 @@
+// Overlaps of bodies in a user's words.
+#pragma once
+
+#include <vector>
+
+#include "dspm/lang/file_frames.h"
+#include "dspm/params/errors.h"
+#include "dspm/world/geometry.h"
+#include "dspm/world/looks.h"
+#include "dspm/world/overlaps.h"
+
+namespace dspm {
+
+/// One warning for each pair of directives, at most a few. `shapes`: those of the scene.
+void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const std::vector<const WorldShape*>& shapes,
+             const Looks& looks, const FileFrames& frames, Diagnostics& diagnostics);
+
+}  // namespace dspm
