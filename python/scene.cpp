@@ -61,13 +61,15 @@ struct WithFiles {
 
 ReadScene load(const std::variant<std::filesystem::path, std::vector<std::filesystem::path>>& files,
                const std::map<std::string, Number>& define, const std::string& integrator,
-               std::optional<int> iterations, std::optional<int> photons, std::optional<std::uint64_t> seed,
-               const std::vector<int>& frames, const std::vector<std::string>& variations,
-               const std::optional<std::variant<Size, Share>>& resolution, const std::vector<std::string>& outputs,
-               bool lenient, std::map<std::filesystem::path, std::string> made) {
+               std::optional<int> iterations, std::optional<int> photons, std::optional<int> maxdepth,
+               std::optional<std::uint64_t> seed, const std::vector<int>& frames,
+               const std::vector<std::string>& variations, const std::optional<std::variant<Size, Share>>& resolution,
+               const std::vector<std::string>& outputs, bool lenient,
+               std::map<std::filesystem::path, std::string> made) {
   Choices choices;
   for (const auto& [name, value] : define) choices.defines.push_back(fmt::format("{}={}", name, text_of(value)));
-  choices.integrator = integrator, choices.iterations = iterations, choices.photons = photons, choices.seed = seed;
+  choices.integrator = integrator, choices.iterations = iterations, choices.photons = photons;
+  choices.max_depth = maxdepth, choices.seed = seed;
   choices.frames = moments_of(frames), choices.variations = variations, choices.outputs = outputs;
   choices.lenient = lenient;
   if (resolution) choices.resolution = resolution_of(*resolution);
@@ -136,7 +138,7 @@ load() makes it. It does not change; load it again for other choices.)")
 
   module.def("load", load, py::arg("files"), py::kw_only(), py::arg("define") = std::map<std::string, Number>(),
              py::arg("integrator") = "", py::arg("iterations") = std::nullopt, py::arg("photons") = std::nullopt,
-             py::arg("seed") = std::nullopt, py::arg("frames") = std::vector<int>(),
+             py::arg("maxdepth") = std::nullopt, py::arg("seed") = std::nullopt, py::arg("frames") = std::vector<int>(),
              py::arg("variations") = std::vector<std::string>(), py::arg("resolution") = std::nullopt,
              py::arg("outputs") = std::vector<std::string>(), py::arg("lenient") = false,
              py::arg("made") = std::map<std::filesystem::path, std::string>(),

@@ -15,6 +15,8 @@ void add(CLI::App& app, Options& o) {
       ->type_name("N");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
+  add_count(app, "--maxdepth", o.max_depth, 0, kMaxCount,
+            "scatterings of a path at most, whatever the integrator's are");
   add_text(app, "--time-limit", "TIME", "stop after this time: 30s, 10m, 1h30m",
            [&](const std::string& text) { o.time_limit = parse_duration("--time-limit", text); });
   add_text(app, "--until-error", "ERROR",

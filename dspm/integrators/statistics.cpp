@@ -11,6 +11,7 @@ void Statistics::persist(StateStream& state) {
   state.sum(photon_tests);
   rejections.persist(state);
   state.sum(energy);
+  state.sum(cut_light);
   state.sum(typical);
   state.largest(bytes);
   counters.persist(state);

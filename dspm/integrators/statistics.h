@@ -1,7 +1,9 @@
 // An integrator's work, in counts and seconds: the figures of the table at the end of a run.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -63,6 +65,17 @@ struct EnergyBalance {
   friend bool operator==(const EnergyBalance&, const EnergyBalance&) = default;
 };
 
+/// Sums of luminance that a sample of camera paths finds in one region of the picture (cut_light.h): within the maximum
+/// depth, and beyond it. Each for two halves of the sample, so that chance is not taken for a loss.
+struct CutLight {
+  std::array<float, 2> arrived{}, cut{};
+
+  CutLight& operator+=(const CutLight& o) {
+    for (std::size_t half = 0; half < 2; ++half) arrived[half] += o.arrived[half], cut[half] += o.cut[half];
+    return *this;
+  }
+};
+
 /// The median over tiles of pixels, of those where photons were found.
 struct TypicalHitPoint {
   double photons = 0;           // found so far
@@ -94,6 +107,7 @@ struct Statistics {
   SharedCount photons_found;          // tests passed; separate renders with their own radii find no more
   Rejections rejections;              // contributions that were not finite
   std::vector<EnergyBalance> energy;  // by frame; empty if no photons are traced
+  std::vector<CutLight> cut_light;    // by region of the picture, and frame; empty: not counted
   TypicalHitPoint typical;            // of progressive integrators
   // By frame: the estimated error, see error_estimate.h. Empty: it is too early.
   std::vector<double> errors;

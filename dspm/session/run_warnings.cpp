@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "dspm/integrators/cut_light.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/system/readable.h"
@@ -22,6 +26,65 @@ double share_too_deep(const Statistics& statistics) {
   EnergyBalance sum;
   for (const EnergyBalance& energy : statistics.energy) sum += energy;
   return sum.emitted > 0 ? sum.too_deep / sum.emitted : 0;
+}
+
+/// Where the maximum depth cuts off light that camera paths would find.
+struct CutPart {
+  double picture = 0;  // share of the pixels
+  double lost = 0;     // of their light
+  int x = 0, y = 0;    // in the middle of where most is lost, in pixels of the full image
+};
+
+/// Of a region's light, the share that is cut off, as the half of the sample says that says less. `faint`: luminance sums
+/// that nobody would miss.
+double share_cut(const CutLight& region, float faint) {
+  const auto of_half = [&](std::size_t half) {
+    const float all = region.arrived[half] + region.cut[half] + faint;
+    return all > 0 ? static_cast<double>(region.cut[half] / all) : 0;
+  };
+  return std::min(of_half(0), of_half(1));
+}
+
+double sum(const std::array<float, 2>& halves) { return static_cast<double>(halves[0] + halves[1]); }
+
+/// The regions that lack more than a share of `least`, in the frame that the cut changes most. Dark corners, which are lit after many scatterings, lack a larger share of
+/// their light than anybody sees: so every region counts as brighter by half of the median.
+CutPart part_cut(const std::vector<CutLight>& regions, const PixelRect& crop, double least) {
+  constexpr float kFaint = 0.5f;
+  const int count = region_count(crop);
+  const std::size_t frames = count > 0 ? regions.size() / static_cast<std::size_t>(count) : 0;
+  CutPart worst;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const auto sums_of = [&](int r) { return regions[static_cast<std::size_t>(r) * frames + frame]; };
+    std::vector<float> sums;
+    for (int r = 0; r < count; ++r) sums.push_back(static_cast<float>(sum(sums_of(r).arrived) + sum(sums_of(r).cut)));
+    std::nth_element(sums.begin(), sums.begin() + count / 2, sums.end());
+    const float faint = kFaint * sums[static_cast<std::size_t>(count / 2)] / 2;
+    CutPart part;
+    double cut = 0, all = 0, most = 0;
+    for (int r = 0; r < count; ++r) {
+      const double share = share_cut(sums_of(r), faint);
+      if (share <= least) continue;
+      const PixelRect pixels = region(crop, r);
+      part.picture += static_cast<double>(pixels.count()) / crop.count();
+      cut += sum(sums_of(r).cut), all += sum(sums_of(r).cut) + sum(sums_of(r).arrived);
+      if (share <= most) continue;
+      most = share, part.x = (pixels.x0 + pixels.x1) / 2, part.y = (pixels.y0 + pixels.y1) / 2;
+    }
+    part.lost = all > 0 ? cut / all : 0;
+    if (part.picture * part.lost > worst.picture * worst.lost) worst = part;
+  }
+  return worst;
+}
+
+/// Much of the picture lacks some light, or a small part of it much. Else nothing.
+std::optional<CutPart> visible_cut(const std::vector<CutLight>& regions, const PixelRect& crop) {
+  struct Rule {
+    double lost, picture;
+  };
+  for (const Rule& rule : {Rule{0.05, 0.08}, Rule{0.12, 0.0075}})  // the last: two regions of 256
+    if (const CutPart part = part_cut(regions, crop, rule.lost); part.picture >= rule.picture) return part;
+  return std::nullopt;
 }
 
 /// Of the ways to more photons, those that the scene does not go yet.
@@ -46,12 +109,19 @@ void RunWarnings::warn_once(const std::string& what, const std::string& message,
 void RunWarnings::look(const Statistics& statistics, int all) {
   if (statistics.iterations < kFirstLook) return;
   const std::string after = counted(static_cast<std::size_t>(statistics.iterations), "iteration");
-  if (const double share = share_too_deep(statistics); share > kMuchFlux)
+  if (const auto cut = visible_cut(statistics.cut_light, job_.settings.crop))
+    warn_once(
+        "depth",
+        fmt::format("the maximum depth cuts off about {:.0f}% of the light in {:.{}f}% of the picture, most around "
+                    "pixel {}, {}: it is too dark there",
+                    100 * cut->lost, 100 * cut->picture, cut->picture < 0.1 ? 1 : 0, cut->x, cut->y),
+        "raise the integrator's \"integer maxdepth\", or give --maxdepth");
+  else if (const double share = share_too_deep(statistics); share > kMuchFlux)
     warn_once(
         "depth",
         fmt::format("the maximum depth cuts off {:.0f}% of the photons' flux: that light is missing in the images",
                     100 * share),
-        "raise the integrator's \"integer maxdepth\"");
+        "raise the integrator's \"integer maxdepth\", or give --maxdepth");
   if (all < kMoreThanAPreview) return;
   const double still = std::max(1.0, static_cast<double>(all) / statistics.iterations);
   if (const double photons = statistics.typical.photons; photons > 0 && photons * still < kFewPhotons)

@@ -44,7 +44,7 @@ struct Choices {
 
   std::optional<std::uint64_t> seed;
   std::string integrator, accel;  // empty: what the scene says
-  std::optional<int> iterations, photons;
+  std::optional<int> iterations, photons, max_depth;
   double until_error = 0;                            // relative; 0: the number of iterations decides
   std::vector<Moment> frames;                        // whole ones of the animation, ascending; empty: all
   std::vector<std::string> variations;               // patterns of names; empty: all

@@ -128,6 +128,11 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
     if (choices.integrator.empty() && use->type != choice.plugin->name && choice.plugin->name == "vcm")
       choice.params.params.push_back(param_of(ParamType::boolean, "merge", std::vector<bool>{false}, use->where));
   }
+  if (choices.max_depth) {
+    if (!knows(described, "maxdepth"))
+      throw UsageError(fmt::format("--maxdepth: \"{}\" has none", choice.plugin->name));
+    set_integer(choice.params, "maxdepth", *choices.max_depth);
+  }
   if (choices.photons) {
     if (!knows(described, "photons"))
       throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));

@@ -1,6 +1,7 @@
 // Warnings in runs that go badly, and none in those that do not.
 #include "dspm/session/run_warnings.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -17,11 +18,14 @@ struct Heard final : Messages {
   mutable std::string all;
 };
 
-/// What a run of the box with a ball in it is warned of.
-std::string warnings(const std::string& integrator) {
+std::string ball(float radius) {
+  return fmt::format("AttributeBegin Translate 0 -0.6 0 Shape \"sphere\" \"float radius\" {} AttributeEnd\n", radius);
+}
+
+/// What a run of the box with these contents is warned of.
+std::string warnings(const std::string& integrator, const std::string& contents = ball(0.4f), int size = 32) {
   Diagnostics diagnostics;
-  std::string text = box("Integrator " + integrator,
-                         R"(AttributeBegin Translate 0 -0.6 0 Shape "sphere" "float radius" 0.4 AttributeEnd)");
+  const std::string text = box("Integrator " + integrator, contents, size);
   const LoadedScene loaded("test.dsc", text, {}, diagnostics);
   Heard messages;
   MemoryBound memory(0);
@@ -69,6 +73,23 @@ TEST(RunWarnings, ALowMaximumDepthCutsLight) {
       R"("dsppm" "integer iterations" 8 "integer photons" 5000 "integer maxdepth" 2 "string indirect" "photons")");
   EXPECT_NE(text.find("of the photons' flux"), std::string::npos) << text;
   EXPECT_NE(text.find("\"integer maxdepth\""), std::string::npos) << text;
+}
+
+// Six boundaries of glass and a wall behind them are more than five scatterings. The balls are a tenth of the picture.
+TEST(RunWarnings, ALowMaximumDepthDarkensGlass) {
+  const std::string balls = "Material \"dielectric\"\n" + ball(0.38f) + ball(0.34f) + ball(0.3f);
+  for (const std::string integrator : {R"("path" "integer iterations" 8)", R"("vcm" "integer iterations" 8)"}) {
+    const std::string text = warnings(integrator + R"( "integer maxdepth" 5)", balls, 64);
+    EXPECT_NE(text.find("% of the light in"), std::string::npos) << text;
+    EXPECT_NE(text.find("--maxdepth"), std::string::npos) << text;
+    EXPECT_EQ(warnings(integrator + R"( "integer maxdepth" 40)", balls, 64), "");
+  }
+}
+
+// Its dark corners lack up to 9% of their light, but they are dark.
+TEST(RunWarnings, ADiffuseBoxNeedsNoMoreThanFiveScatterings) {
+  for (const std::string integrator : {"path", "vcm"})
+    EXPECT_EQ(warnings("\"" + integrator + R"(" "integer iterations" 8 "integer maxdepth" 5)", ball(0.4f), 64), "");
 }
 
 TEST(RunWarnings, ShortRunsAreNotJudged) {

@@ -1,6 +1,7 @@
 // What comes of a scene's directives and the command line's options: which of them goes first, and what they come to.
 #include "dspm/world/job.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "dspm/testing/test_scene.h"
@@ -103,6 +104,19 @@ TEST(Job, AQuickLookHasAsManyPhotonsForAPixel) {
   EXPECT_EQ(photons_of(R"("dsppm" "integer photons" -1)", quick), -1) << "one for each pixel, whatever their number";
   EXPECT_EQ(photons_of(R"("dsppm" "integer photons" 1600)", quick_and_chosen), 1000);
   EXPECT_EQ(photons_of(R"("path")", quick), 0);
+}
+
+TEST(Job, TheDepthIsThatOfTheCommandLine) {
+  const auto depth_of = [](const std::string& integrator) {
+    Choices choices;
+    choices.max_depth = 33;
+    const test::TestScene test("Integrator " + integrator + "\n" + kWorld, choices);
+    return integer_of(test.job().params, "maxdepth", 0);
+  };
+  for (const char* name : {"path", "vcm", "dsppm", "sppm", "photonmap"})
+    EXPECT_EQ(depth_of(fmt::format("\"{}\" \"integer maxdepth\" 3", name)), 33) << name;
+  EXPECT_EQ(depth_of("\"path\""), 33);
+  EXPECT_THROW(depth_of("\"ambientocclusion\""), UsageError);
 }
 
 TEST(Job, TheResolutionIsChosen) {

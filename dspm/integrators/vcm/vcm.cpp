@@ -24,6 +24,7 @@
 
 #include <algorithm>
 
+#include "dspm/integrators/cut_light.h"
 #include "dspm/integrators/estimator.h"
 #include "dspm/integrators/file_sample.h"
 #include "dspm/integrators/hit_point.h"
@@ -103,7 +104,7 @@ class Vcm final : public SummingIntegrator {
   /// `sample`: of the file, if it has been made.
   Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render,
       std::shared_ptr<const Scene> sample)
-      : SummingIntegrator(scene, render, statistics_at_start()),
+      : SummingIntegrator(scene, render, statistics_at_start(scene, render)),
         settings_(settings),
         render_(render),
         sample_(std::move(sample)) {}
@@ -126,14 +127,16 @@ class Vcm final : public SummingIntegrator {
       if (settings_.merge) build_map(pass, statistics);
       const StepTimer timer(statistics.steps[kCameraPaths]);
       trace_camera_subpaths(pass, light_, map_, sums, statistics);
+      count_cut_light(scene, render_, {settings_.max_depth, true}, pass.iteration, statistics);
       statistics.bytes = std::max(statistics.bytes, done_.bytes() + light_.bytes() + map_.bytes());
     });
   }
 
  private:
-  static Statistics statistics_at_start() {
+  static Statistics statistics_at_start(const Scene& scene, const RenderSettings& render) {
     Statistics statistics;
     statistics.steps = {{"emission"}, {"light paths"}, {"map"}, {"camera paths"}};
+    statistics.cut_light = no_cut_light(scene, render);
     return statistics;
   }
 
@@ -216,7 +219,8 @@ std::unique_ptr<Integrator> make_vcm(ParamReader& params, const Scene& scene, co
   if (render.memory > 0)
     expect_enough(render.memory,
                   {.pixels = SummedIterations::bytes(render.crop.count(), scene.frame_count(),
-                                                     LightGroups(scene, render.outputs).count(), has_catchers(scene)),
+                                                     LightGroups(scene, render.outputs).count(), has_catchers(scene)) +
+                             cut_light_bytes(scene, render),
                    .photons = light_path_bytes(settings, scene, render)});
   return std::make_unique<Vcm>(settings, scene, render, std::move(sample));
 }

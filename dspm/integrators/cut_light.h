@@ -1,0 +1,31 @@
+// What the maximum depth cuts off. A sample of the pixels has a second path in early iterations, which goes on far
+// beyond that depth; what it finds is no part of the picture, but tells how much light the picture lacks, and where.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dspm/film/pixel_rect.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/integrators/path_tracer.h"
+#include "dspm/integrators/statistics.h"
+#include "dspm/scene/scene.h"
+
+namespace dspm {
+
+/// The picture's regions are squares, 256 at most; those at its edges are cut off.
+int region_count(const PixelRect& crop);
+PixelRect region(const PixelRect& crop, int index);
+
+/// Statistics::cut_light before the first iteration.
+std::vector<CutLight> no_cut_light(const Scene& scene, const RenderSettings& render);
+
+/// What an integrator that keeps statistics twice needs for it.
+std::size_t cut_light_bytes(const Scene& scene, const RenderSettings& render);
+
+/// Adds to Statistics::cut_light what an iteration's sample finds, in the first eight. `limits`: those of the picture.
+void count_cut_light(const Scene& scene, const RenderSettings& render, const PathLimits& limits,
+                     std::uint64_t iteration, Statistics& statistics);
+
+}  // namespace dspm
