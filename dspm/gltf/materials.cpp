@@ -119,8 +119,8 @@ class MaterialTranslator {
     material().number((of + "scale").c_str(), info["scale"].number(1), 1);
   }
 
-  /// A colour, times a picture, times the colours of the vertices. What exceeds 1 goes into the picture's scale, as colours
-  /// of textures must not. `most`: what the material takes.
+  /// A colour, times a picture, times the colours of the vertices. What exceeds 1 goes into the picture's scale, as
+  /// colours of textures must not. `most`: what the material takes.
   void colour(const char* parameter, Triple factor, const Value& info, double most = 1, bool of_vertices = false) {
     for (double& value : factor) value = std::max(value, 0.0);
     const double scale = std::max(1.0, *std::max_element(factor.begin(), factor.end()));

@@ -20,8 +20,8 @@ struct PathLimits {
   bool indirect;  // else a path that a rough surface has scattered only looks for lights
 };
 
-/// Camera paths that look for lights at each vertex. `out` gets all light: out.add(const SeenLight&, scatterings) with how
-/// often it has been scattered.
+/// Camera paths that look for lights at each vertex. `out` gets all light, and how often it has been scattered:
+/// out.add(const SeenLight&, int scatterings).
 template <class Out>
 class PathTracer {
  public:

@@ -34,8 +34,9 @@ struct Coat {
   }
   /// By its facets.
   FacetAlbedo mirrored(const Ggx& rough) const { return {rough.alpha(), facets->outside.reflected, brushed.get()}; }
-  /// Facets of usual indices mirror hardly more than a smooth coat, 0.3% at most. Of others, total reflection or Brewster's
-  /// angle near grazing make it up to 26%: there a facet mirrors no more than the smooth coat does for either direction.
+  /// Facets of usual indices mirror hardly more than a smooth coat, 0.3% at most. Of others, total reflection or
+  /// Brewster's angle near grazing make it up to 26%: there a facet mirrors no more than the smooth coat does for either
+  /// direction.
   bool is_usual() const { return eta >= 1 && eta <= 4; }
   float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
     const float mirrored = fresnel_dielectric(cos, eta);

@@ -10,7 +10,7 @@
 //   remaproughness          bool                true        alpha is sqrt(roughness), else roughness itself
 //   energycompensation      bool                true        false in .pbrt files: see below
 //   g, albedo                                   0           of a medium in the coat; only 0 is supported
-//   thickness, maxdepth, nsamples               0.01, 10, 1 of pbrt's random walk; in .pbrt files, thickness absorbs
+//   thickness, maxdepth, nsamples               0.01, 10, 1 of pbrt's random walk: thickness absorbs
 //
 // Both sides are coated. The coat mirrors (smooth, or GGX), and refracts as if it were smooth. With o' and i' the
 // directions in the coat and R the metal's reflectance for light in the coat,
@@ -18,8 +18,9 @@
 // where g counts what goes to and fro on the mirror's way, and is at most 1 - F(o) and 1 - F(i). What white metal would
 // lose (light that is totally reflected in the coat, or meets a second facet) leaves as a diffuse lobe, coloured by two
 // or more reflections. A rough coat widens the metal's lobe: to first order, a facet of slope s turns refracted light by
-// (1 - 1/eta) s and mirrored light by 2 s. White metal gives back all light. pbrt's walk loses exp(-thickness / cos) on
-// each way through the coat, which .pbrt files get, and what is left at maxdepth, which is small.
+// (1 - 1/eta) s and mirrored light by 2 s. White metal gives back all light. Without energycompensation
+// there is no diffuse lobe, and exp(-thickness / cos) is lost on each way through the coat, as in pbrt's walk. That keeps
+// a little of what is totally reflected, and loses what is left at maxdepth, which is small.
 // [Kulla and Conty 2017; Belcour 2018, Efficient Rendering of Layered Materials]
 #include <algorithm>
 #include <array>

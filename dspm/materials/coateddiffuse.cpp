@@ -16,12 +16,12 @@
 // partly reflected back by the coat from inside, scattered again, and so on: a geometric series, with a = reflectance,
 //   f = F-mirror or GGX + (1 - F(wo)) (1 - F(wi)) / eta^2 * a / (pi (1 - a F_in)),
 // where F_in is the mean Fresnel reflectance for diffuse light from inside. A rough coat lets in what its facets do not
-// mirror: F is their albedo then (made_up.h). So a coat over a white base loses nothing. For indices outside 1 to 4, light
-// enters a rough coat as if it were smooth, and the facets' Fresnel term is bounded by the smooth coat's.
+// mirror: F is their albedo then (made_up.h). So a coat over a white base loses nothing. For indices outside 1 to 4,
+// light enters a rough coat as if it were smooth, and the facets' Fresnel term is bounded by the smooth coat's.
 //
-// Without energycompensation, the coat loses what pbrt's random walk loses: exp(-thickness / cos) on each way through it,
-// what is left after maxdepth / 2 (rounded up) visits of the base, and light that meets two facets of a rough coat. As the
-// base is diffuse, the walk's mean is a series as well,
+// Without energycompensation, the coat loses what pbrt's random walk loses: exp(-thickness / cos) on each way through
+// it, what is left after maxdepth / 2 (rounded up) visits of the base, and light that meets two facets of a rough coat.
+// As the base is diffuse, the walk's mean is a series as well,
 //   f = F-mirror or GGX + t(wo) t(wi) / eta^2 * a / pi * sum over k of (a G)^k,
 // with t the albedo of refraction by the facets times exp(-thickness / cos inside), and G that of their reflection of
 // diffuse light from inside, there and back through the coat. nsamples has no effect: there is no noise.

@@ -12,7 +12,8 @@
 //
 // Both sides reflect. Rough metal is GGX with Smith's height-correlated shadowing, and a diffuse lobe for light that
 // meets a second facet (made_up.h), coloured by two or more reflections; without energycompensation that light is lost,
-// as in pbrt (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1, k = 2 sqrt(r / (1 - r)).
+// as in pbrt (tests/materials/energy_test.cpp states how much). A reflectance r stands for eta = 1,
+// k = 2 sqrt(r / (1 - r)).
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; Heitz 2014; Kulla and Conty 2017]
 #include <algorithm>
 

@@ -173,7 +173,8 @@ class RoughDielectric final : public Bsdf {
   }
   float f_made_up(const Vec3& o, const Vec3& i, float side) const {
     const FacetAlbedo all = albedo(side);
-    const float unsure = side > 0 ? kUnsureIfBrushed : kUnsureInsideIfBrushed, narrow = all.narrowness();
+    constexpr float kUnsureInside = 1.5f * kUnsureInsideIfBrushed;  // then nothing is gained at grazing angles, either
+    const float unsure = side > 0 ? kUnsureIfBrushed : kUnsureInside, narrow = all.narrowness();
     // Of scratches that are a tenth as rough along themselves or less, tables know too little.
     const float sure = (1 - unsure * narrow) * std::min(1.f, 10 * (1 - narrow));
     return made_up(1 - all.of(o), 1 - all.of(i), 1 - all.mean()) * sure;

@@ -44,7 +44,7 @@ class FacetAlbedo {
 };
 
 // Tables of brushed facets know what is lost to so much: they make up for less, to gain nothing.
-inline constexpr float kUnsureIfBrushed = 0.02f, kUnsureInsideIfBrushed = 0.15f;
+inline constexpr float kUnsureIfBrushed = 0.02f, kUnsureInsideIfBrushed = 0.1f;
 
 /// f, for what two directions and diffuse light lose.
 inline float made_up(float lost_o, float lost_i, float mean_lost) {

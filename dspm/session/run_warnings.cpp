@@ -35,8 +35,8 @@ struct CutPart {
   int x = 0, y = 0;    // in the middle of where most is lost, in pixels of the full image
 };
 
-/// Of a region's light, the share that is cut off, as the half of the sample says that says less. `faint`: luminance sums
-/// that nobody would miss.
+/// Of a region's light, the share that is cut off, as that half of the sample says that says less. `faint`: luminance
+/// that is added to the region's.
 double share_cut(const CutLight& region, float faint) {
   const auto of_half = [&](std::size_t half) {
     const float all = region.arrived[half] + region.cut[half] + faint;
