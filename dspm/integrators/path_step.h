@@ -44,22 +44,21 @@ inline bool is_finite(const SurfacePoint& point) {
 
 /// A path's intersection with a surface, in the frames that meet the same one.
 struct Vertex {
-  /// `diameter`: of what the path stands for here.
-  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part, float diameter = 0)
+  Vertex(const Scene& scene, const Ray& ray, const FrameHit& part, float width = 0)
       : hit(part.hit),
         point(scene.surface_point(part.hit, ray.direction)),
         wo(-ray.direction),
         frames(part.frames),
+        diameter(width),
         shape(scene.shapes[static_cast<std::size_t>(part.hit.shape)]),
         material(scene.materials[static_cast<std::size_t>(shape.material)]),
-        body(scene.body_of(shape.material)) {
-    if (diameter > 0) point.cover(wo, diameter);
-  }
+        body(scene.body_of(shape.material)) {}
 
   RayHit hit;
   SurfacePoint point;
   Vec3 wo;  // back along the path, unit length
   FrameSet frames;
+  float diameter;  // of what the path stands for here
   const PlacedShape& shape;
   const FrameStates<Material>& material;
   int body;  // that the surface bounds in some frame, if paths need know it: its material
@@ -76,6 +75,14 @@ struct Vertex {
       beyond.leave(body);
     return beyond;
   }
+  /// Whether textures may average over what the path stands for. Not where something else varies with them: the material
+  /// of a mix, or holes.
+  bool averages(const Material& state) const { return diameter > 0 && shape.cutout == nullptr && state.averages(); }
+  SurfacePoint covered_point() const {
+    SurfacePoint covered = point;
+    covered.cover(wo, diameter);
+    return covered;
+  }
   /// Whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
 
@@ -85,32 +92,34 @@ struct Vertex {
   SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
 
-/// Calls fn(FrameSet, const Material&) for each material that the point is made of in some of the vertex's frames. Mixes
-/// that differ may agree about a point.
+/// Calls fn(FrameSet, const Material&, bool averages) for each material that the point is made of in some of the vertex's
+/// frames. Mixes that differ may agree about a point.
 template <class Fn>
 void for_each_material(const Vertex& vertex, Fn&& fn) {
   struct Made {
     FrameSet frames;
     const Material* of;
+    bool averages;
   };
   FrameArray<Made> all;
   vertex.material.for_each(vertex.frames, [&](FrameSet frames, const Material& state) {
     const Material& material = state.at(vertex.point);
+    const bool averages = vertex.averages(state);
     if (&material != &state)
       for (Made& made : all)
-        if (made.of == &material) return static_cast<void>(made.frames |= frames);
-    all.add({frames, &material});
+        if (made.of == &material && made.averages == averages) return static_cast<void>(made.frames |= frames);
+    all.add({frames, &material, averages});
   });
-  for (const Made& made : all) fn(made.frames, *made.of);
+  for (const Made& made : all) fn(made.frames, *made.of, made.averages);
 }
 
 /// Calls fn(FrameSet, const Bsdf&) for each distinct scattering function among the vertex's frames: one, unless the
 /// material differs between them.
 template <class Fn>
 void for_each_surface(const Vertex& vertex, Fn&& fn) {
-  for_each_material(vertex, [&](FrameSet frames, const Material& material) {
+  for_each_material(vertex, [&](FrameSet frames, const Material& material, bool averages) {
     BsdfSlot slot;
-    fn(frames, material.bsdf(vertex.point, slot));
+    fn(frames, averages ? material.bsdf(vertex.covered_point(), slot) : material.bsdf(vertex.point, slot));
   });
 }
 
@@ -123,7 +132,7 @@ void for_each_relief(const Vertex& vertex, Fn&& fn) {
     Vec3 ns;
   };
   FrameArray<Bent> all;
-  for_each_material(vertex, [&](FrameSet frames, const Material& material) {
+  for_each_material(vertex, [&](FrameSet frames, const Material& material, bool) {
     const Relief* relief = material.relief();
     const Vec3 ns = relief == nullptr || vertex.point.turns
                         ? vertex.point.ns
@@ -138,6 +147,11 @@ void for_each_relief(const Vertex& vertex, Fn&& fn) {
     shown.frames = bent.frames, shown.point.ns = bent.ns, shown.point.smooth_ns = vertex.point.ns;
     fn(static_cast<const Vertex&>(shown));
   }
+}
+
+/// The shading normal without the material's relief.
+inline const Vec3& unbent_normal(const SurfacePoint& point) {
+  return length2(point.smooth_ns) > 0 ? point.smooth_ns : point.ns;
 }
 
 /// The light's index, or -1 if it is none.

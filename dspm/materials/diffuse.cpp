@@ -53,13 +53,16 @@ class Diffuse final : public Bsdf {
 
 class DiffuseMaterial final : public Material {
  public:
-  explicit DiffuseMaterial(TexturePtr<Rgb> reflectance) : reflectance_(std::move(reflectance)) {}
+  explicit DiffuseMaterial(TexturePtr<Rgb> reflectance)
+      : reflectance_(std::move(reflectance)), is_linear_(reflectance_->averages()) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     return slot.emplace<Diffuse>(point, clamped_albedo(reflectance_->evaluate(texture_point(point))) / kPi);
   }
+  bool is_linear() const override { return is_linear_; }
 
  private:
   TexturePtr<Rgb> reflectance_;
+  bool is_linear_;
 };
 
 }  // namespace

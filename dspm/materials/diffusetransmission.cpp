@@ -74,7 +74,11 @@ class DiffuseTransmission final : public Bsdf {
 class DiffuseTransmissionMaterial final : public Material {
  public:
   DiffuseTransmissionMaterial(TexturePtr<Rgb> reflectance, TexturePtr<Rgb> transmittance, float scale)
-      : reflectance_(std::move(reflectance)), transmittance_(std::move(transmittance)), scale_(scale) {}
+      : reflectance_(std::move(reflectance)),
+        transmittance_(std::move(transmittance)),
+        scale_(scale),
+        is_linear_(reflectance_->averages() && transmittance_->averages() &&
+                   scale_ * (most(*reflectance_) + most(*transmittance_)) <= 1) {}
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
     const TexturePoint at = texture_point(point);
     const Rgb reflectance = clamped_albedo(reflectance_->evaluate(at) * scale_),
@@ -83,10 +87,15 @@ class DiffuseTransmissionMaterial final : public Material {
     const Rgb share = {1 / std::max(1.f, both.r), 1 / std::max(1.f, both.g), 1 / std::max(1.f, both.b)};
     return slot.emplace<DiffuseTransmission>(point, reflectance * share, transmittance * share);
   }
+  bool is_linear() const override { return is_linear_; }
 
  private:
+  /// That a texture of albedos may have.
+  static float most(const Texture<Rgb>& albedo) { return max_component(albedo.constant().value_or(Rgb(1))); }
+
   TexturePtr<Rgb> reflectance_, transmittance_;
   float scale_;
+  bool is_linear_;  // nothing is scaled down anywhere
 };
 
 }  // namespace

@@ -41,6 +41,13 @@ class Material {
     return *here;
   }
 
+  /// Whether f is linear in colours that average over a footprint (Texture::averages), and nothing else of it varies over
+  /// the surface.
+  virtual bool is_linear() const { return false; }
+  /// Whether lookups over a footprint scatter what lookups at its points scatter on average. bsdf() of others is never
+  /// given one: a rough or bumpy surface is another one than that of mean roughness and height.
+  bool averages() const { return is_linear() && relief_ == nullptr; }
+
   /// What bends its normals, whatever the plugin; null: nothing. Set once, when the material is made.
   const Relief* relief() const { return relief_.get(); }
   void set_relief(std::shared_ptr<const Relief> relief) { relief_ = std::move(relief); }

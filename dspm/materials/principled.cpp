@@ -158,6 +158,10 @@ class PrincipledMaterial final : public Material {
       return principled_tables(eta < 1 ? std::min(eta, 1 / kLeastEta) : std::max(eta, kLeastEta), thin_, film_eta_,
                                uses);
     });
+    is_linear_ = metallic_->constant() == 0.f && transmission_->constant() == 0.f && !coat_relief_ &&
+                 is_same_everywhere(beyond_, roughness_, anisotropy_, rotation_, specular_, specular_colour_, coat_,
+                                    coat_roughness_, sheen_, sheen_roughness_, iridescence_, film_nm_) &&
+                 base_->averages() && beyond_colour_->averages();
   }
 
   const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const override {
@@ -182,11 +186,18 @@ class PrincipledMaterial final : public Material {
                               std::max(0.f, film_nm_->evaluate(at))};
     return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables_->of(point.outside_eta), look);
   }
+  /// The ground alone is linear, in its two colours.
+  bool is_linear() const override { return is_linear_; }
   bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
   float eta() const override { return eta_; }
   Rgb absorption() const override { return absorption_; }
 
  private:
+  template <class... Textures>
+  static bool is_same_everywhere(const Textures&... textures) {
+    return (... && textures->constant().has_value());
+  }
+
   static ShadingFrame frame(const SurfacePoint& point, float degrees) {
     if (degrees == 0) return ShadingFrame(point);
     Basis basis = Basis::around(point.ns, point.dpdu);
@@ -209,7 +220,7 @@ class PrincipledMaterial final : public Material {
   TexturePtr<float> iridescence_, film_nm_;
   TexturePtr<float> metallic_, transmission_, beyond_, roughness_, anisotropy_, rotation_, specular_, coat_,
       coat_roughness_, sheen_roughness_;
-  bool thin_;
+  bool thin_, is_linear_ = false;
   float eta_, film_eta_;
   Rgb absorption_;
   std::optional<PerSurroundings<PrincipledTables>> tables_;

@@ -60,6 +60,9 @@ class CheckerboardTexture final : public Texture<T> {
     const auto first = first_->constant(), second = second_->constant();
     return first && second && *first == *second ? first : std::nullopt;
   }
+  bool averages() const override {
+    return first_->constant() && second_->constant() && first_->averages() && second_->averages();
+  }
 
  private:
   float square(const TexturePoint& at) const {

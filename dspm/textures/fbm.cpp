@@ -6,7 +6,7 @@
 //   | roughness | .5 | the strength of each octave over that of the last                 |
 //
 // The largest waves are about a unit long in the texture's own space, the transform in force where it was defined: a
-// Scale before it enlarges them. Octaves finer than the lookup's footprint are left out. See noise.h.
+// Scale before it enlarges them. See noise.h.
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/noise.h"
@@ -21,7 +21,7 @@ class FbmTexture final : public Texture<T> {
   FbmTexture(const Octaves& octaves, const Transform& world_from_texture)
       : octaves_(octaves), world_from_texture_(world_from_texture) {}
 
-  T evaluate(const TexturePoint& at) const override { return T(fbm(in_own_space(world_from_texture_, at), octaves_)); }
+  T evaluate(const TexturePoint& at) const override { return T(fbm(world_from_texture_.inverse_point(at.p), octaves_)); }
 
  private:
   Octaves octaves_;

@@ -14,7 +14,8 @@
 //   and the mapping's parameters, see mapping.h.
 //
 // (0, 0) is the picture's lower left corner. A texture of numbers takes the alpha of a picture that has one, else the
-// mean of red, green and blue. Filters but ewa take a size of the picture at which a pixel is at most twice as wide as the
+// mean of red, green and blue. Filters are for matte colours (Material::averages) of pictures that go on beyond 0..1 (wrap
+// repeat, mirror or octahedralsphere) and have no values above 1; other lookups take the picture itself. Filters but ewa take a size of the picture at which a pixel is at most twice as wide as the
 // footprint is long: point takes one pixel of it, bilinear blends four, and trilinear blends two sizes as well. ewa
 // averages over the ellipse that the footprint is, and so stays sharp where a surface is seen at a slant.
 #include <algorithm>
@@ -59,8 +60,8 @@ Rgb not_negative(const Rgb& c) { return {not_negative(c.r), not_negative(c.g), n
 template <class T>
 class ImageTexture final : public Texture<T> {
  public:
-  ImageTexture(const ImageLookup& lookup, const TextureMapping& mapping, float scale, bool invert)
-      : lookup_(lookup), mapping_(mapping), scale_(scale), invert_(invert) {}
+  ImageTexture(const ImageLookup& lookup, const TextureMapping& mapping, float scale, bool invert, bool averages)
+      : lookup_(lookup), mapping_(mapping), scale_(scale), invert_(invert), averages_(averages) {}
 
   T evaluate(const TexturePoint& at) const override {
     TextureCoordinates c = mapping_.map(at);
@@ -68,13 +69,22 @@ class ImageTexture final : public Texture<T> {
     const T value = lookup_.at<T>(c) * scale_;
     return not_negative(invert_ ? T(1) - value : value);
   }
+  bool averages() const override { return averages_; }
 
  private:
   ImageLookup lookup_;
   TextureMapping mapping_;
   float scale_;
-  bool invert_;
+  bool invert_, averages_;
 };
+
+/// Whether the picture has no end, where smaller ones would blur what it shows into what lies beyond, and nothing in it is
+/// cut off.
+bool averages(const Image& picture, const ImageLookup::Settings& settings, float scale) {
+  const auto ends = [](Wrap wrap) { return wrap == Wrap::black || wrap == Wrap::clamp; };
+  return !ends(settings.wrap) && !ends(settings.wrap_v.value_or(settings.wrap)) &&
+         std::all_of(picture.pixels.begin(), picture.pixels.end(), [&](const Rgb& c) { return is_albedo(c * scale); });
+}
 
 /// pbrt's word for the filter is also spelt in capitals.
 ImageLookup::Settings read_lookup(ParamReader& reader) {
@@ -113,9 +123,11 @@ TexturePtr<T> make_imagemap(ParamReader& reader, const TextureContext& context) 
     reader.error("encoding", "unknown encoding \"" + words + "\"",
                  "available: sRGB, linear, or gamma with an exponent");
   try {
-    if (!path.empty() && encoding)
-      return std::make_shared<ImageTexture<T>>(ImageLookup(context.images.read(path, *encoding), settings), mapping,
-                                               scale, invert);
+    if (!path.empty() && encoding) {
+      const auto picture = context.images.read(path, *encoding);
+      return std::make_shared<ImageTexture<T>>(ImageLookup(picture, settings), mapping, scale, invert,
+                                               averages(picture->level(0), settings, scale));
+    }
   } catch (const std::runtime_error& unreadable) {
     reader.error("filename", unreadable.what());
   }

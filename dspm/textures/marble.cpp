@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/noise.h"
 #include "dspm/textures/plugins.h"
@@ -44,9 +45,8 @@ class MarbleTexture final : public Texture<T> {
       : octaves_(octaves), scale_(scale), variation_(variation), world_from_texture_(world_from_texture) {}
 
   T evaluate(const TexturePoint& at) const override {
-    const SpaceCoordinates own = in_own_space(world_from_texture_, at);
-    const SpaceCoordinates scaled{own.p * scale_, own.dpdx * scale_, own.dpdy * scale_};
-    const float height = scaled.p.y + variation_ * fbm(scaled, octaves_);
+    const Vec3 own = world_from_texture_.inverse_point(at.p) * scale_;
+    const float height = own.y + variation_ * fbm(own, octaves_);
     const Rgb colour = colour_at(std::isfinite(height) ? 0.5f + 0.5f * std::sin(height) : 0.f);
     if constexpr (std::is_same_v<T, float>)
       return (colour.r + colour.g + colour.b) / 3;

@@ -56,25 +56,12 @@ struct Cell {
   }
 };
 
-float smoothstep(float x, float low, float high) {
-  const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
-  return t * t * (3 - 2 * t);
-}
-
-/// How many octaves have waves of more than two footprints.
-float resolved(const SpaceCoordinates& at, const Octaves& octaves) {
-  const float longest2 = std::max(length2(at.dpdx), length2(at.dpdy));
-  const auto most = static_cast<float>(octaves.count);
-  return longest2 > 0 ? std::clamp(-1 - std::log2(longest2) / 2, 0.f, most) : most;
-}
-
-/// Calls add(place, strength, share) for each octave; `share` is that which the footprint leaves.
+/// Calls add(place, strength) for each octave.
 template <class Add>
-void for_each_octave(const SpaceCoordinates& at, const Octaves& octaves, Add&& add) {
-  const float left = resolved(at, octaves);
+void for_each_octave(const Vec3& p, const Octaves& octaves, Add&& add) {
   float frequency = 1, strength = 1;  // not 2 per octave: the lattices of octaves, where noise is 0, must not coincide
   for (int i = 0; i < octaves.count; ++i) {
-    add(at.p * frequency, strength, smoothstep(left - static_cast<float>(i), 0.3f, 0.7f));
+    add(p * frequency, strength);
     frequency *= 1.99f, strength *= octaves.roughness;
   }
 }
@@ -108,20 +95,15 @@ Octaves Octaves::read(ParamReader& reader) {
   return octaves;
 }
 
-float fbm(const SpaceCoordinates& at, const Octaves& octaves) {
+float fbm(const Vec3& p, const Octaves& octaves) {
   float sum = 0;
-  for_each_octave(at, octaves, [&](const Vec3& p, float strength, float share) {
-    if (share > 0) sum += strength * share * noise(p);
-  });
+  for_each_octave(p, octaves, [&](const Vec3& at, float strength) { sum += strength * noise(at); });
   return sum;
 }
 
-float turbulence(const SpaceCoordinates& at, const Octaves& octaves) {
-  constexpr float kMean = 0.2f;  // of |noise|, about
+float turbulence(const Vec3& p, const Octaves& octaves) {
   float sum = 0;
-  for_each_octave(at, octaves, [&](const Vec3& p, float strength, float share) {
-    sum += strength * lerp(share, kMean, share > 0 ? std::abs(noise(p)) : 0);
-  });
+  for_each_octave(p, octaves, [&](const Vec3& at, float strength) { sum += strength * std::abs(noise(at)); });
   return sum;
 }
 

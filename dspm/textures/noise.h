@@ -4,7 +4,6 @@
 
 #include "dspm/math/vec.h"
 #include "dspm/params/params.h"
-#include "dspm/textures/mapping.h"
 
 namespace dspm {
 
@@ -20,10 +19,9 @@ struct Octaves {
   static Octaves read(ParamReader& reader);
 };
 
-/// Sums over `octaves` at a place; those finer than its footprint are left out, as in pbrt. [Musgrave 1992; Pharr,
-/// Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.4]
-float fbm(const SpaceCoordinates& at, const Octaves& octaves);
-/// The same of |noise|; an octave that is left out counts with its mean.
-float turbulence(const SpaceCoordinates& at, const Octaves& octaves);
+/// Sums over `octaves`. [Musgrave 1992; Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.4]
+float fbm(const Vec3& p, const Octaves& octaves);
+/// The same of |noise|.
+float turbulence(const Vec3& p, const Octaves& octaves);
 
 }  // namespace dspm

@@ -21,6 +21,9 @@ class ProductTexture final : public Texture<T> {
     const auto first = first_->constant(), second = second_->constant();
     return first && second ? std::optional<T>(*first * *second) : std::nullopt;
   }
+  bool averages() const override {
+    return (first_->constant() || second_->constant()) && first_->averages() && second_->averages();
+  }
 
  private:
   TexturePtr<T> first_, second_;

@@ -24,6 +24,9 @@ class ScaleTexture final : public Texture<T> {
     const auto scale = scale_->constant();
     return value && scale ? std::optional<T>(*value * *scale) : std::nullopt;
   }
+  bool averages() const override {
+    return (texture_->constant() || scale_->constant()) && texture_->averages() && scale_->averages();
+  }
 
  private:
   TexturePtr<T> texture_;

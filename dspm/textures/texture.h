@@ -11,8 +11,8 @@
 
 namespace dspm {
 
-/// Where a texture is looked up, all in the world. A lookup may average over a footprint: the ellipse around p whose axes
-/// are dpdx and dpdy, as in pbrt; zero for a point.
+/// Where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around p whose axes
+/// are dpdx and dpdy, as in pbrt; zero for a point. Only textures that say so get one (Texture::averages).
 struct TexturePoint {
   Vec3 p;
   Vec2 uv;
@@ -22,6 +22,11 @@ struct TexturePoint {
   VertexPlace vertices{};
 };
 
+/// Whether a surface can reflect it.
+inline bool is_albedo(const Rgb& c) {
+  return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
+}
+
 template <class T>
 class Texture {
  public:
@@ -29,6 +34,9 @@ class Texture {
   virtual T evaluate(const TexturePoint& at) const = 0;
   /// The value, if it is the same everywhere. To be called once, when a material is made.
   virtual std::optional<T> constant() const { return std::nullopt; }
+  /// Whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that nothing cuts
+  /// them off before they are averaged. Others are looked up at points only. To be called once, too.
+  virtual bool averages() const { return false; }
 };
 using FloatTexture = Texture<float>;
 using RgbTexture = Texture<Rgb>;
@@ -43,6 +51,7 @@ class ConstantTexture final : public Texture<T> {
   explicit ConstantTexture(const T& value) : value_(value) {}
   T evaluate(const TexturePoint&) const override { return value_; }
   std::optional<T> constant() const override { return value_; }
+  bool averages() const override { return is_albedo(Rgb(value_)); }
 
  private:
   T value_;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/math/vec.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/noise.h"
 #include "dspm/textures/plugins.h"
@@ -23,9 +24,8 @@ class WindyTexture final : public Texture<T> {
   explicit WindyTexture(const Transform& world_from_texture) : world_from_texture_(world_from_texture) {}
 
   T evaluate(const TexturePoint& at) const override {
-    const SpaceCoordinates own = in_own_space(world_from_texture_, at);
-    const float wind = fbm({own.p * 0.1f, own.dpdx * 0.1f, own.dpdy * 0.1f}, kGusts);
-    return T(std::abs(wind) * fbm(own, kWaves));
+    const Vec3 own = world_from_texture_.inverse_point(at.p);
+    return T(std::abs(fbm(own * 0.1f, kGusts)) * fbm(own, kWaves));
   }
 
  private:

@@ -5,8 +5,7 @@
 //   | octaves   | 8  | how many sizes of noise are added up; each is about half the last |
 //   | roughness | .5 | the strength of each octave over that of the last                 |
 //
-// 0 or more, about 0.4 on average. The largest waves are about a unit long in the texture's own space. Octaves finer
-// than the lookup's footprint count with their mean. See noise.h.
+// 0 or more, about 0.4 on average. The largest waves are about a unit long in the texture's own space. See noise.h.
 #include "dspm/colour/rgb.h"
 #include "dspm/params/params.h"
 #include "dspm/textures/noise.h"
@@ -22,7 +21,7 @@ class WrinkledTexture final : public Texture<T> {
       : octaves_(octaves), world_from_texture_(world_from_texture) {}
 
   T evaluate(const TexturePoint& at) const override {
-    return T(turbulence(in_own_space(world_from_texture_, at), octaves_));
+    return T(turbulence(world_from_texture_.inverse_point(at.p), octaves_));
   }
 
  private:

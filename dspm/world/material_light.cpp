@@ -16,18 +16,13 @@
 namespace dspm {
 namespace {
 
-/// Without the footprint, so that rays that hit the light and rays that are sent to it agree.
-TexturePoint place_of(const SurfacePoint& point) {
-  return {point.p, point.uv, point.ng, point.dpdu, point.dpdv, {}, {}, point.vertices};
-}
-
 class TexturePattern final : public EmissionPattern {
  public:
   explicit TexturePattern(TexturePtr<Rgb> texture) : texture_(std::move(texture)) {}
   const Texture<Rgb>* texture() const { return texture_.get(); }
 
   Rgb at(const SurfacePoint& point) const override {
-    Rgb c = texture_->evaluate(place_of(point));
+    Rgb c = texture_->evaluate(texture_point(point));
     for (int i = 0; i < 3; ++i) c[i] = std::isfinite(c[i]) ? std::max(c[i], 0.f) : 0.f;
     return c;
   }
@@ -43,7 +38,7 @@ class MixedPattern final : public EmissionPattern {
       : mix_(std::move(mix)), lights_(std::move(lights)) {}
 
   Rgb at(const SurfacePoint& point) const override {
-    const auto cover = mix_->cover(place_of(point));
+    const auto cover = mix_->cover(texture_point(point));
     Rgb sum;
     for (std::size_t i = 0; i < lights_.size(); ++i)
       if (cover[i] > 0) sum += lights_[i].at(point) * (cover[i] / (cover[0] + cover[1]));
