@@ -38,7 +38,8 @@ void MtlFiles::read_named(std::string_view names) {
     if (end == first) {
       while (end < words.size() && !ends_name(words[end])) ++end;
       end = std::min(end + 1, words.size());
-      out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name(first, end)));
+      if (!read(without_folders(name(first, end))))
+        out_.complaints.push_back(fmt::format("there is no material file \"{}\"", name(first, end)));
     }
     first = end;
   }

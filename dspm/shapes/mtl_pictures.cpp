@@ -39,7 +39,9 @@ std::optional<std::string> MtlPictures::add_normals(const MtlPicture& picture, F
 std::optional<std::filesystem::path> MtlPictures::find(const MtlPicture& picture, const FileMaterial& of) {
   const std::string file = trimmed(picture.file);
   if (file.empty()) return std::nullopt;
-  for (const std::string& spelling : spellings_of(file))
+  std::vector<std::string> spellings = spellings_of(file);
+  if (std::string bare = without_folders(file); !bare.empty()) spellings.push_back(std::move(bare));
+  for (const std::string& spelling : spellings)
     if (const std::filesystem::path path = mtl_.parent_path() / spelling; seems_to_exist(path))
       return std::filesystem::absolute(path);
   complaints_.push_back(fmt::format("there is no texture file \"{}\" for material \"{}\"", file, of.name));

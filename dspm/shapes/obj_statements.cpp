@@ -81,8 +81,12 @@ std::vector<std::string> spellings_of(std::string_view name) {
   std::string slashed(name);
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   add(slashed);
-  add(slashed.substr(slashed.rfind('/') + 1));  // npos + 1 is 0
   return spellings;
+}
+
+std::string without_folders(std::string_view name) {
+  const std::string plain = spellings_of(name).empty() ? std::string() : spellings_of(name).back();
+  return plain.substr(plain.rfind('/') + 1);  // npos + 1 is 0
 }
 
 }  // namespace dspm

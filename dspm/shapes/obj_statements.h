@@ -37,8 +37,9 @@ std::string_view next_value(std::string_view& text);
 /// A finite number of that text; what is too small for a float is 0.
 std::optional<float> obj_number(std::string_view word);
 
-/// File names as written elsewhere: themselves, without quotes, with / for \, and without the folders of that machine.
-/// The likeliest first, each once.
+/// File names as written elsewhere: themselves, without quotes, and with / for \. The likeliest first, each once.
 std::vector<std::string> spellings_of(std::string_view name);
+/// Such a name without the folders of that machine.
+std::string without_folders(std::string_view name);
 
 }  // namespace dspm

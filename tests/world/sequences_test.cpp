@@ -50,7 +50,7 @@ TEST_F(Sequences, WithoutFacesThereIsNoShape) {
   for (const int frame : {1, 2, 3, 4, 5}) put(frame, frame == 2 || frame == 4);
   for (const char* shape :
        {R"(Shape "plymesh" "string filename" "a.%d.ply")", R"(Shape "objmesh" "string filename" "a.%d.obj")"}) {
-    diagnostics = {};
+    diagnostics = Diagnostics();
     EXPECT_EQ(shapes(shape), (std::vector<int>{0, 1, 0, 1, 0})) << shape;
     EXPECT_EQ(messages(), "3 of the 5 files of this sequence have no faces: the shape is not there in their frames\n");
   }
@@ -59,7 +59,7 @@ TEST_F(Sequences, WithoutFacesThereIsNoShape) {
 TEST_F(Sequences, OneFileWithoutFacesIsAnError) {
   put(1, false);
   for (const char* name : {"a.1.ply", "a.1.obj"}) {
-    diagnostics = {};
+    diagnostics = Diagnostics();
     EXPECT_THROW(shapes(fmt::format("Shape \"{}mesh\" \"string filename\" \"{}\"", name + 4, name)), SceneError);
     EXPECT_EQ(messages(), "the file has no faces\n");
     EXPECT_EQ(diagnostics.all().front().where.line, 2);
