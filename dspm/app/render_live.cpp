@@ -9,6 +9,7 @@
 #include "dspm/serve/edits.h"
 #include "dspm/session/learned_before.h"
 #include "dspm/session/out_of_memory.h"
+#include "dspm/system/file_access.h"
 #include "dspm/system/files_read.h"
 #include "dspm/system/parallel.h"
 #include "dspm/system/standard_streams.h"
@@ -50,6 +51,7 @@ int render_once(Options options, const Surroundings& around, Edits& edits, bool 
 }  // namespace
 
 int render_live(Options options, Link* others) {
+  refuse_pipes();
   const ImageRequests image_requests;
   const ThreadLimit threads(options.threads);
   const LivePage* page = nullptr;

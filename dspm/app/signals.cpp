@@ -1,5 +1,6 @@
 #include "dspm/app/signals.h"
 
+#include <time.h>
 #include <unistd.h>
 
 #include "dspm/system/cancellation.h"
@@ -8,9 +9,19 @@
 namespace dspm {
 namespace {
 
-constexpr unsigned kSecondsToFinish = 10;  // an iteration
+constexpr time_t kSecondsToFinish = 10;  // an iteration
 
 volatile std::sig_atomic_t received = 0, images_wanted = 0, is_terminal = 0;
+// Not alarm(): whoever has started the program may have set one, which ends the run as SIGTERM does.
+timer_t time_to_finish;
+bool has_timer = false;
+
+int signal_of_timer() { return SIGRTMIN + 6; }
+
+void set_timer(time_t seconds) {
+  const itimerspec once{{}, {seconds, 0}};
+  if (has_timer) timer_settime(time_to_finish, 0, &once, nullptr);
+}
 
 extern "C" void on_end_wanted(int number) {
   constexpr char kWord[] =
@@ -19,10 +30,12 @@ extern "C" void on_end_wanted(int number) {
   if (received != 0 && !is_by_person) return;  // the system repeats SIGXCPU every second
   if (received != 0) end_suddenly(128 + number);
   received = number;
-  alarm(kSecondsToFinish);
+  set_timer(kSecondsToFinish);
   if (is_terminal != 0 && write(STDERR_FILENO, kWord, sizeof kWord - 1) < 0) return;
 }
-extern "C" void on_time_over(int) { cancel_work(); }
+extern "C" void on_time_over(int) {
+  if (received != 0) cancel_work();
+}
 extern "C" void on_images_wanted(int) { images_wanted = 1; }
 
 }  // namespace
@@ -54,14 +67,17 @@ InterruptRequests::InterruptRequests() {
   received = 0;
   is_terminal = isatty(STDERR_FILENO);
   allow_work();
-  handlers_.handle(SIGINT, on_end_wanted);
-  handlers_.handle(SIGTERM, on_end_wanted);
-  handlers_.handle(SIGXCPU, on_end_wanted);
-  handlers_.handle(SIGUSR2, on_end_wanted);
-  handlers_.handle(SIGALRM, on_time_over);
+  handlers_.handle(signal_of_timer(), on_time_over);
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL, event.sigev_signo = signal_of_timer();
+  has_timer = timer_create(CLOCK_MONOTONIC, &event, &time_to_finish) == 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGALRM, SIGXCPU, SIGUSR2}) handlers_.handle(signal, on_end_wanted);
 }
 
-InterruptRequests::~InterruptRequests() { alarm(0); }
+InterruptRequests::~InterruptRequests() {
+  if (has_timer) timer_delete(time_to_finish);
+  has_timer = false;
+}
 
 int InterruptRequests::signal() { return received; }
 

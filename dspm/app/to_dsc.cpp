@@ -31,8 +31,7 @@ std::string write_one(const std::string& scene, const Options& options, Messages
   const std::string text = format_scene({name, translation.text}, diagnostics).value_or(translation.text);
   messages.show(diagnostics);
   const fs::path folder = out.parent_path();  // of it, which the scene's names of files are relative to
-  if (const fs::path needed = translation.files.empty() ? folder : folder / stem; !needed.empty())
-    fs::create_directories(needed);
+  if (const fs::path needed = translation.files.empty() ? folder : folder / stem; !needed.empty()) make_folder(needed);
   for (const auto& [file, bytes] : translation.files) write_file(folder / file, bytes());
   write_file(out, text);
   return fmt::format("{}, and {} in {}/\n", out.string(), counted(translation.files.size(), "file"),

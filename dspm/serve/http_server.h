@@ -1,6 +1,6 @@
 // HTTP for a few browsers. The only place with Boost.Beast. Whatever somebody sends, its memory and its time are bounded:
-// a head has 16 KiB and 100 headers, a body 64 KiB and no encoding, a request ten seconds from the first byte to the
-// last. A body is read only after its head has been let in.
+// a head has 16 KiB and 100 headers, a body 64 KiB and no encoding, a whole request ten seconds
+// to arrive. A body is read only after its head has been let in.
 #pragma once
 
 #include <functional>

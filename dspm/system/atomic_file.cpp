@@ -97,6 +97,15 @@ void AtomicFile::commit() {
 
 void AtomicFile::fail(int error) const { throw WriteError(shown_, std::generic_category().message(error)); }
 
+void make_folder(const fs::path& folder) try {
+  expect_allowed(folder);
+  fs::create_directories(folder);
+} catch (const fs::filesystem_error& error) {
+  throw WriteError(folder, error.code().message());
+} catch (const std::runtime_error& error) {
+  throw WriteError(folder, error.what());
+}
+
 void write_file(const fs::path& target, std::string_view bytes) {
   AtomicFile file(target);
   file.write(bytes);

@@ -56,6 +56,9 @@ class AtomicFile {
 /// Follows symbolic links to the file that they mean, even if it does not exist yet.
 std::filesystem::path file_behind(const std::filesystem::path& target);
 
+/// With those around it, if they are not there. Throws WriteError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes a whole file at once.
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 

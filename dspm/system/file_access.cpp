@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "dspm/system/inner_files.h"
@@ -11,6 +12,8 @@ namespace dspm {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::atomic<bool> pipes_are_refused = false;
 
 /// Canonical; empty: everything is allowed.
 fs::path& root() {
@@ -53,6 +56,9 @@ void confine_files(const fs::path& directory) {
 }
 
 bool files_are_confined() { return !root().empty(); }
+
+void refuse_pipes() { pipes_are_refused = true; }
+bool may_read_pipes() { return !files_are_confined() && !pipes_are_refused; }
 
 void expect_allowed(const fs::path& file) {
   if (holds_zero(file)) throw std::runtime_error("its name contains a zero byte");

@@ -11,6 +11,12 @@ namespace dspm {
 void confine_files(const std::filesystem::path& directory);
 bool files_are_confined();
 
+/// From now on only regular files are read, for programs that read a file again: a pipe in its place would keep them
+/// waiting for its other end.
+void refuse_pipes();
+/// Whether pipes and devices may be read, as `dspm <(make-scene)` wants it.
+bool may_read_pipes();
+
 /// Throws std::runtime_error if the file, with links resolved, lies outside. The message does not name the file.
 void expect_allowed(const std::filesystem::path& file);
 

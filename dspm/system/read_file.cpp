@@ -1,10 +1,13 @@
 #include "dspm/system/read_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <fstream>
+#include <ext/stdio_filebuf.h>
 #include <iostream>
 #include <limits>
 #include <new>
@@ -95,6 +98,22 @@ std::string read_stream(std::istream& stream, std::size_t expected) {
   return data;
 }
 
+/// A regular file is opened without waiting: a pipe may have taken its place meanwhile.
+int open_to_read(const std::filesystem::path& path) {
+  struct stat status = {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  const bool is_pipe = exists && may_read_pipes() && !S_ISREG(status.st_mode) && !S_ISCHR(status.st_mode);
+  if (exists && S_ISDIR(status.st_mode)) throw std::runtime_error("it is a directory");
+  if (exists && !S_ISREG(status.st_mode) && !is_pipe) throw std::runtime_error("it is not a regular file");
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | (is_pipe ? 0 : O_NONBLOCK));
+  if (descriptor < 0) throw std::runtime_error("there is no such file, or it cannot be read");
+  if (!is_pipe && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+    close(descriptor);
+    throw std::runtime_error("it is not a regular file");
+  }
+  return descriptor;
+}
+
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path) {
@@ -107,15 +126,13 @@ std::string read_bytes(const std::filesystem::path& path) {
 std::string read_other_bytes(const std::filesystem::path& path) {
   expect_allowed(path);
   if (auto bytes = inner_file(path)) return *std::move(bytes);
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
-  if (is_directory(status)) throw std::runtime_error("it is a directory");
-  if (exists(status) && (is_character_file(status) || (files_are_confined() && !is_regular_file(status))))
-    throw std::runtime_error("it is not a regular file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("there is no such file, or it cannot be read");
-  const std::uintmax_t size = is_regular_file(status) ? std::filesystem::file_size(path, ignored) : 0;
+  const int descriptor = open_to_read(path);
+  __gnu_cxx::stdio_filebuf<char> buffer(descriptor, std::ios::in | std::ios::binary);  // closes it
+  struct stat status = {};
+  fstat(descriptor, &status);
+  const std::size_t size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
   if (size > kMostBytes) throw std::runtime_error("it is larger than 16 GiB");
+  std::istream file(&buffer);
   try {
     return read_stream(file, size);
   } catch (const std::bad_alloc&) {

@@ -43,6 +43,16 @@ TEST(Interruption, SchedulersWarningsDoLikewise) {
   }
 }
 
+// As `perl -e 'alarm 1; exec "dspm", ...'` sets one, which lives through exec.
+TEST(Interruption, AnInheritedAlarmDoesLikewise) {
+  const TinyDirectory directory;
+  const Process process(directory, {"tiny.dsc", "--iterations", "0"}, "out.txt", "err.txt", [] { alarm(2); });
+  const Outcome outcome = process.wait();
+  if (outcome.code == -SIGALRM) GTEST_SKIP() << "the machine is too busy: the alarm came before the run began";
+  EXPECT_EQ(outcome.code, 142) << outcome.err;
+  EXPECT_GE(read_exr_header(directory / "tiny.0003.exr").integers.at("iterations"), 1);
+}
+
 TEST(Interruption, TheSecondCtrlCEndsAtOnce) {
   const TinyDirectory directory;
   // One iteration takes long: many photons.

@@ -155,6 +155,15 @@ TEST_F(Sandbox, PipesAndDevicesAreNotRead) {
   EXPECT_NE(outcome.err.find("it is not a regular file"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Sandbox, NoFolderIsMadeOutside) {
+  put("box/empty.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"}],"scenes":[{"nodes":[0]}]})");
+  for (const char* out : {"out/a.dsc", "box/../out/a.dsc", "box/up/out/a.dsc"}) {
+    const Outcome outcome = run(directory, {"--to-dsc", "box/empty.gltf", "-o", out, "--sandbox", "box"});
+    expect_refused(outcome, out);
+    EXPECT_FALSE(fs::exists(directory / "out")) << out;
+  }
+}
+
 TEST_F(Sandbox, MustBeADirectory) {
   const Outcome outcome = run(directory, {"box/part.dsc", "--sandbox", "nowhere"});
   EXPECT_EQ(outcome.code, 2);

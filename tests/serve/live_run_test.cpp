@@ -1,5 +1,6 @@
 // dspm --serve, as a viewer sees it who speaks HTTP.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <thread>
@@ -194,6 +195,17 @@ TEST_F(LiveRun, ErrorsStandOnThePageWithTheirPlaceUntilTheyAreMended) {
   const std::string mended = events_until("\"iterations\": 3,");
   EXPECT_NE(mended.find("event: problem\ndata: \"\"\n"), std::string::npos) << mended;
   EXPECT_EQ(end().code, 0);
+}
+
+TEST_F(LiveRun, APipeInPlaceOfTheSceneIsNotWaitedFor) {
+  start();
+  events_until("\"phase\": \"done\"");
+  std::filesystem::remove(directory / "tiny.dsc");
+  ASSERT_EQ(mkfifo((directory / "tiny.dsc").c_str(), 0600), 0);
+  EXPECT_NE(events_until("not a regular file").find("not a regular file"), std::string::npos);
+  process_->send(SIGINT);
+  EXPECT_EQ(process_->wait().code, 130);
+  process_.reset();
 }
 
 TEST_F(LiveRun, ASceneWithErrorsAtTheStartMayBeMended) {

@@ -1,7 +1,7 @@
 // All frames at once, as buttons; the canvas over them holds their pictures. Their places are computed, so that of
 // thousands only those exist that are near what can be seen.
 
-const gap = 8, label_height = 24, smallest = 96, comfortable = 160, widest_heading = 240, most_elements = 2000;
+const gap = 8, label_height = 24, smallest = 84, comfortable = 160, widest_heading = 240, most_elements = 2000;
 
 const place = button => button.firstElementChild;
 const pen = document.createElement('canvas').getContext('2d');
