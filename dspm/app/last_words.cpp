@@ -3,6 +3,7 @@
 #include <execinfo.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ struct Text {
 Text current_step, own_name, kept_files;
 std::array<Text, kMostModules> module_names;  // in the order of loaded_modules()
 std::atomic<bool> rendering = false;
+std::atomic<pid_t> program = 0;  // the process, from the start of main() to its end
 
 void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
 
@@ -90,13 +92,21 @@ void on_terminate() {
   end_suddenly(1);
 }
 
-void on_exit() {
-  if (!rendering) return;
+[[noreturn]] void end_as_called(const char* function) {
   if (!first_to_speak()) end_suddenly(1);
-  say_cause("exit() was called");
+  say_cause(function);
   say_culprit(module_on_stack());
   say_what_is_left();
   end_suddenly(1);
+}
+
+void on_exit() {
+  if (rendering || program == getpid()) end_as_called("exit() was called");
+}
+
+/// By a module, whose exit code would stand for that of the run. Programs that are about to be started are no concern.
+void on_end_of_process(const char* function) {
+  if (program == getpid() && module_on_stack() != nullptr) end_as_called(function);
 }
 
 void on_crash(int number) {
@@ -128,10 +138,17 @@ void handle_crashes() {
 }  // namespace
 
 void prepare_last_words() {
+  program = getpid();
+  std::atexit(on_exit);
   std::set_terminate(on_terminate);
   std::array<void*, 1> first_use;  // it loads libgcc, which a signal handler must not
   backtrace(first_use.data(), 1);
   handle_crashes();
+}
+
+int end_as_meant(int code) {
+  program = 0;
+  return code;
 }
 
 LastWords::LastWords() {
@@ -159,3 +176,22 @@ void LastWords::know_modules() {
 }
 
 }  // namespace dspm
+
+// They take the place of the C library's for modules (exported.map), as exit codes must say what happened.
+extern "C" {
+
+[[noreturn]] void _exit(int code) {
+  dspm::on_end_of_process("_exit() was called");
+  for (;;) syscall(SYS_exit_group, code);
+}
+
+[[noreturn]] void _Exit(int code) noexcept {
+  dspm::on_end_of_process("_Exit() was called");
+  for (;;) syscall(SYS_exit_group, code);
+}
+
+[[noreturn]] void quick_exit(int code) noexcept {
+  dspm::on_end_of_process("quick_exit() was called");
+  for (;;) syscall(SYS_exit_group, code);
+}
+}

@@ -1,5 +1,5 @@
 // A process that ends abnormally still says why: an exception that cannot be caught, as when a library's thread runs
-// out of memory; a crash; exit() in a module.
+// out of memory; a crash; exit() or _exit() in a module.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,10 @@ namespace dspm {
 
 /// From now on such an end is reported on standard error and leaves no temporary file. A crash ends the process by its
 /// signal, others have exit code 1.
+/// Until end_as_meant(), exit(), and whatever a module calls to end the process, is such an end.
 void prepare_last_words();
+/// The exit code, as main() returns it.
+int end_as_meant(int code);
 
 /// While it lives, a render is under way: exit() is a failure, and last words say what was being done, which module was
 /// running, and what the render leaves behind. At most one at a time.

@@ -12,5 +12,5 @@ extern "C" const char* __tsan_default_suppressions() { return dspm::kNotJudged; 
 int main(int count, char** arguments) {
   dspm::prepare_standard_streams();
   dspm::prepare_last_words();
-  return dspm::run_command_line({arguments + std::min(count, 1), arguments + count});
+  return dspm::end_as_meant(dspm::run_command_line({arguments + std::min(count, 1), arguments + count}));
 }

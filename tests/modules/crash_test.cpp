@@ -38,6 +38,9 @@ TEST(Crash, NamesTheModuleAndTheImagesBefore) {
   std::vector<End> ends = {
       {"abort", -SIGABRT, "Aborted"},
       {"exit", 1, "exit() was called"},
+      {"_exit", 1, "_exit() was called"},
+      {"_Exit", 1, "_Exit() was called"},
+      {"quick_exit", 1, "quick_exit() was called"},
       {"exit in a thread", 1, "exit() was called"},
       {"throw in a thread", 1, "out of thread"},
   };

@@ -42,6 +42,9 @@ class Mischief final : public Integrator {
     if (mood_ == "abort") std::abort();
     if (mood_ == "segfault") *nowhere = 1;
     if (mood_ == "exit") std::exit(0);
+    if (mood_ == "_exit") _exit(0);
+    if (mood_ == "_Exit") std::_Exit(0);
+    if (mood_ == "quick_exit") std::quick_exit(0);
     if (mood_ == "exit in a thread") std::thread([] { std::exit(0); }).join();
     if (mood_ == "throw in a thread") std::thread([] { throw std::runtime_error("out of thread"); }).join();
   }
@@ -59,10 +62,11 @@ class Mischief final : public Integrator {
 };
 
 std::unique_ptr<Integrator> make_mischief(ParamReader& params, const Scene&, const RenderSettings& render) {
-  const std::string mood = params.choice("mood", "good",
-                                         {"good", "throw", "refuse", "hang", "nan", "hoard", "abort", "segfault",
-                                          "exit", "exit in a thread", "throw in a thread"},
-                                         "what it does");
+  const std::string mood =
+      params.choice("mood", "good",
+                    {"good", "throw", "refuse", "hang", "nan", "hoard", "abort", "segfault", "exit", "_exit", "_Exit",
+                     "quick_exit", "exit in a thread", "throw in a thread"},
+                    "what it does");
   params.finish();
   if (mood == "refuse") throw std::runtime_error("not today");
   return std::make_unique<Mischief>(mood, render);
