@@ -26,7 +26,9 @@ double illuminance(const Document& document, const Poses& poses, const std::vect
     const Value use = document["nodes"][node].extension("KHR_lights_punctual")["light"];
     if (!use.exists()) continue;
     const Value light = lights[use.required_index(lights.size())];
-    const Vec3 to = at - Transform(poses.world(node, 0)).point({});
+    const Matrix4 world = poses.world(node, 0);
+    const Vec3 to = at - Vec3(static_cast<float>(world.m[0][3]), static_cast<float>(world.m[1][3]),
+                              static_cast<float>(world.m[2][3]));
     const double d2 = light["type"].text("") == "directional" ? 1 : static_cast<double>(length2(to));
     sum += brightest(light) / std::max(d2, 1e-6);
   }

@@ -29,6 +29,14 @@ Pose pose_of(const Document& document, const Value& node) {
   return pose;
 }
 
+void expect_transform(const std::array<double, 16>& columns, const Value& node) {
+  const Matrix4 matrix = Matrix4::from_columns(columns);
+  const char* const fault = !matrix.is_affine() ? "is not affine: its last row is not 0 0 0 1"
+                            : !matrix.inverse() ? "is singular: it squeezes the node flat, or into a point"
+                                                : nullptr;
+  if (fault != nullptr) node.fail(fmt::format("the matrix of node \"{}\" {}", node["name"].text(""), fault));
+}
+
 /// Nodes that some channel sets, and meshes whose weights are set.
 std::set<std::size_t> animated_nodes(const Document& document, const Animation& animation) {
   std::set<std::size_t> nodes;
@@ -92,9 +100,11 @@ Poses::Poses(const Document& document, const Animation& animation, int frames, d
     for (const std::size_t node : animated)
       poses_[node].push_back(pose_of(document, {&json["nodes"][node], fmt::format("nodes/{}", node)}));
   }
-  for (std::vector<Pose>& poses : poses_)
-    for (Pose& pose : poses)
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (Pose& pose : poses_[i]) {
       for (double& scale : pose.scale) scale = with_inverse(scale);
+      if (pose.matrix) expect_transform(*pose.matrix, nodes[i]);
+    }
 }
 
 const Pose& Poses::at(std::size_t node, int frame) const {
