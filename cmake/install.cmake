@@ -22,9 +22,10 @@ foreach(header ${public_headers} ${testing_headers} ${toolkit_headers})
 endforeach()
 install(EXPORT dspm NAMESPACE dspm:: FILE dspmTargets.cmake DESTINATION ${package_folder} COMPONENT Development)
 configure_package_config_file(cmake/dspmConfig.cmake.in dspmConfig.cmake INSTALL_DESTINATION ${package_folder}
-  PATH_VARS CMAKE_INSTALL_BINDIR)
+  PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR)
 write_basic_package_version_file(dspmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/dspmConfig.cmake ${CMAKE_BINARY_DIR}/dspmConfigVersion.cmake
+  cmake/public_headers.cmake cmake/interface_digest.cmake
   DESTINATION ${package_folder} COMPONENT Development)
 
 install(FILES ${CMAKE_BINARY_DIR}/made/dspm/modules/interface.h

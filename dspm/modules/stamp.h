@@ -66,12 +66,17 @@ inline constexpr StampedType kStampedTypes[] = {
     {"dspm::IntegratorPlugin", sizeof(IntegratorPlugin)},
 };
 
+// dspm::dspm of the installed package defines it: a digest of the headers that are there when a module is built.
+#ifndef DSPM_HEADERS
+#define DSPM_HEADERS ::dspm::kInterface
+#endif
+
 /// The note as stored in the file: an ELF header, then the stamp. The fields before `sizes` never change.
 struct ModuleStamp {
   std::uint32_t name_bytes = 5, content_bytes = 0, type = 1;
   char name[8] = {'d', 's', 'p', 'm'};
   std::uint32_t version[3] = {version_part(0), version_part(1), version_part(2)};
-  std::uint32_t interface = kInterface;
+  std::uint32_t interface = DSPM_HEADERS;
   std::uint32_t cxx_abi = 0;      // thousands of __GXX_ABI_VERSION: g++ and clang agree in them
   std::uint32_t new_strings = 0;  // _GLIBCXX_USE_CXX11_ABI
   std::uint32_t type_count = std::size(kStampedTypes);
