@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "dspm/checkpoint/loading_stream.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/revertible.h"
 #include "dspm/system/atomic_file.h"
@@ -26,7 +27,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little);  // like the numbers in the file
 constexpr std::string_view kMagic = CheckpointFile::kMagic;
 constexpr std::size_t kMostIntervals = 1 << 20, kMostFrames = 1 << 24, kLongestName = 1 << 16;
-constexpr int kMostIterations = 1'000'000'000;
 
 [[noreturn]] void fail(const std::string& why) { throw std::runtime_error(why); }
 
@@ -219,6 +219,7 @@ void CheckpointFile::load_by(std::size_t interval, Integrator& integrator) const
     file_.seekg(static_cast<std::streamoff>(state.offset));
     Stream stream(file_, state.size);
     if (!integrator.persist(stream) || stream.left() != 0) fail("it belongs to another integrator");
+    expect_iterations(integrator.statistics().iterations);
   } catch (const std::exception& error) {
     fail(fmt::format("checkpoint {}: {}", path_.string(), error.what()));
   }

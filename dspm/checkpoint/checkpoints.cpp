@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "dspm/checkpoint/changes.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/distinct_files.h"
 #include "dspm/session/revertible.h"
@@ -101,6 +104,13 @@ Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const Chec
   while (kept_ < states_.size() && !is_among(states_[kept_].places.going_on(), job.frames)) ++kept_;
 }
 
+/// A run that could not begin must not stand in the way of the next.
+Checkpoints::~Checkpoints() {
+  std::error_code ignored;
+  if (takes_name_ && std::uncaught_exceptions() > 0 && last_ != nullptr && last_->is_at(path_))
+    fs::remove(path_, ignored);
+}
+
 std::vector<Places> Checkpoints::begun() const {
   std::vector<Places> places;
   for (std::size_t i = kept_; i < states_.size(); ++i) places.push_back(states_[i].places);
@@ -125,12 +135,14 @@ void Checkpoints::begin(const std::vector<FrameList>& intervals, Integrator& fir
     for (std::size_t i = before; i < states_.size(); ++i) added += states_[i].places.frames.size();
     messages_.say("{} {} the checkpoint's", counted(added, "frame"), has_changed_ ? "start beside" : "added to");
   }
+  std::error_code ignored;
+  AtomicFile(path_).reserve(all + (fs::exists(path_, ignored) ? fs::file_size(path_) : 0));
   // Takes the name at once, and keeps the resumed state even if nothing is left to do.
+  takes_name_ = last_ == nullptr;
   if (last_ == nullptr || !last_->is_at(path_) || states_.size() > before || has_changed_) {
     if (last_ == nullptr || !last_->is_at(path_)) leave_to_others(path_);
     last_ = CheckpointFile::write(path_, render_, states_, nullptr, last_.get());
   }
-  AtomicFile(path_).reserve(all + fs::file_size(path_));
   messages_.say("checkpoint: {}, {}, every {}", path_.string(), readable_bytes(all), in_words(every_));
 }
 
@@ -140,6 +152,11 @@ IntervalProgress Checkpoints::resume(std::size_t interval, Integrator& integrato
   schedule_.begin(state.iterations);
   if (state.iterations == 0) return {.index = interval};
   last_->load(kept_ + interval, integrator);
+  try {
+    expect_images(integrator, static_cast<int>(state.places.going_on().size()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("checkpoint {}: {}", last_->path().string(), error.what()));
+  }
   messages_.say(
       "resumed after iteration {}{}", state.iterations,
       states_.size() > 1 ? fmt::format(" of frame interval {}/{}", interval + 1, states_.size() - kept_) : "");
@@ -153,6 +170,7 @@ void Checkpoints::save(const IntervalProgress& progress, Integrator& integrator)
   IntervalState& state = states[kept_ + progress.index];
   state.iterations = progress.iterations, state.seconds = progress.seconds;
   if (!last_->is_at(path_)) leave_to_others(path_);
+  takes_name_ = false;
   const CheckpointFile::NewState saved{kept_ + progress.index, integrator};
   last_ = CheckpointFile::write(path_, render_, std::move(states), &saved, last_.get());
 }

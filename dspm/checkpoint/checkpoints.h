@@ -30,6 +30,10 @@ class Checkpoints {
   Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
               std::unique_ptr<const CheckpointFile> resumed, Messages& messages);
 
+  ~Checkpoints();
+  Checkpoints(const Checkpoints&) = delete;
+  Checkpoints& operator=(const Checkpoints&) = delete;
+
   /// Of the intervals that the resumed run began and this one goes on with; empty if there are none.
   std::vector<Places> begun() const;
   /// Of the resumed run, over all intervals.
@@ -53,6 +57,7 @@ class Checkpoints {
   CheckpointFile::Render render_;
   std::vector<IntervalState> states_;           // of the last checkpoint
   bool has_changed_ = false;                    // since the resumed one
+  bool takes_name_ = false;                     // the file is new and holds no state
   std::size_t kept_ = 0;                        // so many come first that this run does not go on with
   std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "dspm/integrators/possible_state.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 
@@ -126,6 +127,7 @@ void MergedParts::load(std::size_t interval, Integrator& integrator) const {
     is_first ? file->load(interval, integrator) : file->add(interval, integrator);
     is_first = false;
   }
+  expect_images(integrator, static_cast<int>(intervals()[interval].size()));
 }
 
 }  // namespace dspm

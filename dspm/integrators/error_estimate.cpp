@@ -10,6 +10,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
 
@@ -101,6 +102,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     state.sum(estimated_);
     state.value(kept_);
     state.value(kept_after_);
+    for (const double square : squares_) expect_possible(square >= 0, "its estimate of the error");
     if (state.merges()) kept_after_.fill(0);  // half of a part is not half of the whole
     return true;
   }

@@ -13,6 +13,7 @@
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/photon_batches.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/typical_hit_point.h"
 #include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
@@ -90,7 +91,10 @@ class Progressive final : public Integrator {
 
   bool persist(StateStream& state) override {
     statistics_.persist(state);
-    for_each_estimator([&](PixelEstimator& estimator) { estimator.forget_iteration(), estimator.persist(state); });
+    for_each_estimator([&](PixelEstimator& estimator) {
+      estimator.forget_iteration(), estimator.persist(state);
+      expect_possible(has_possible_pixels(estimator), "its record of the pixels");
+    });
     groups_->persist(state);
     shrinkage_.go_to(statistics_.iterations, settings_.alpha);
     found_.persist(state);
@@ -100,6 +104,16 @@ class Progressive final : public Integrator {
   }
 
  private:
+  /// Of radii and numbers of photons; what they give is an image.
+  bool has_possible_pixels(const PixelEstimator& estimator) const {
+    for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
+      for (std::size_t f = 0; f < statistics_.energy.size(); ++f) {
+        const std::optional<PixelStatistics> own = estimator.statistics(pixel, static_cast<Frame>(f));
+        if (!own) return true;  // none has
+        if (!(own->R2 >= 0 && own->N >= 0 && std::isfinite(own->N))) return false;
+      }
+    return true;
+  }
   PixelEstimator& estimator_of(bool caught) const { return caught ? *caught_ : *estimator_; }
   template <class Fn>
   void for_each_estimator(Fn&& fn) {
@@ -151,6 +165,7 @@ class Progressive final : public Integrator {
     emission.direct.persist(state);
     emission.guides.persist(state, lights_);
     state.value(emission.goes_on);
+    expect_possible(is_learned <= 1 && emission.goes_on <= 1, "its record of how light is found");
     settings_ = given_;
     learned_ = is_learned != 0 ? std::make_shared<const LearnedEmission>(std::move(emission)) : nullptr;
     settings_.photon.guides = learned_ != nullptr ? &learned_->guides : nullptr;

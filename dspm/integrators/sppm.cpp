@@ -12,6 +12,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/kernel_size.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/progressive.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
@@ -73,6 +74,7 @@ class Hj09 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     state.value(iterations_);
+    expect_iterations(iterations_);
     state.value(pixels_);
   }
 
@@ -113,6 +115,7 @@ class Kz11 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     state.sum(iterations_);
+    expect_iterations(iterations_);
     state.sum(sums_);
   }
 

@@ -11,6 +11,7 @@
 #include "dspm/integrators/coverage_ranks.h"
 #include "dspm/integrators/majority.h"
 #include "dspm/integrators/make_beside.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
@@ -130,6 +131,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
     state.sum(met_);
     for (Layer& layer : layers_) state.sum(layer.sums), state.sum(layer.votes), state.sum(layer.ranks);
     state.sum(iterations_);
+    expect_iterations(iterations_);
     return true;
   }
 

@@ -6,6 +6,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/integrators/wrapping_integrator.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/parallel.h"
@@ -70,6 +71,8 @@ class VarianceOutput final : public WrappingIntegrator {
     state.value(done_);
     state.value(means_);
     state.value(squares_);
+    expect_iterations(done_);
+    for (const Rgb& c : squares_) expect_possible(!(c.r < 0 || c.g < 0 || c.b < 0), "its variance");
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/dsppm/dsppm.h"
 #include "dspm/integrators/dsppm/four_frames.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/math/frames.h"
 #include "dspm/system/parallel.h"
 
@@ -123,6 +124,7 @@ class Hj09 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     state.value(iterations_);
+    expect_iterations(iterations_);
     state.value(statistics_);
   }
 

@@ -7,6 +7,7 @@
 #include "dspm/integrators/dsppm/dsppm.h"
 #include "dspm/integrators/gathered_flux.h"
 #include "dspm/integrators/kernel_size.h"
+#include "dspm/integrators/possible_state.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -46,6 +47,7 @@ class Kz11 final : public PixelEstimator {
 
   void persist(StateStream& state) override {
     state.sum(iterations_);
+    expect_iterations(iterations_);
     state.sum(shared_);
     state.sum(own_);
   }
