@@ -40,7 +40,7 @@ set(toolkit_headers
   integrators/emission_guide.h integrators/file_sample.h integrators/final_gather.h integrators/gather.h
   integrators/gathered_flux.h
   integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
-  integrators/learn_emission.h
+  integrators/learn_emission.h integrators/light_value.h
   integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
   integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
   integrators/pixel_statistics.h

@@ -5,6 +5,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/body.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/math/frame_array.h"
@@ -133,7 +134,7 @@ inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
 /// Samples lights with the path's random numbers for its next bounce, traces a shadow ray to one of the samples and
 /// calls fn(FrameSet, const Rgb&, giver) with the radiance that the vertex scatters back along the path, for those of
 /// `frames` in which nothing is in between. `scattered(const LightSample&)` returns f, weighted if other ways find the
-/// same light. Radiance that is not finite is passed on; giver() then returns its source.
+/// same light. Radiance that is negative or not finite is passed on; giver() then returns its source.
 template <class ScatteringFunction, class Fn>
 void sample_direct_light(const Scene& scene, const PathState& path, const Vertex& vertex, FrameSet frames,
                          PathCounts& counts, ScatteringFunction&& scattered, Fn&& fn) {
@@ -151,8 +152,8 @@ void sample_direct_light(const Scene& scene, const PathState& path, const Vertex
       const Rgb f = scattered(LightSample{scene_light, light, *lit, pdf_w}) * std::abs(dot(lit->wi, point.ns));
       if (is_black(f)) return;
       const Rgb radiance = f * lit->radiance / (pdf_w > 0 ? pdf_w : samples);
-      if (!is_finite(radiance)) {
-        const SceneElement giver = is_finite(f) ? light_element(scene, scene_light) : vertex.material_element();
+      if (!is_light(radiance)) {
+        const SceneElement giver = is_light(f) ? light_element(scene, scene_light) : vertex.material_element();
         fn(common, radiance, [&] { return giver; });
       } else if (max_component(radiance) > 0) {
         offer_to(common, choosing, [&](ChosenSample& chosen) { chosen.offer(scene_light, light, *lit, radiance); });

@@ -3,6 +3,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/branching_path.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/radiance_estimate.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
@@ -99,7 +100,7 @@ class FinalGather {
   }
 
   bool is_valid(const GatherPath& path, const SceneElement& giver) {
-    const bool valid = is_finite(path.throughput) && is_finite(path.ray);
+    const bool valid = is_light(path.throughput) && is_finite(path.ray);
     if (!valid) lost(path, path.frames, giver);
     return valid;
   }

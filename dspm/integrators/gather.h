@@ -8,6 +8,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/photon_map.h"
 #include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
@@ -46,9 +47,9 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
           if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
           const Rgb flux = photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance,
                                                                     scattering->lobes);
-          if (!is_finite(flux))
+          if (!is_light(flux))
             counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
-          fn(strands_of(photon), frames, RgbLanes(is_finite(flux) ? flux : Rgb()), distance2, group);
+          fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2, group);
         });
   }
   counts.found += within;

@@ -1,4 +1,4 @@
-// What camera paths leave in a tile: light that they see, and hit points. Values that are not finite are rejected, with
+// What camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite are rejected, with
 // the one who gave them.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -28,7 +29,7 @@ class HitPointWriter {
   void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
       const Rgb seen = path.throughput * weight * radiance;
-      if (!is_finite(seen)) return reject(path, alike, giver());
+      if (!is_light(seen)) return reject(path, alike, giver());
       tile_.seen.push_back({alike, seen, path.pixel, light_of(giver()), path.caught});
     });
   }
@@ -38,7 +39,7 @@ class HitPointWriter {
   }
 
   Rgb if_finite(const Rgb& carried, const CameraPath& path, const Vertex& vertex, FrameSet frames) {
-    if (is_finite(carried)) return carried;
+    if (is_light(carried)) return carried;
     reject(path, frames, vertex.material_element());
     return {};
   }

@@ -7,6 +7,7 @@
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/caught_light.h"
 #include "dspm/integrators/direct_light.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/seen_light.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
@@ -94,8 +95,7 @@ class PathTracer {
     const auto sample = sample_bsdf(bsdf, path, vertex.wo, Transport::radiance, bsdf.all_lobes());
     if (!sample) return;
     extend(path, vertex, *sample);
-    if (!is_finite(path.ray) || !is_finite(path.throughput))
-      return reject(path, path.frames, vertex.material_element());
+    if (!is_finite(path.ray) || !is_light(path.throughput)) return reject(path, path.frames, vertex.material_element());
     path.leave(vertex, *sample);
     path.indirect = !limits_.indirect && !sample->specular;
     if (!is_black(path.throughput) &&
@@ -111,7 +111,7 @@ class PathTracer {
   /// `giver`: its source, the light if it is finite; else the one to blame.
   template <class WhoGave>
   void add(const CameraPath& path, int scatterings, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
-    if (is_finite(radiance))
+    if (is_light(radiance))
       return out_.add({frames, radiance, path.pixel, light_of(giver()), path.caught}, scatterings);
     reject(path, frames, giver());
   }

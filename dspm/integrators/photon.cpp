@@ -3,6 +3,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/mixed_frames.h"
 #include "dspm/integrators/photon_energy.h"
 #include "dspm/integrators/photon_starts.h"
@@ -61,7 +62,7 @@ class PhotonTracer {
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.density;
-      if (!is_finite(flux) || !is_finite(emission->ray)) {
+      if (!is_light(flux) || !is_finite(emission->ray)) {
         reject(start.frames, {SceneElement::Kind::light, chosen.light});
         continue;
       }
@@ -87,7 +88,7 @@ class PhotonTracer {
     FrameArray<FrameFactor> weights;
     for (const auto& [frames, light] : alike.states) {
       const Rgb weight = light->ratio_along(*alike.first, path.ray);
-      if (is_finite(weight))
+      if (is_light(weight))
         weights.add({frames, weight});
       else
         reject(frames, {SceneElement::Kind::light, index});
@@ -227,7 +228,7 @@ class PhotonTracer {
   /// Multiplies by the factors. Returns whether the path survives in some of its frames.
   bool roulette(PhotonPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, float u) {
     const auto left = [&](StrandList weights, FrameSet frames, const Rgb& before, const Rgb& after) {
-      const bool valid = is_finite(after);
+      const bool valid = is_light(after);
       if (!valid) reject(frames, vertex.material_element());
       const float p = valid ? std::min(1.f, max_component(after) / max_component(before)) : 0;
       const Rgb surviving = p >= 1 ? after : u < p ? after * (1 / p) : Rgb();

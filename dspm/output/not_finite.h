@@ -1,9 +1,10 @@
-// NaN and infinity: reports where they come from, and keeps them out of files.
+// NaN, infinity and negative light: reports where they come from, and keeps them out of files.
 #pragma once
 
 #include <string>
 
 #include "dspm/image/image.h"
+#include "dspm/integrators/output_info.h"
 #include "dspm/integrators/rejections.h"
 #include "dspm/math/frames.h"
 #include "dspm/session/frame_intervals.h"
@@ -13,13 +14,13 @@
 
 namespace dspm {
 
-/// A warning for each element of the interval's scene that gave values that are not finite, with the plugin and the
-/// first pixel.
+/// A warning for each element of the interval's scene that gave values that are negative or not finite, with the plugin
+/// and the first pixel.
 void report_rejections(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
                        Messages& messages);
 
 /// Those that an integrator lets through into one of its outputs become black, with a warning. `frame` is one of the
 /// file.
-void black_out_invalid(Image& image, const std::string& output, FileFrame frame, const Job& job, Messages& messages);
+void black_out_invalid(Image& image, const OutputInfo& output, FileFrame frame, const Job& job, Messages& messages);
 
 }  // namespace dspm

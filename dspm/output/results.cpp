@@ -72,9 +72,9 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
       for (const OutputInfo& output : outputs) {
         layers->push_back({output, integrator.estimate(static_cast<Frame>(j), output.name)});
         expect_size(layers->back().image, job_);
-        black_out_invalid(layers->back().image, output.name, frame, job_, messages_);
+        black_out_invalid(layers->back().image, output, frame, job_, messages_);
       }
-      black_out_invalid(*image, kRadiance, frame, job_, messages_);
+      black_out_invalid(*image, radiance_output(), frame, job_, messages_);
       if (images == Images::last && !job_.denoiser) output_.add_to_video(*image);
     };
     const auto denoise = [&] {

@@ -200,7 +200,7 @@ std::string table_of(const Job& job, const RunReport& report) {
   text += fmt::format("\n  memory: {} at most, of which trees {}, integrator {}\n", readable_bytes(peak_memory()),
                       readable_bytes(report.tree_bytes), readable_bytes(s.bytes));
   if (const std::uint64_t count = s.rejections.count(); count > 0)
-    text += fmt::format("  {} contributions were not finite and were left out\n", grouped(count));
+    text += fmt::format("  {} contributions were negative or not finite and were left out\n", grouped(count));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/textures/watched_texture.h"
 
 namespace dspm {
 
@@ -72,7 +73,8 @@ TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const Tex
     reader.diagnostics().unsupported(reader.where(), "texture \"ptex\" is not supported by dspm",
                                      "its library is not in Debian 12; with --lenient, grey stands in for it");
   else if (const auto* plugin = texture_plugins<T>().find(type, reader.where(), reader.diagnostics()))
-    return plugin->make(reader, context);
+    return plugin->origin.empty() ? plugin->make(reader, context)
+                                  : watched(plugin->make(reader, context), reader.where(), type);
   return std::make_shared<ConstantTexture<T>>(T(0.5f));
 }
 

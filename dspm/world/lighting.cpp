@@ -251,6 +251,8 @@ void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnosti
   };
   for (WorldLight& light : lights) {
     light.probability = mean_power(light, base);
+    if (light.probability < 0)
+      diagnostics.error(light.use->where, fmt::format("the power of {} is negative", light.name));
     if (!std::isfinite(light.probability))
       diagnostics.error(light.use->where, fmt::format("the power of {} is not finite", light.name),
                         "make it darker, or the scene smaller");

@@ -181,7 +181,7 @@ TEST(Modules, NoNanReachesAFile) {
   EXPECT_EQ(outcome.code, 0);
   expect_contains(outcome.err,
                   "integrator \"mischief\" of libmischief.so: radiance of frame 3 has 2 pixels that cannot be shown "
-                  "(NaN or infinite), the first at x = 3, y = 1");
+                  "(negative, NaN or infinite), the first at x = 3, y = 1");
   const Image image = read_image(directory / "tiny.0003.exr");
   EXPECT_EQ(image.at(3, 1), Rgb(0));
   EXPECT_EQ(image.at(4, 1), Rgb(0.75f));

@@ -62,9 +62,11 @@ TEST_P(NotFinite, IsKeptOutAndTold) {
     const Outcome outcome = run(directory, words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     const std::string place = integrator == R"("path")" ? "at pixel x = " : "";  // photons belong to no pixel
-    const std::string told = fault.kind + " \"hollow\" of libhollow.so gave values that are not finite, first " + place;
+    const std::string told =
+        fault.kind + " \"hollow\" of libhollow.so gave values that are negative or not finite, first " + place;
     EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("contributions were not finite and were left out"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("contributions were negative or not finite and were left out"), std::string::npos)
+        << outcome.err;
     EXPECT_EQ(outcome.err.find("written as black"), std::string::npos) << "it has come as far as the driver";
     const Image image = read_image(directory / "out.exr");
     EXPECT_TRUE(std::all_of(image.pixels.begin(), image.pixels.end(), [](const Rgb& c) { return is_finite(c); }));

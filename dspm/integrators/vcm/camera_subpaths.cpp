@@ -5,6 +5,7 @@
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/gather.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/vcm/connection.h"
 #include "dspm/integrators/vcm/light_densities.h"
@@ -182,7 +183,7 @@ class CameraSubpathTracer {
               {path.weights, bsdf.pdf_w(light.wi, vertex.wo, Transport::flux, lobes)});
           const Rgb radiance = light.flux * f * (weight / pass_.ways.merging);
           const Brought brought{common, radiance, strands, light.light};
-          if (common == frames && strands == nullptr && is_finite(radiance)) {
+          if (common == frames && strands == nullptr && is_light(radiance)) {
             shared += radiance;
             if (sums_.has_parts()) add_to_part(path, brought);
           } else {
@@ -204,7 +205,7 @@ class CameraSubpathTracer {
                                                                      scattering.reverse_pdf_w, cosine);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb&, const Rgb& after) {
-      if (!is_finite(after)) {
+      if (!is_light(after)) {
         reject(path, frames, vertex.material_element());
         return Rgb();
       }
@@ -215,13 +216,13 @@ class CameraSubpathTracer {
     if (!multiply(branch, factors, strands_, by_ratio, roulette)) branches_.drop();
   }
 
-  /// `giver`: its source, blamed if it is not finite.
+  /// `giver`: its source, blamed if it is negative or not finite.
   template <class WhoGave>
   void add(const CameraSubpath& path, const Brought& brought, WhoGave&& giver) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
       for_each_strand(brought.strands, alike, [&](FrameSet frames, const Rgb& weight) {
         const Rgb seen = path.throughput * own * brought.radiance * weight;
-        if (!is_finite(seen)) return reject(path, frames, giver());
+        if (!is_light(seen)) return reject(path, frames, giver());
         sums_.add({frames, seen, path.pixel, brought.light, path.caught});
       });
     });
@@ -230,7 +231,7 @@ class CameraSubpathTracer {
   void add_to_part(const CameraSubpath& path, const Brought& brought) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
       const Rgb seen = path.throughput * own * brought.radiance;
-      if (is_finite(seen) && !path.caught) sums_.add_to_part({alike, seen, path.pixel, brought.light});
+      if (is_light(seen) && !path.caught) sums_.add_to_part({alike, seen, path.pixel, brought.light});
     });
   }
   void reject(const CameraPath& path, FrameSet frames, const SceneElement& giver) {

@@ -5,6 +5,7 @@
 
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/joint_path.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/integrators/mixed_frames.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/integrators/photon_starts.h"
@@ -58,7 +59,7 @@ class LightPathTracer {
     const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
     if (!emission || is_black(emission->flux) || !(emission->pdf.position * emission->pdf.direction > 0)) return;
     const Rgb flux = emission->flux * start.factor / chosen.density;
-    if (!is_finite(flux) || !is_finite(emission->ray))
+    if (!is_light(flux) || !is_finite(emission->ray))
       return out_.rejections.add({SceneElement::Kind::light, chosen.light}, start.frames);
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
@@ -117,7 +118,7 @@ class LightPathTracer {
     branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
-      if (!is_finite(after)) {
+      if (!is_light(after)) {
         out_.rejections.add(vertex.material_element(), frames);
         return Rgb();
       }
@@ -168,7 +169,7 @@ class LightPathTracer {
       const float weight =
           weight_of_sighting(pass_.ways, {light.weights, reverse_pdf_w, pdf_a / pass_.ways.sighting, light.merging});
       const Rgb radiance = light.flux * f * (pdf_a * weight / pass_.ways.sighting);
-      if (!is_finite(radiance)) return out_.rejections.add(vertex.material_element(), common);
+      if (!is_light(radiance)) return out_.rejections.add(vertex.material_element(), common);
       parts.add({common, radiance});
       sent |= common;
     });
