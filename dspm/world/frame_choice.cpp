@@ -91,12 +91,20 @@ std::vector<FileFrame> chosen_frames(const SceneDescription& description, const 
   const std::vector<bool> chosen = chosen_variations(description, choices.variations);
   const std::vector<bool> rendered = rendered_before(file, choices);
   std::vector<FileFrame> frames;
+  bool adds = false, leaves_out = false;
   for (FileFrame f(0); f.index() < file.count(); ++f) {
     const bool in_time =
         choices.frames.empty() || std::binary_search(choices.frames.begin(), choices.frames.end(), file.moment(f));
     const bool is_chosen = in_time && chosen[file.combination_of(f)];
+    if (is_chosen && !rendered[f.slot()]) adds = true;
+    if (!is_chosen && rendered[f.slot()]) leaves_out = true;
     if (rendered[f.slot()] ? !choices.only_new : is_chosen) frames.push_back(f);
   }
+  if (leaves_out && !adds && !choices.only_new)  // those that are new are added to the checkpoint's
+    throw UsageError(
+        fmt::format("{}: the checkpoint's frames go on together, and these are only some of them; leave it out, "
+                    "or render them on their own, without --resume",
+                    choices.frames.empty() ? "--variation" : "--frames"));
   if (frames.empty() && choices.only_new)
     throw UsageError("--only-new: the checkpoint holds all chosen frames already");
   return frames;

@@ -51,6 +51,18 @@ TEST_F(AddedFrames, MayHaveBeenLeftOutBefore) {
   expect_all(product.text(), 3, 4);
 }
 
+TEST_F(AddedFrames, SomeOfTheFramesAloneAreRefused) {
+  begin({});
+  const std::string before = contents(directory / "a");
+  const Outcome outcome = dspm({"--resume", "a", "--variation", "oak-*", "--iterations", "9"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("--variation: the checkpoint's frames go on together"), std::string::npos) << outcome.err;
+  const Outcome frames = dspm({"--resume", "a", "--frames", "1", "--variation", "oak-dim", "--iterations", "9"});
+  EXPECT_NE(frames.err.find("--frames: the checkpoint's frames go on together"), std::string::npos) << frames.err;
+  EXPECT_EQ(contents(directory / "a"), before);
+  good({"--resume", "a", "--variation", "*", "--iterations", "4"});
+}
+
 TEST_F(AddedFrames, MakeAnimationsLonger) {
   Product product;
   product.frames = "Frames 2";
