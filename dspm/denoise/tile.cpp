@@ -9,7 +9,7 @@ namespace {
 
 // In standard deviations. Neighbours share photons, so their noise does not average out within a patch.
 constexpr float kColours = 1.5f;
-constexpr float kOwn = 1;                      // what noise makes of a pixel's own difference now and then
+constexpr float kOwn = 3;                      // what noise makes of a pixel's own difference now and then
 constexpr float kNormals = 0.3f;               // a difference of that length
 constexpr float kPlane = 0.002f;               // of nearness, relative, for each pixel of distance
 constexpr float kDark = 1e-12f, kFar = 1e-9f;  // against divisions by zero
