@@ -2,6 +2,7 @@
 // grid), frames, the side of the surface, and then the scattering function.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct GatherCounts {
 
 /// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
 /// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
-/// transmit. The caller applies the throughput and the photon's strands, which are mostly null. group(): see PhotonMap.
+/// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which are
+/// mostly null. group(): see PhotonMap.
 template <class Fn>
 void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
                      GatherCounts& counts, Fn&& fn) {
@@ -33,23 +35,28 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
   if (!scattering) {  // separate, since most gather time is spent in this loop
     const SurfaceSide side(hit);
     counts.tests +=
-        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, auto group) {
+        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, const auto& details) {
           const FrameSet frames = photon.frames & hit.frames;
           within.add(frames.count());
           if (!frames.empty() && side.counts(photon))
-            fn(strands_of(photon), frames, photon.flux_lanes(), distance2, group);
+            fn(strands_of(photon), frames, photon.flux_lanes(), distance2, [&] { return details.group(); });
         });
   } else {
+    const SameSurface surface(hit, *scattering, std::sqrt(radius2));
     counts.tests +=
-        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, auto group) {
+        map.for_each_within(hit.p, radius2, hit.frames, [&](const auto& photon, float distance2, const auto& details) {
           const FrameSet frames = photon.frames & hit.frames;
           within.add(frames.count());
-          if (frames.empty() || !(scattering->transmits || dot(photon.wi, hit.ng) > 0)) return;
+          if (frames.empty()) return;
+          if (scattering->transmits ? !surface.counts(details.p(), photon.wi, details.face())
+                                    : !(dot(photon.wi, hit.ng) > 0))
+            return;
           const Rgb flux = photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance,
                                                                     scattering->lobes);
           if (!is_light(flux))
             counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
-          fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2, group);
+          fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2,
+             [&] { return details.group(); });
         });
   }
   counts.found += within;

@@ -21,23 +21,32 @@ void GroupSums::see(const std::vector<HitPointTile>& tiles) {
 }
 
 void GroupSums::gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
-                       const PhotonMap& hidden, const IterationRadius& hidden_radius) {
+                       const HiddenPhotons& hidden, const IterationRadius& hidden_radius) {
   parallel_for(static_cast<std::int64_t>(tiles.size()), 1, [&](std::int64_t t) {
     const HitPointTile& tile = tiles[static_cast<std::size_t>(t)];
+    GatherCounts not_counted;
     for (const HitPoint& hit : tile.glossy) {
       const float radius2 = hidden_radius.squared(hit);
-      if (!hit.caught) gather_at(hit, tile, hidden, radius2, [radius2](Frame) { return radius2; });
+      if (hit.caught) continue;
+      gather_at(
+          hit, tile, hidden.on_surfaces, radius2, [radius2](Frame) { return radius2; },
+          [&](auto&& fn) { gather_hidden_by_group(hit, tile, hidden, radius2, not_counted, fn); });
     }
-    for (const HitPoint& hit : tile.hit_points)
-      if (!hit.caught)
-        gather_at(hit, tile, map, whole.search_radius2(hit), [&](Frame f) { return whole.search_radius2_in(f, hit); });
+    for (const HitPoint& hit : tile.hit_points) {
+      const float widest2 = whole.search_radius2(hit);
+      if (hit.caught) continue;
+      gather_at(
+          hit, tile, map, widest2, [&](Frame f) { return whole.search_radius2_in(f, hit); },
+          [&](auto&& fn) { gather_by_group(hit, tile.scattering_of(hit), map, widest2, not_counted, fn); });
+    }
   });
 }
 
-/// `radius2(Frame)`: the square of the radius in that frame; `widest2`: the largest of them.
-template <class Radius2>
+/// `radius2(Frame)`: the square of the radius in that frame; `widest2`: the largest of them, within which gather(fn) finds
+/// photons.
+template <class Radius2, class Gather>
 void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2,
-                          Radius2&& radius2) {
+                          Radius2&& radius2, Gather&& gather) {
   std::array<float, kMaxFrames> within2;
   float narrowest2 = widest2;
   hit.frames.for_each([&](Frame f) {
@@ -55,13 +64,11 @@ void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const P
   std::vector<GatheredFlux> by_group;
   by_group.reserve(static_cast<std::size_t>(groups_.count()));
   for (int group = 0; group < groups_.count(); ++group) by_group.emplace_back(hit, map);
-  GatherCounts not_counted;
-  gather_by_group(hit, tile.scattering_of(hit), map, widest2, not_counted,
-                  [&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, const auto& group) {
-                    if (const int own = group(); own != LightGroups::kNone)
-                      by_group[static_cast<std::size_t>(own)].add(
-                          strands, distance2 <= narrowest2 ? frames : reached(frames, distance2), flux);
-                  });
+  gather([&](const Strand* strands, FrameSet frames, RgbLanes flux, float distance2, const auto& group) {
+    if (const int own = group(); own != LightGroups::kNone)
+      by_group[static_cast<std::size_t>(own)].add(strands,
+                                                  distance2 <= narrowest2 ? frames : reached(frames, distance2), flux);
+  });
 
   for (int group = 0; group < groups_.count(); ++group) {
     GatheredFlux& flux = by_group[static_cast<std::size_t>(group)];

@@ -9,6 +9,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/estimator.h"
+#include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon_map.h"
 #include "dspm/math/frames.h"
@@ -29,15 +30,16 @@ class GroupSums {
   /// Adds a batch of an iteration's photons, before `whole`, the image's estimator, gathers them: the image keeps its
   /// bits, so its photons are gathered twice. The maps tell the groups apart. `hidden_radius`: of hidden light.
   void gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
-              const PhotonMap& hidden, const IterationRadius& hidden_radius);
+              const HiddenPhotons& hidden, const IterationRadius& hidden_radius);
   void persist(StateStream& state) { state.sum(sums_); }
 
   const LightGroups& groups() const { return groups_; }
   Rgb radiance(int group, int pixel, Frame frame, int iterations) const;
 
  private:
-  template <class Radius2>
-  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2, Radius2&& radius2);
+  template <class Radius2, class Gather>
+  void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2, Radius2&& radius2,
+                 Gather&& gather);
   Rgb& sum(int group, int pixel, Frame frame) { return sums_[index(group, pixel, frame)]; }
   std::size_t index(int group, int pixel, Frame frame) const {
     return static_cast<std::size_t>(group) * of_.pixel_frames() +

@@ -6,9 +6,11 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/direct_balance.h"
+#include "dspm/integrators/face.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/seen_light.h"
 #include "dspm/integrators/strand.h"
+#include "dspm/integrators/strip_place.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -19,6 +21,7 @@ struct HitPoint {
   Vec3 p;
   Vec3 ng;         // on the camera path's side
   Rgb throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
+  Face face;       // that the camera path has come to
   FrameSet frames;
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row
@@ -37,6 +40,13 @@ struct Scattering {
   bool transmits;  // photons on the other side of the surface count as well
   int material;    // index into the scene's
   Inside inside;   // the bodies around the hit point
+  int strip = -1;  // index in the tile; negative if the surface does not turn to rays
+};
+
+/// On a surface that turns to rays: what it shows to the camera path.
+struct HitStrip {
+  StripPlace place;
+  Vec3 ns;
 };
 
 struct HitPointSettings {
@@ -57,6 +67,7 @@ struct HitPointTile {
   std::vector<HitPoint> hit_points;  // unless paths go on from them, at most one per pixel and frame
   std::vector<HitPoint> glossy;      // where a glossy lobe extended the path: they gather only hidden photons
   std::vector<Scattering> scatterings;
+  std::vector<HitStrip> strips;
   StrandTable strands;
   std::vector<SeenLight> seen;
   double radii_in_pixels = 0;  // the sum over hit points of initial radius over pixel spacing
@@ -66,6 +77,12 @@ struct HitPointTile {
   /// Null if f is constant.
   const Scattering* scattering_of(const HitPoint& hit) const {
     return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
+  }
+  /// Null unless the hit point lies on a surface that turns to rays.
+  const HitStrip* strip_of(const HitPoint& hit) const {
+    const Scattering* scattering = scattering_of(hit);
+    return scattering == nullptr || scattering->strip < 0 ? nullptr
+                                                          : &strips[static_cast<std::size_t>(scattering->strip)];
   }
   /// Keeps its memory.
   void clear();

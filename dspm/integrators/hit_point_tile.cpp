@@ -6,6 +6,7 @@ void HitPointTile::clear() {
   hit_points.clear();
   glossy.clear();
   scatterings.clear();
+  strips.clear();
   strands.clear();
   seen.clear();
   radii_in_pixels = 0;
@@ -20,8 +21,8 @@ std::size_t bytes_of(const std::vector<HitPointTile>& tiles) {
   std::size_t sum = 0;
   for (const HitPointTile& tile : tiles)
     sum += (tile.hit_points.capacity() + tile.glossy.capacity()) * sizeof(HitPoint) +
-           tile.scatterings.capacity() * sizeof(Scattering) + tile.seen.capacity() * sizeof(SeenLight) +
-           tile.strands.bytes();
+           tile.scatterings.capacity() * sizeof(Scattering) + tile.strips.capacity() * sizeof(HitStrip) +
+           tile.seen.capacity() * sizeof(SeenLight) + tile.strands.bytes();
   return sum;
 }
 

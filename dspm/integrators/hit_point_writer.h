@@ -67,6 +67,7 @@ class HitPointWriter {
     HitPoint& hit = hit_points.emplace_back();
     hit.p = point.p;
     hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
+    hit.face = Face(vertex.hit.shape, point.ng, vertex.wo);
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
     hit.radius = radius(path);
@@ -77,6 +78,9 @@ class HitPointWriter {
     hit.scattering = static_cast<int>(tile_.scatterings.size());
     tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes, bsdf->transmits(lobes),
                                  vertex.material_element().index, path.inside});
+    if (!point.turns) return;
+    tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
+    tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});
   }
 
  private:

@@ -142,7 +142,7 @@ class Learner {
     parallel_for(static_cast<std::int64_t>(traces_.size()), 1, [&](std::int64_t t) {
       const PhotonTrace& trace = traces_[static_cast<std::size_t>(t)];
       std::vector<double> squares;  // by path and choice
-      std::size_t photon = 0, hidden = 0;
+      std::size_t photon = 0, hidden = 0, curve = 0;
       for (const PhotonTrace::End& end : trace.ends) {
         squares.resize(squares.size() + choices);
         double* const sums = &squares.back() + 1 - choices;
@@ -151,6 +151,7 @@ class Learner {
         };
         for (; photon < end.photons; ++photon) visible.matte.for_each_gathering(trace.photons[photon], add);
         for (; hidden < end.hidden; ++hidden) visible.glossy.for_each_gathering(trace.hidden[hidden], add);
+        for (; curve < end.on_curves; ++curve) visible.glossy.for_each_gathering(trace.on_curves[curve], add);
       }
       for (std::size_t i = 0; i < squares.size(); ++i) {
         const std::size_t choice = i % choices;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/photon_map.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr int kBlocks = 32, kBlockSide = 4;  // blocks of sampled pixels, along each side of the image
 constexpr std::int64_t kPaths = 4096;
 constexpr double kSlack = 1.15;  // iterations and batches differ
-// A grid has up to 8 cells of 4 bytes per photon, which itself takes 68 bytes: about half of that again.
+// A grid has up to 8 cells of 4 bytes per photon, which itself takes 72 bytes: about half of that again.
 constexpr double kWithCells = 1.5;
 
 /// Excludes the spare capacity of vectors: memory that was never written to is not resident.
@@ -23,7 +24,7 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   for (const HitPointTile& tile : tiles)
     sum += (tile.hit_points.size() + tile.glossy.size()) * sizeof(HitPoint) +
            tile.scatterings.size() * sizeof(Scattering) + tile.seen.size() * sizeof(SeenLight) +
-           tile.strands.end() * sizeof(Strand);
+           tile.strips.size() * sizeof(HitStrip) + tile.strands.end() * sizeof(Strand);
   return sum;
 }
 
@@ -70,10 +71,12 @@ std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, co
 
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings, const LightGroups& groups) {
   const std::vector<PhotonTrace> traces = trace_photons(scene, settings, 0, 0, kPaths, {});
-  PhotonMap map(groups), hidden(groups);  // of a single cell: a few photons would have too many cells
+  PhotonMap map(groups);  // of a single cell: a few photons would have too many cells
+  HiddenPhotons hidden(groups);
   map.build(traces, scene.frame_count(), 2 * scene.radius);
-  hidden.build(traces, scene.frame_count(), 2 * scene.radius, &PhotonTrace::hidden);
-  double photons = static_cast<double>((map.size() + hidden.size()) * sizeof(Photon));
+  hidden.build(traces, scene.frame_count(), 2 * scene.radius);
+  double photons = static_cast<double>((map.size() + hidden.on_surfaces.size()) * sizeof(Photon) +
+                                       hidden.on_curves.size() * sizeof(CurvePhoton));
   for (const PhotonTrace& trace : traces) photons += static_cast<double>(trace.strands.end() * sizeof(Strand));
   return kSlack * (kWithCells * static_cast<double>(map.bytes() + hidden.bytes()) + photons) / kPaths;
 }

@@ -39,7 +39,7 @@ class PhotonTracer {
     start(PathRandom(settings_.seed, settings_.stream, path_index, iteration));
     branches_.follow(*this);
     branches_.count_path();
-    if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size()});
+    if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size(), out_.on_curves.size()});
   }
   /// After the last path.
   void finish() { energy_.finish(); }
@@ -167,7 +167,11 @@ class PhotonTracer {
   void store(const PhotonPath& path, const Vertex& vertex, const Stored& stored) {
     if (!stored.gathering.empty() && (path.kind & settings_.kinds) != 0)
       store(out_.photons, path, vertex, stored.gathering);
-    if (!stored.hidden.empty()) store(out_.hidden, path, vertex, stored.hidden);
+    if (stored.hidden.empty()) return;
+    if (vertex.point.turns)
+      store_on_curve(path, vertex, stored.hidden);
+    else
+      store(out_.hidden, path, vertex, stored.hidden);
   }
   /// Excludes light straight from the light source, which shadow rays find.
   bool is_hidden_on(const PhotonPath& path, const Vertex& vertex, const Bsdf& bsdf) const {
@@ -185,10 +189,26 @@ class PhotonTracer {
       flux *= shading / geometric;
     }
     if (path.kind == kDirectPhotons && settings_.direct != nullptr) flux *= weight_of_direct(path, point);
+    photons.push_back(photon(path, vertex, flux, frames));
+    count(photons.back());
+  }
+
+  void store_on_curve(const PhotonPath& path, const Vertex& vertex, FrameSet frames) {
+    out_.on_curves.push_back(
+        {photon(path, vertex, path.throughput, frames), StripPlace(vertex.shape, vertex.hit, vertex.wo), path.bounces});
+    count(out_.on_curves.back());
+  }
+
+  Photon photon(const PhotonPath& path, const Vertex& vertex, Rgb flux, FrameSet frames) {
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    photons.push_back({point.p, wi, flux, frames, strands, started_[static_cast<std::size_t>(path.start)].index});
-    out_.stored.add(frames.count());
-    out_.paths.weighted += strands != 0;
+    const Face face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+    return {
+        vertex.point.p, face, vertex.wo, flux, frames, strands, started_[static_cast<std::size_t>(path.start)].index};
+  }
+
+  void count(const Photon& stored) {
+    out_.stored.add(stored.frames.count());
+    out_.paths.weighted += stored.strands != 0;
   }
 
   float weight_of_direct(const PhotonPath& path, const SurfacePoint& point) const {
@@ -268,6 +288,7 @@ class PhotonTracer {
 void clear(PhotonTrace& trace, const StrandTable& of_lights) {
   trace.photons.clear();
   trace.hidden.clear();
+  trace.on_curves.clear();
   trace.ends.clear();
   trace.strands = of_lights, trace.own_strands = of_lights.end();
   trace.paths = {}, trace.stored = {}, trace.rejections = {};

@@ -8,8 +8,10 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/direct_balance.h"
 #include "dspm/integrators/emission_guide.h"
+#include "dspm/integrators/face.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
+#include "dspm/integrators/strip_place.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/rng.h"
 #include "dspm/math/vec.h"
@@ -19,11 +21,18 @@ namespace dspm {
 
 struct Photon {
   Vec3 p;
-  Vec3 wi;   // towards where it came from, unit length
-  Rgb flux;  // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
+  Face face;  // that it has come to
+  Vec3 wi;    // towards where it came from, unit length
+  Rgb flux;   // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
   int light = -1;          // that it comes from: into the scene's
+};
+
+/// On a surface that turns to each ray. Its flux includes no cosines.
+struct CurvePhoton : Photon {
+  StripPlace at;
+  int bounces;  // scatterings before
 };
 
 /// Photons by their history before they are stored.
@@ -55,8 +64,9 @@ struct PhotonTrace {
   // Photons on glossy lobes whose light no camera path finds: it left a light that no ray can hit and met only specular
   // lobes. In the same order.
   std::vector<Photon> hidden;
+  std::vector<CurvePhoton> on_curves;  // likewise, on surfaces that turn
   struct End {
-    std::size_t photons, hidden;
+    std::size_t photons, hidden, on_curves;
   };
   std::vector<End> ends;  // of each path in these lists, if they are kept
   StrandTable strands;

@@ -15,7 +15,8 @@ void account(const std::vector<PhotonTrace>& traces, Statistics& statistics) {
 std::size_t bytes_of(const std::vector<PhotonTrace>& traces) {
   std::size_t sum = 0;
   for (const PhotonTrace& trace : traces)
-    sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) + trace.strands.bytes();
+    sum += (trace.photons.capacity() + trace.hidden.capacity()) * sizeof(Photon) +
+           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.strands.bytes();
   return sum;
 }
 

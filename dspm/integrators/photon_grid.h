@@ -7,6 +7,7 @@
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/grid/buffer.h"
 #include "dspm/grid/point_grid.h"
+#include "dspm/integrators/face.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon.h"
 #include "dspm/math/frames.h"
@@ -38,28 +39,44 @@ inline const Strand* strands_of(const GatheredStrands& photon) { return photon.s
 template <class Gathered>
 class PhotonGrid {
  public:
+  /// What few gathers ask of a photon.
+  class Details {
+   public:
+    Details(const PhotonGrid& grid, std::uint32_t place) : grid_(grid), place_(place) {}
+    const Vec3& p() const { return grid_.points_[grid_.grid_.order()[place_]]; }
+    Face face() const { return grid_.faces_[place_]; }
+    /// Of lights; only to be asked for if groups are told apart.
+    int group() const { return grid_.groups_[place_]; }
+
+   private:
+    const PhotonGrid& grid_;
+    std::uint32_t place_;
+  };
+
   /// Builds the grid from `count` photons: photon(i) is the i-th, gathered(i) the data kept of it. `cell_size` should
   /// suit a typical search radius. `groups`: those that can be told apart, or null.
   template <class PhotonOf, class GatheredOf>
   void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered,
              const LightGroups* groups = nullptr);
 
-  std::size_t bytes() const { return grid_.bytes() + photons_.bytes() + points_.bytes() + groups_.bytes(); }
-  /// Calls fn(const Gathered&, distance squared, group) for every photon within sqrt(radius2) of p; returns how many it
-  /// tested. group() is the photon's group of lights, only to be asked for if groups are told apart.
+  std::size_t bytes() const {
+    return grid_.bytes() + photons_.bytes() + points_.bytes() + faces_.bytes() + groups_.bytes();
+  }
+  /// Calls fn(const Gathered&, distance squared, const Details&) for every photon within sqrt(radius2) of p; returns how
+  /// many it tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
     const Gathered* photons = photons_.data();
-    const std::int32_t* groups = groups_.data();
-    return grid_.for_each_within(p, radius2, [&fn, photons, groups](std::uint32_t i, float distance2) {
-      fn(photons[i], distance2, [groups, i] { return int{groups[i]}; });
+    return grid_.for_each_within(p, radius2, [&fn, photons, this](std::uint32_t i, float distance2) {
+      fn(photons[i], distance2, Details(*this, i));
     });
   }
 
  private:
   PointGrid grid_;
   Buffer<Gathered> photons_;
-  Buffer<Vec3> points_;
+  Buffer<Vec3> points_;  // in the order of the input
+  Buffer<Face> faces_;
   Buffer<std::int32_t> groups_;  // of lights, by photon; empty if they are not told apart
 };
 
@@ -76,10 +93,12 @@ void PhotonGrid<Gathered>::build(std::size_t count, float cell_size, PhotonOf&& 
   });
   grid_.build(points_, cell_size);
   photons_.refit(count);
+  faces_.refit(count);
   groups_.refit(groups != nullptr ? count : 0);
   parallel_for(photons, kGrain, [&](std::int64_t place) {
     const auto i = static_cast<std::size_t>(place);
     photons_[i] = gathered(grid_.order()[i]);
+    faces_[i] = photon(grid_.order()[i]).face;
     if (groups != nullptr) groups_[i] = groups->of_light(photon(grid_.order()[i]).light);
   });
 }

@@ -11,6 +11,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/final_gather.h"
+#include "dspm/integrators/hidden_light.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
@@ -163,15 +164,13 @@ class PhotonMapper final : public SummingIntegrator {
       if (statistics.iterations == 0) account(traces, statistics);  // else the same maps are only rebuilt
       return traces;
     };
-    const auto build = [&](PhotonMap& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how,
-                           std::vector<Photon> PhotonTrace::*which) {
-      map.build(traces, scene.frame_count(), how.radius / 4, which);
+    const auto build = [&](auto& map, const std::vector<PhotonTrace>& traces, const RadianceEstimate& how) {
+      map.build(traces, scene.frame_count(), how.radius / 4);
     };
-    build(global_, trace(global_photons(scene, settings_, render_, statistics), settings_.photons), global_how_,
-          &PhotonTrace::photons);
+    build(global_, trace(global_photons(scene, settings_, render_, statistics), settings_.photons), global_how_);
     const auto caustic = trace(caustic_photons(scene, settings_, render_, statistics), settings_.caustic_photons);
-    build(caustic_, caustic, caustic_how_, &PhotonTrace::photons);
-    build(hidden_, caustic, caustic_how_, &PhotonTrace::hidden);
+    build(caustic_, caustic, caustic_how_);
+    build(hidden_, caustic, caustic_how_);
   }
 
   void trace_camera_paths(const Scene& scene, std::uint64_t iteration, Statistics& statistics) {
@@ -196,7 +195,12 @@ class PhotonMapper final : public SummingIntegrator {
     FinalGather final_gather(scene, render_, {settings_.final_gather, settings_.least_alpha, settings_.max_depth},
                              global_, global_how_, counts.gather, counts.paths, add);
     for (const SeenLight& light : tile.seen) sums.add(light);
-    for (const HitPoint& hit : tile.glossy) estimate(hit, hidden_, caustic_how_);
+    for (const HitPoint& hit : tile.glossy) {
+      if (tile.strip_of(hit) == nullptr)
+        estimate(hit, hidden_.on_surfaces, caustic_how_);
+      else
+        see_on_curve(hit, tile, counts.gather, add);
+    }
     for (const HitPoint& hit : tile.hit_points) {
       estimate(hit, caustic_, caustic_how_);
       if (settings_.final_gather == 0)
@@ -204,6 +208,20 @@ class PhotonMapper final : public SummingIntegrator {
       else
         final_gather.gather(hit, *tile.scattering_of(hit), iteration);
     }
+  }
+
+  /// Within the largest radius: the nearest photons on a strip need not surround the point.
+  template <class Add>
+  void see_on_curve(const HitPoint& hit, const HitPointTile& tile, GatherCounts& counts, Add&& add) const {
+    const float radius2 = caustic_how_.radius * caustic_how_.radius;
+    const float size = kernel_size(radius2, static_cast<float>(caustic_how_.emitted));
+    gather_hidden_by_group(hit, tile, hidden_, radius2, counts,
+                           [&](const Strand*, FrameSet frames, RgbLanes flux, float, const auto& group) {
+                             const Rgb radiance = hit.throughput * flux.rgb() / size;
+                             add(hit, frames, radiance, LightGroups::kNone);
+                             if (hidden_.on_surfaces.groups().count() > 0 && group() != LightGroups::kNone)
+                               add(hit, frames, radiance, group());
+                           });
   }
 
   void gather_tiles(const Scene& scene, std::uint64_t iteration, SeenLightSums& sums, Statistics& statistics) {
@@ -223,7 +241,7 @@ class PhotonMapper final : public SummingIntegrator {
   PhotonMapSettings settings_;
   RenderSettings render_;
   PhotonMap global_, caustic_;
-  PhotonMap hidden_;  // photons on glossy lobes
+  HiddenPhotons hidden_;  // on glossy lobes
   bool has_maps_ = false;
   RadianceEstimate global_how_, caustic_how_;
   std::vector<HitPointTile> tiles_;

@@ -45,7 +45,7 @@ class Progressive final : public Integrator {
     if (has_catchers(scene)) caught_ = estimator.make(of);
     const LightGroups groups(scene, render.outputs);
     groups_.emplace(groups, of);
-    map_ = PhotonMap(groups), hidden_map_ = PhotonMap(groups);
+    map_ = PhotonMap(groups), hidden_ = HiddenPhotons(groups);
     pixel_bytes_ = estimator.bytes(of) * (caught_ != nullptr ? 2 : 1) + GroupSums::bytes(groups, of) +
                    FoundPhotons::bytes(of.pixels, of.frames, render.outputs);
     statistics_.energy.resize(static_cast<std::size_t>(scene.frame_count()));
@@ -229,7 +229,7 @@ class Progressive final : public Integrator {
   void build_photon_map(const Scene& scene, float cell_size) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     map_.build(traces_, scene.frame_count(), cell_size);
-    hidden_map_.build(traces_, scene.frame_count(), cell_size, &PhotonTrace::hidden);
+    hidden_.build(traces_, scene.frame_count(), cell_size);
   }
 
   /// Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and can be added as seen
@@ -240,7 +240,7 @@ class Progressive final : public Integrator {
     for_each_tile([&](const HitPointTile& tile, std::size_t t) {
       for (const HitPoint& hit : tile.glossy)
         gather_hidden(
-            hit, tile, hidden_map_, shrinkage_.squared(hit), counts[t], [&](FrameSet frames, const Rgb& radiance) {
+            hit, tile, hidden_, shrinkage_.squared(hit), counts[t], [&](FrameSet frames, const Rgb& radiance) {
               estimator_of(hit.caught).see({frames, radiance / static_cast<float>(settings_.photons), hit.pixel});
             });
     });
@@ -266,7 +266,7 @@ class Progressive final : public Integrator {
     if (groups_->groups().count() == 0) return;
     const StepTimer timer(statistics_.steps[kStatistics]);
     if (first) groups_->see(tiles_);
-    groups_->gather(tiles_, map_, *estimator_, hidden_map_, shrinkage_);
+    groups_->gather(tiles_, map_, *estimator_, hidden_, shrinkage_);
   }
 
   template <class Value>
@@ -298,7 +298,7 @@ class Progressive final : public Integrator {
   }
 
   std::size_t bytes() const {
-    return pixel_bytes_ + map_.bytes() + hidden_map_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
+    return pixel_bytes_ + map_.bytes() + hidden_.bytes() + bytes_of(traces_) + bytes_of(tiles_);
   }
 
   const ProgressiveSettings given_;
@@ -318,7 +318,8 @@ class Progressive final : public Integrator {
   std::size_t pixel_bytes_ = 0;
   std::vector<HitPointTile> tiles_;
   std::vector<PhotonTrace> traces_;
-  PhotonMap map_, hidden_map_;
+  PhotonMap map_;
+  HiddenPhotons hidden_;
   IterationRadius shrinkage_;  // of hidden light's radius, and of kz11's
   Statistics statistics_;
 };

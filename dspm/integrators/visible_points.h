@@ -10,6 +10,7 @@
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/kernel_size.h"
 #include "dspm/integrators/photon.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -25,21 +26,29 @@ class VisiblePoints {
   /// gains in each of these frames. Strands do not count.
   template <class Fn>
   void for_each_gathering(const Photon& photon, Fn&& fn) const {
-    for (const OneSize& size : sizes_)
-      size.grid.for_each_within(photon.p, size.most2, [&](std::uint32_t i, float distance2) {
-        const Point& point = size.points[size.grid.order()[i]];
-        if (distance2 > point.radius2) return;
-        const HitPoint& hit = *point.hit;
-        const FrameSet frames = photon.frames & hit.frames;
-        const Scattering* scattering = point.tile->scattering_of(hit);
-        if (frames.empty()) return;
-        if (!(dot(photon.wi, hit.ng) > 0) && !(scattering && scattering->transmits)) return;
-        Rgb flux = photon.flux * hit.throughput;
-        if (scattering)
-          flux *= scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance, scattering->lobes);
-        const float radiance = luminance(flux) / kernel_size(point.radius2);
-        if (radiance > 0 && std::isfinite(radiance)) fn(radiance, frames, hit);
-      });
+    for_each_around(photon, [&](const Point& point, const HitPoint& hit, FrameSet frames) {
+      if (point.tile->strip_of(hit) != nullptr) return;
+      const Scattering* scattering = point.tile->scattering_of(hit);
+      const bool counts =
+          scattering != nullptr && scattering->transmits
+              ? SameSurface(hit, *scattering, std::sqrt(point.radius2)).counts(photon.p, photon.wi, photon.face)
+              : dot(photon.wi, hit.ng) > 0;
+      if (!counts) return;
+      const Rgb f = scattering == nullptr ? Rgb(1) : scattered(*scattering, photon);
+      give(luminance(photon.flux * hit.throughput * f) / kernel_size(point.radius2), frames, hit, fn);
+    });
+  }
+  /// The same for points on surfaces that turn. Those of one strip that are no further away than the circle is wide: this
+  /// need not be exact.
+  template <class Fn>
+  void for_each_gathering(const CurvePhoton& photon, Fn&& fn) const {
+    for_each_around(photon, [&](const Point& point, const HitPoint& hit, FrameSet frames) {
+      const HitStrip* strip = point.tile->strip_of(hit);
+      if (strip == nullptr || strip->place.shape != photon.at.shape || strip->place.strip != photon.at.strip) return;
+      const float irradiance = StripKernel(strip->place, std::sqrt(point.radius2)).irradiance(photon.at, photon.wi);
+      const Rgb f = scattered(*point.tile->scattering_of(hit), photon) * std::abs(dot(photon.wi, strip->ns));
+      give(luminance(photon.flux * hit.throughput * f) * irradiance, frames, hit, fn);
+    });
   }
 
  private:
@@ -54,6 +63,24 @@ class VisiblePoints {
     std::vector<Point> points;
     PointGrid grid;
   };
+  /// Calls fn(const Point&, const HitPoint&, FrameSet) for every point within whose radius the photon lies.
+  template <class Fn>
+  void for_each_around(const Photon& photon, Fn&& fn) const {
+    for (const OneSize& size : sizes_)
+      size.grid.for_each_within(photon.p, size.most2, [&](std::uint32_t i, float distance2) {
+        const Point& point = size.points[size.grid.order()[i]];
+        const FrameSet frames = photon.frames & point.hit->frames;
+        if (distance2 <= point.radius2 && !frames.empty()) fn(point, *point.hit, frames);
+      });
+  }
+  static Rgb scattered(const Scattering& scattering, const Photon& photon) {
+    return scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
+  }
+  template <class Fn>
+  static void give(float radiance, FrameSet frames, const HitPoint& hit, Fn&& fn) {
+    if (radiance > 0 && std::isfinite(radiance)) fn(radiance, frames, hit);
+  }
+
   std::vector<OneSize> sizes_;
 };
 

@@ -160,6 +160,16 @@ SurfacePoint Curves::ribbon_point(std::uint32_t number, Vec2 uv) const {
   return point;
 }
 
+Strip Curves::strip(int primitive, Vec2 uv, const Vec3& direction) const {
+  const CurveSegment& s = segment(primitive);
+  const std::uint32_t number = piece(primitive).segment;
+  const double u = static_cast<double>(uv.x), width = s.width_at(u);
+  const DoubleVec3 tangent = direction_at(s, u), towards = widen(-direction);
+  const DoubleVec3 normal = perpendicular(type_ == CurveType::ribbon ? normals_[number].between(u) : towards, tangent);
+  const double speed = std::max(length(place_on(s, u, {}).d1), 1e-30);
+  return {static_cast<int>(number), narrow(tangent * speed), narrow(cross(normal, tangent) * width)};
+}
+
 float Curves::area(int primitive) const {
   constexpr int kChords = 8;
   const CurveSegment& s = segment(primitive);

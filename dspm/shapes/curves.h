@@ -34,6 +34,8 @@ class Curves final : public Shape {
   SurfacePoint surface_point(int primitive, Vec2 uv) const override;
   SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const override;
   bool turns() const override { return true; }
+  /// A segment's.
+  Strip strip(int primitive, Vec2 uv, const Vec3& direction) const override;
   bool absorb(Shape& next) override;
   void settle() override;
   float area(int primitive) const override;

@@ -72,6 +72,12 @@ SurfacePoint PlacedShape::seen(int primitive, Vec2 uv, const Vec3& direction) co
   return in_world(shape->seen(primitive, uv, in_object_space() ? to_world.inverse_vector(direction) : direction));
 }
 
+Strip PlacedShape::strip(int primitive, Vec2 uv, const Vec3& direction) const {
+  if (!in_object_space()) return shape->strip(primitive, uv, direction);
+  const Strip own = shape->strip(primitive, uv, to_world.inverse_vector(direction));
+  return {own.number, to_world.vector(own.along), to_world.vector(own.across)};
+}
+
 SurfacePoint PlacedShape::in_world(SurfacePoint s) const {
   if (in_object_space()) {
     const Vec3 p = to_world.point(s.p);

@@ -37,6 +37,8 @@ struct PlacedShape {
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
   /// The same as a ray of that direction sees it.
   SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const;
+  /// What a surface that turns shows to a ray of that direction.
+  Strip strip(int primitive, Vec2 uv, const Vec3& direction) const;
   AreaSample sample_area(int primitive, Vec2 u) const;
   /// The density of sample_area() at a point of the primitive whose normal, in the world, is ng.
   float pdf_a(int primitive, const Vec3& ng) const;

@@ -53,6 +53,13 @@ struct SurfacePoint {
   void cover(const Vec3& w, float diameter);
 };
 
+/// What a surface that turns to each ray shows to one of them, near a primitive: a strip with coordinates u along it and v
+/// across it, both in [0, 1]; the surface turns about the line v = 1/2.
+struct Strip {
+  int number = 0;                // that of all primitives whose uv are coordinates of the same strip
+  Vec3 along = {}, across = {};  // derivatives of p by u and v
+};
+
 /// Geometry in its own (object) space. A Shape is finished and const once constructed, and has absorbed others.
 class Shape {
  public:
@@ -87,6 +94,10 @@ class Shape {
 
   /// Trees treat triangles specially; null for everything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }
+
+  /// Of a surface that turns: what a ray of that direction (of any length) sees around that place. No photons are counted
+  /// on a strip without width.
+  virtual Strip strip(int /*primitive*/, Vec2 /*uv*/, const Vec3& /*direction*/) const { return {}; }
 };
 
 /// An imagemap that a material from a geometry file names among its parameters.

@@ -6,6 +6,7 @@
 #include "dspm/integrators/gather.h"
 #include "dspm/integrators/joint_path.h"
 #include "dspm/integrators/light_value.h"
+#include "dspm/integrators/surface_kernel.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/integrators/vcm/connection.h"
 #include "dspm/integrators/vcm/light_densities.h"
@@ -97,7 +98,10 @@ class CameraSubpathTracer {
       if (can_connect(bsdf)) {
         surfaces.add({frames, BsdfSlot::copy_of(bsdf)});
         add_next_event(here, vertex, frames, bsdf);
-        if (ways_at(vertex).merging > 0) merge(here, vertex, frames, bsdf);
+        if (pass_.ways.merging > 0 && vertex.point.turns)
+          merge_on_curve(here, vertex, frames, bsdf);
+        else if (pass_.ways.merging > 0)
+          merge(here, vertex, frames, bsdf);
       }
       const auto scattering = scatter(here, vertex, frames, bsdf, Transport::radiance);
       if (scattering && is_finite(scattering->sample.wi))
@@ -169,6 +173,10 @@ class CameraSubpathTracer {
   void merge(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
     const LobeSet lobes = bsdf.all_lobes();
     const auto giver = [&] { return vertex.material_element(); };
+    const SurfacePoint& point = vertex.point;
+    const SameSurface surface(point.p, dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng, point.p_error,
+                              Face(vertex.hit.shape, point.ng, vertex.wo), pass_.radius);
+    const bool transmits = bsdf.transmits(lobes);
     gathers_.gathers.add(frames.count());
     Rgb shared;  // by all frames
     gathers_.tests += map_.for_each_within(
@@ -176,6 +184,7 @@ class CameraSubpathTracer {
           const FrameSet common = light.frames & frames;
           if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
           gathers_.found.add(common.count());
+          if (transmits && !surface.counts(light.p, light.wi, light.face)) return;
           const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, lobes);
           if (is_black(f)) return;
           const float weight = weight_of_merging(
@@ -191,6 +200,22 @@ class CameraSubpathTracer {
           }
         });
     if (!is_black(shared)) add(path, {frames, shared, nullptr, kManyLights}, giver);
+  }
+
+  /// With the light that nothing else brings there.
+  void merge_on_curve(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
+    const StripPlace place(vertex.shape, vertex.hit, vertex.wo);
+    gathers_.gathers.add(frames.count());
+    gathers_.tests += map_.on_curves().for_each_within(
+        place, pass_.radius, [&](const CurvePhoton& light, const Strand* strands, float irradiance, const auto&) {
+          const FrameSet common = light.frames & frames;
+          if (common.empty() || path.bounces + light.bounces + 1 > pass_.settings.max_depth) return;
+          gathers_.found.add(common.count());
+          const Rgb f = bsdf.evaluate(vertex.wo, light.wi, Transport::radiance, bsdf.all_lobes());
+          const float share =
+              irradiance * std::abs(dot(light.wi, vertex.point.ns)) / static_cast<float>(pass_.settings.photons);
+          add(path, {common, light.flux * f * share, strands, light.light}, [&] { return vertex.material_element(); });
+        });
   }
 
   void extend(const CameraSubpath& path, const Vertex& vertex, const SubpathScattering& scattering,

@@ -21,6 +21,7 @@ constexpr std::int64_t kPathsPerChunk = 2048;
 struct LightPath : PathState {
   SubpathWeights weights;  // beyond the last vertex
   float merging = 0;       // what merges count at the next one
+  bool hidden = false;     // see PhotonTrace::hidden
 };
 
 class LightPathTracer {
@@ -64,7 +65,7 @@ class LightPathTracer {
     light_ = start.light, scene_light_ = &scene_light, light_index_ = chosen.light, emission_ = *emission;
     LightPath& path = branches_.push({{emission->ray, flux, start.frames}, {}});
     path.random = random, path.strands = start.strands, path.inside = start.inside,
-    path.merging = merging_after(pass_.ways, 0);
+    path.merging = merging_after(pass_.ways, 0), path.hidden = scene_light.is_delta;
     branches_.follow(*this);
   }
 
@@ -75,8 +76,9 @@ class LightPathTracer {
 
   void arrived(const LightPath& path, const Vertex& vertex) {
     const float cosine = std::abs(dot(vertex.wo, vertex.point.ng)), distance2 = vertex.hit.t * vertex.hit.t;
-    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth || vertex.point.turns) return;
+    if (!(cosine > 0) || path.bounces >= pass_.settings.max_depth) return;
     if (path.bounces == 0 && vertex.hit.t < emission_.must_reach) return;
+    if (vertex.point.turns) return end_on_curve(path, vertex);
     const SubpathWeights weights = path.bounces > 0 ? path.weights.arrived(distance2, cosine, path.walk.is_inside())
                                                     : weights_at_first_vertex(pass_, *scene_light_, *light_, emission_,
                                                                               vertex.point, distance2, cosine);
@@ -115,6 +117,7 @@ class LightPathTracer {
     branch.weights = sample.specular ? weights.mirrored(cosine)
                                      : weights.light_scattered(pass_.ways, sample.pdf_w, scattering.reverse_pdf_w,
                                                                cosine, path.merging);
+    branch.hidden = path.hidden && sample.specular;
     branch.merging = sample.specular ? pass_.ways.merging : merging_after(pass_.ways, sample.pdf_w);
     const float u = path.random.number(path.bounces, kRoulette);
     const auto roulette = [&](StrandList, FrameSet frames, const Rgb& before, const Rgb& after) {
@@ -135,13 +138,31 @@ class LightPathTracer {
     if (!(geometric * shading > 0)) return;
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const LightVertex stored{point.p,      vertex.wo, flux,         light_index_, frames,           strands,
-                             path.bounces, weights,   path.merging, vertex.hit,   point.outside_eta};
+    const Face face(vertex.hit.shape, point.ng, vertex.wo);
+    const LightVertex stored{point.p, vertex.wo,    face,    flux,         light_index_, frames,
+                             strands, path.bounces, weights, path.merging, vertex.hit,   point.outside_eta};
     if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
     if (!pass_.settings.connect && stored.merging == 0) return;
     out_.vertices.push_back(stored);
     out_.stored.add(frames.count());
     out_.paths.weighted += strands != 0;
+  }
+
+  /// Nothing else brings hidden light there; all other light is found by camera paths that go on.
+  void end_on_curve(const LightPath& path, const Vertex& vertex) {
+    if (!path.hidden || path.bounces == 0 || pass_.ways.merging == 0) return;
+    FrameSet frames = mixed_frames(vertex, can_connect);
+    for_each_surface(vertex, [&](FrameSet in_frames, const Bsdf& bsdf) {
+      if (can_connect(bsdf)) frames |= in_frames;
+    });
+    if (frames.empty()) return;
+    Rgb flux = path.throughput;
+    const StrandList strands = out_.strands.folded(path.strands, frames, flux);
+    const Face face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+    out_.on_curves.push_back({{vertex.point.p, face, vertex.wo, flux, frames, strands, light_index_},
+                              StripPlace(vertex.shape, vertex.hit, vertex.wo),
+                              path.bounces});
+    out_.stored.add(frames.count());
   }
 
   void connect_to_camera(const LightVertex& light, const Vertex& vertex, const LightPath& path) {
@@ -202,6 +223,7 @@ class LightPathTracer {
 void clear(LightTrace& trace, const StrandTable& of_lights) {
   trace.vertices.clear();
   trace.ends.clear();
+  trace.on_curves.clear();
   trace.splats.clear();
   trace.strands = of_lights;
   trace.paths = {}, trace.stored = {}, trace.rejections = {};
@@ -240,7 +262,8 @@ std::size_t LightSubpaths::bytes() const {
   std::size_t sum = 0;
   for (const LightTrace& trace : traces_)
     sum += trace.vertices.capacity() * sizeof(LightVertex) + trace.ends.capacity() * sizeof(std::size_t) +
-           trace.splats.capacity() * sizeof(Splat) + trace.strands.bytes();
+           trace.on_curves.capacity() * sizeof(CurvePhoton) + trace.splats.capacity() * sizeof(Splat) +
+           trace.strands.bytes();
   return sum;
 }
 

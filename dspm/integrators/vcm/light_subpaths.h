@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
+#include "dspm/integrators/face.h"
+#include "dspm/integrators/photon.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/integrators/vcm/splats.h"
@@ -20,6 +22,7 @@ namespace dspm {
 /// A vertex on a surface that scatters not only by specular lobes.
 struct LightVertex {
   Vec3 p, wi;  // towards where the flux came from
+  Face face;   // that it has come to
   Rgb flux;    // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
   int light;   // that it comes from: into the scene's
   FrameSet frames;
@@ -33,8 +36,9 @@ struct LightVertex {
 
 /// The results of a range of light subpaths.
 struct LightTrace {
-  std::vector<LightVertex> vertices;  // by path index, then branch
-  std::vector<std::size_t> ends;      // of each path's vertices
+  std::vector<LightVertex> vertices;   // by path index, then branch
+  std::vector<std::size_t> ends;       // of each path's vertices
+  std::vector<CurvePhoton> on_curves;  // as in PhotonTrace
   std::vector<Splat> splats;
   StrandTable strands;
   PathCounts paths;

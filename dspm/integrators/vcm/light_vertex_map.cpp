@@ -14,6 +14,7 @@ void LightVertexMap::build(const std::vector<LightTrace>& traces, int frames, fl
       sorted_[common ? 0 : static_cast<std::size_t>(vertex.frames.lowest()) + 1].push_back(
           {&vertex, trace.strands.of(vertex.strands)});
     }
+  on_curves_.build(traces);
   of_frame_.resize(sorted_.size() - 1);
   parallel_for(static_cast<std::int64_t>(sorted_.size()), 1, [&](std::int64_t i) {
     const auto grid = static_cast<std::size_t>(i);
@@ -28,7 +29,7 @@ void LightVertexMap::build(PhotonGrid<Placed>& grid, const std::vector<Placed>& 
 }
 
 std::size_t LightVertexMap::bytes() const {
-  std::size_t sum = common_.bytes();
+  std::size_t sum = common_.bytes() + on_curves_.bytes();
   for (const auto& grid : of_frame_) sum += grid.bytes();
   for (const auto& vertices : sorted_) sum += vertices.capacity() * sizeof(Placed);
   return sum;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "dspm/integrators/curve_photons.h"
 #include "dspm/integrators/photon_grid.h"
 #include "dspm/integrators/vcm/light_subpaths.h"
 #include "dspm/math/frames.h"
@@ -16,12 +17,14 @@ class LightVertexMap {
   /// Of a scene with that many frames. The traces must outlive the map.
   void build(const std::vector<LightTrace>& traces, int frames, float radius);
   std::size_t bytes() const;
+  /// Light subpaths that ended on surfaces that turn, with light that only merging finds.
+  const CurvePhotons& on_curves() const { return on_curves_; }
 
   /// Calls fn(const LightVertex&, const Strand*) for all vertices within sqrt(radius2) of p that exist in some of
   /// `frames`, and perhaps for others; returns how many it tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
-    const auto pass_on = [&](const Placed& found, float, auto) { fn(*found.vertex, found.strands); };
+    const auto pass_on = [&](const Placed& found, float, const auto&) { fn(*found.vertex, found.strands); };
     std::uint64_t tested = common_.for_each_within(p, radius2, pass_on);
     if (!of_frame_.empty())
       frames.for_each([&](Frame frame) {
@@ -37,6 +40,7 @@ class LightVertexMap {
   };
   static void build(PhotonGrid<Placed>& grid, const std::vector<Placed>& vertices, float radius);
 
+  CurvePhotons on_curves_;
   PhotonGrid<Placed> common_;
   std::vector<PhotonGrid<Placed>> of_frame_;
   std::vector<std::vector<Placed>> sorted_;  // for the grids: shared vertices, then those of each frame
