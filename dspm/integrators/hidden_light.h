@@ -10,6 +10,7 @@
 #include "dspm/integrators/curve_photons.h"
 #include "dspm/integrators/gather.h"
 #include "dspm/integrators/kernel_size.h"
+#include "dspm/integrators/light_value.h"
 #include "dspm/math/frames.h"
 
 namespace dspm {
@@ -42,7 +43,7 @@ void gather_on_curve(const HitPoint& hit, const Scattering& scattering, const Hi
     if (frames.empty()) return;
     const Rgb f = scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
     const Rgb flux = photon.flux * f * (irradiance * std::abs(dot(photon.wi, strip.ns)) * kernel_size(radius2));
-    if (!is_finite(flux))
+    if (!is_light(flux))
       return counts.rejections.add({SceneElement::Kind::material, scattering.material}, frames, hit.pixel);
     fn(strands, frames, RgbLanes(flux), 0.f, group);
   };
