@@ -32,10 +32,11 @@ void read_window(ParamReader& reader, Screen& screen) {
 // dspm renders moments: lang refuses transforms that move while the shutter is open, so the shutter only sets
 // Job::exposure.
 void read_shutter(ParamReader& reader) {
-  reader.number("shutteropen", 0, "s", "when the shutter opens; images are multiplied by the seconds until it closes");
+  reader.number("shutteropen", 0, "s",
+                "when the shutter opens; of .pbrt files, images are multiplied by the seconds until it closes");
   reader.number(
       "shutterclose", 1, "s",
-      "when it closes; nothing moves in between, and unless it is after shutteropen, images are multiplied by 1");
+      "when it closes; of .pbrt files, and unless it is after shutteropen, images are multiplied by 1; nothing moves");
 }
 
 Ray ThinLens::through(const Ray& central, Vec2 u) const {

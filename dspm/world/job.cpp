@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -59,6 +60,27 @@ auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const
   return plugin->make(reader);
 }
 
+/// A plugin's weights may be anything.
+void expect_density(const PixelFilter& filter, const SceneDescription& description, Diagnostics& diagnostics) {
+  constexpr int kSteps = 4096;
+  const Vec2 radius = filter.radius();
+  bool is_density = radius.x > 0 && radius.y > 0 && std::isfinite(radius.x) && std::isfinite(radius.y);
+  for (int i = 0; i <= kSteps && is_density; ++i) {
+    const float u = (static_cast<float>(i) + 0.5f) / (kSteps + 1), place = 2 * static_cast<float>(i) / kSteps - 1;
+    const Vec2 drawn = filter.sample({u, u});
+    const auto is_sound = [](float density) { return density >= 0 && std::isfinite(density); };
+    is_density = std::abs(drawn.x) <= radius.x && std::abs(drawn.y) <= radius.y &&
+                 is_sound(filter.density({place * radius.x, 0})) && is_sound(filter.density({0, place * radius.y}));
+  }
+  if (is_density) return;
+  const PluginUse& use = description.filter ? *description.filter : PluginUse();
+  const Plugin<MakePixelFilter>* plugin = pixel_filter_plugins().find(use.type);
+  const bool is_of_module = plugin != nullptr && !plugin->origin.empty();
+  diagnostics.error(
+      use.where, fmt::format("{} \"{}\"{} has weights that are negative or not finite", pixel_filter_plugins().kind(),
+                             use.type, is_of_module ? fmt::format(" of {}", plugin->origin) : ""));
+}
+
 void check_crop(const FilmSettings& film, const SceneDescription& description, Diagnostics& diagnostics) {
   const PixelRect crop = crop_of(film);
   if (crop.empty())
@@ -99,8 +121,23 @@ float number_of(const ParamList& list, std::string_view name, float fallback) {
   return values != nullptr && values->size() == 1 ? values->front() : fallback;
 }
 
+/// In dspm's language a shutter asks for what moves while it is open; pbrt's also exposes the film.
+void refuse_shutter(const std::optional<CameraUse>& camera, Diagnostics& diagnostics) {
+  if (!camera) return;
+  for (const Param& param : camera->params.params)
+    if (param.name == "shutteropen" || param.name == "shutterclose")
+      return diagnostics.unsupported(param.where, "motion blur (a shutter that stays open) is not supported yet",
+                                     "with --lenient, the shutter has no effect: each frame shows one moment");
+}
+
 /// The camera's shutter is open from shutteropen to shutterclose.
-float shutter_seconds(const SceneDescription& description) {
+float shutter_seconds(const SceneDescription& description, Diagnostics& diagnostics) {
+  if (description.dialect == Dialect::dsc) {
+    refuse_shutter(description.camera, diagnostics);
+    for (const VariationAxis& axis : description.axes)
+      for (const Variation& variation : axis.variations) refuse_shutter(variation.camera, diagnostics);
+    return 1;
+  }
   if (!description.camera) return 1;
   const ParamList params = description.camera->params.at(Moment());
   const float seconds = number_of(params, "shutterclose", 1) - number_of(params, "shutteropen", 0);
@@ -212,7 +249,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, choices, diagnostics);
   job.film.transparent |= asks_for_shadow_catchers(description);
-  job.exposure = imaging_ratio(job.film, shutter_seconds(description));
+  job.exposure = imaging_ratio(job.film, shutter_seconds(description, diagnostics));
 
   IntegratorChoice choice = choose_integrator(description, choices, diagnostics);
   job.plugin = choice.plugin;
@@ -229,6 +266,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.width = job.film.width, settings.height = job.film.height;
   settings.crop = crop_of(job.film);
   settings.filter = make_one(pixel_filter_plugins(), kUsualPixelFilter, description.filter, diagnostics);
+  expect_density(*settings.filter, description, diagnostics);
   job.outputs = outputs_of(job.film, choices, description), job.denoiser = choices.denoiser;
   settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
   settings.in_camera_space = job.film.in_camera_space;

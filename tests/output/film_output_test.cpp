@@ -65,8 +65,8 @@ std::string repeated(const std::string& pixel) {
 void expect_in_all_files(const std::string& scene, const Rgb& first, const Rgb& second) {
   const TemporaryDirectory directory;
   const FakeFfmpeg ffmpeg(kKeepAll);
-  put_file(directory / "sky.dsc", scene);
-  const Outcome outcome = run(directory, {"sky.dsc", "--float", "--png", "--contact-sheet", "sheet.png", "--video",
+  put_file(directory / "sky.pbrt", scene);  // in dspm's own language, a shutter is refused
+  const Outcome outcome = run(directory, {"sky.pbrt", "--float", "--png", "--contact-sheet", "sheet.png", "--video",
                                           "sky.mp4", "--view", "standard"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
 
@@ -112,9 +112,24 @@ TEST(FilmOutput, LimitsTheLargestComponent) {
                       Rgb(0.5f, 0.58f, 0.2f));
 }
 
+// It asks for motion blur, which is missing; and what is missing must not darken.
+TEST(FilmOutput, AShutterIsRefusedAndExposesNothing) {
+  const TemporaryDirectory directory;
+  for (const char* shutter : {R"("float shutterclose" 0.5)", R"("float shutteropen" 0.25)"}) {
+    put_file(directory / "sky.dsc", skies({shutter, "", 1}, kFirst, kSecond));
+    const Outcome refused = run(directory, {"sky.dsc"});
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_NE(refused.err.find("sky.dsc:4:22: error: motion blur"), std::string::npos) << refused.err;
+    const Outcome outcome = run(directory, {"sky.dsc", "--lenient", "--float"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: motion blur"), std::string::npos) << outcome.err;
+    EXPECT_NEAR(read_image(directory / "sky.0001.exr").at(3, 3).r, kFirst.r, 1e-6f);
+  }
+}
+
 /// A ball before a floor, well before the plane of focus.
 Image ball(const TemporaryDirectory& directory, const std::string& camera, const std::string& parameters) {
-  put_file(directory / "ball.dsc", fmt::format(R"(
+  put_file(directory / "ball.pbrt", fmt::format(R"(
 Integrator "path" "integer iterations" 4
 Camera "{}" {}
 Film "rgb" "integer xresolution" 24 "integer yresolution" 16 "string filename" "ball.exr"
@@ -124,8 +139,8 @@ Translate 0.3 0.2 3
 Shape "sphere" "float radius" 0.5
 Shape "disk" "float radius" 20 "float height" 2
 )",
-                                               camera, parameters));
-  const Outcome outcome = run(directory, {"ball.dsc", "--float"});
+                                                camera, parameters));
+  const Outcome outcome = run(directory, {"ball.pbrt", "--float"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   return read_image(directory / "ball.exr");
 }
