@@ -12,6 +12,7 @@
 #include "dspm/integrators/shadow_catcher.h"
 #include "dspm/integrators/variance_output.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
 #include "dspm/params/flag.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
