@@ -254,7 +254,7 @@ inline void extend_ray(PathState& path, const SurfacePoint& point, const BsdfSam
   path.walk.start(path.ray, path.random, path.bounces);
 }
 inline void extend_ray(PathState& path, const Vertex& vertex, const BsdfSample& sample) {
-  path.inside = vertex.inside_beyond(path.inside, sample.wi);
+  if (vertex.body != kNoBody) path.inside = vertex.inside_beyond(path.inside, sample.wi);
   extend_ray(path, vertex.point, sample);
 }
 inline void extend(PathState& path, const Vertex& vertex, const BsdfSample& sample) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "dspm/world/param_states.h"
@@ -34,13 +35,22 @@ const Material* state_of(const Scene& scene, int material, Frame frame) {
 void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const std::vector<const WorldShape*>& shapes,
              const Looks& looks, const FileFrames& frames, Diagnostics& diagnostics) {
   const auto shape = [&](int index) -> const WorldShape& { return *shapes[static_cast<std::size_t>(index)]; };
-  std::map<std::pair<const ShapeUse*, const ShapeUse*>, const Overlap*> deepest;
+  constexpr const ShapeUse* none = nullptr;
+  // Bodies may consist of several shapes: one warning for two materials, or for two directives of one material.
+  const auto subjects_of = [&](const Overlap& overlap) {
+    const WorldShape &first = shape(overlap.entered_first), &second = shape(overlap.entered_second);
+    const auto materials = std::minmax(first.placed.material, second.placed.material);
+    const auto uses = std::minmax(first.use, second.use);
+    return materials.first == materials.second ? std::tuple(materials.first, materials.second, uses.first, uses.second)
+                                               : std::tuple(materials.first, materials.second, none, none);
+  };
+  std::map<std::tuple<int, int, const ShapeUse*, const ShapeUse*>, const Overlap*> deepest;
   for (const Overlap& overlap : overlaps) {
-    const Overlap*& known = deepest[std::minmax(shape(overlap.entered_first).use, shape(overlap.entered_second).use)];
+    const Overlap*& known = deepest[subjects_of(overlap)];
     if (known == nullptr || overlap.depth > known->depth) known = &overlap;
   }
   std::vector<const Overlap*> told;
-  for (const auto& [uses, overlap] : deepest) told.push_back(overlap);
+  for (const auto& [subjects, overlap] : deepest) told.push_back(overlap);
   std::stable_sort(told.begin(), told.end(), [](const Overlap* a, const Overlap* b) {
     return std::minmax(a->entered_first, a->entered_second) < std::minmax(b->entered_first, b->entered_second);
   });
@@ -69,7 +79,7 @@ void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const st
                           "give it the higher \"integer priority\"");
   }
   if (told.size() > kMostWarnings)
-    diagnostics.warning({}, fmt::format("{} more pairs of shapes overlap in this way", told.size() - kMostWarnings));
+    diagnostics.warning({}, fmt::format("{} more pairs of bodies overlap in this way", told.size() - kMostWarnings));
 }
 
 }  // namespace dspm

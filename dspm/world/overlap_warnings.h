@@ -11,7 +11,8 @@
 
 namespace dspm {
 
-/// One warning for each pair of directives, at most a few. `shapes`: those of the scene.
+/// One warning for each pair of materials, or of directives with one material, at most a few. `shapes`: those of the
+/// scene.
 void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const std::vector<const WorldShape*>& shapes,
              const Looks& looks, const FileFrames& frames, Diagnostics& diagnostics);
 
