@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,27 +22,57 @@ namespace {
 // The median of so many pixels is within four percent of that of all. An octave: until the iterations have doubled.
 constexpr int kMostPixels = 1 << 12, kSlots = 8, kFirstMark = 4, kFirstEstimate = 8;
 constexpr float kConstant = 1e-5f;  // relative changes below it are rounding
+// Noise of a normal distribution hardly ever exceeds six times the median of its magnitude, which is four deviations.
+constexpr int kMostParts = 1 << 10;
+constexpr double kLoneChange = 0.5, kUnusual = 6;
 
-/// The pixels of a grid over the crop.
-class PixelGrid {
+/// Of an image: some of its pixels and the brightest of each of its parts, by their luminances.
+struct Seen {
+  std::span<float> pixels, peaks;
+};
+
+/// Squares of pixels over the crop.
+class Squares {
  public:
-  explicit PixelGrid(const PixelRect& crop) : width_(crop.width()), height_(crop.height()) {
-    while (count() > kMostPixels) ++stride_;
+  Squares(const PixelRect& crop, int most) : width_(crop.width()), height_(crop.height()) {
+    while (count() > most) ++side_;
   }
   int count() const { return across(width_) * across(height_); }
-  std::vector<float> luminances(const Image& image) const {
-    std::vector<float> values(static_cast<std::size_t>(count()));
-    if (image.width != width_ || image.height != height_) return values;  // it is refused when it is to be written
-    auto value = values.begin();
-    for (int y = 0; y < height_; y += stride_)
-      for (int x = 0; x < width_; x += stride_) *value++ = luminance(image.at(x, y));
+  int across(int length) const { return (length + side_ - 1) / side_; }
+  bool begins_at(int x, int y) const { return x % side_ == 0 && y % side_ == 0; }
+  std::size_t of(int x, int y) const { return static_cast<std::size_t>(y / side_ * across(width_) + x / side_); }
+
+ private:
+  int width_, height_, side_ = 1;
+};
+
+class Sample {
+ public:
+  explicit Sample(const PixelRect& crop)
+      : width_(crop.width()), height_(crop.height()), pixels_(crop, kMostPixels), parts_(crop, kMostParts) {}
+  std::size_t size() const { return static_cast<std::size_t>(pixels_.count() + parts_.count()); }
+  Seen parted(std::span<float> values) const {
+    const auto pixels = static_cast<std::size_t>(pixels_.count());
+    return {values.first(pixels), values.subspan(pixels)};
+  }
+  /// Zeros if the image has another size: it is refused when it is to be written.
+  std::vector<float> of(const Image& image) const {
+    std::vector<float> values(size());
+    if (image.width != width_ || image.height != height_) return values;
+    const Seen seen = parted(values);
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        const float value = luminance(image.at(x, y));
+        float& peak = seen.peaks[parts_.of(x, y)];
+        peak = std::max(peak, value);
+        if (pixels_.begins_at(x, y)) seen.pixels[pixels_.of(x, y)] = value;
+      }
     return values;
   }
 
  private:
-  int across(int length) const { return (length + stride_ - 1) / stride_; }
-
-  int width_, height_, stride_ = 1;
+  int width_, height_;
+  Squares pixels_, parts_;
 };
 
 /// Where the image after so many iterations is kept until there are twice as many, if it is.
@@ -68,18 +100,25 @@ double error_of(std::span<const float> half, std::span<const float> all) {
   return median(relative);
 }
 
+std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, double error) {
+  const double most = std::max(kLoneChange, kUnusual * error);
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    count += static_cast<double>(std::abs(all[i] - half[i])) > most * static_cast<double>(all[i]);
+  return count;
+}
+
 class ErrorEstimate final : public WrappingIntegrator {
  public:
   ErrorEstimate(std::unique_ptr<Integrator> inner, int frames, const PixelRect& crop, int marks_per_octave)
       : WrappingIntegrator(std::move(inner)),
         marks_per_octave_(marks_per_octave),
-        grid_(crop),
+        sample_(crop),
         frames_(static_cast<std::size_t>(frames)),
         kept_(bytes(frames, crop) / sizeof(float)),
         squares_(frames_) {}
   static std::size_t bytes(int frames, const PixelRect& crop) {
-    return sizeof(float) * kSlots * static_cast<std::size_t>(frames) *
-           static_cast<std::size_t>(PixelGrid(crop).count());
+    return sizeof(float) * kSlots * static_cast<std::size_t>(frames) * Sample(crop).size();
   }
 
   void iterate(int iteration, const Scene& scene) override {
@@ -92,6 +131,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     Statistics statistics = inner_->statistics();
     if (estimated_ > 0)
       for (const double square : squares_) statistics.errors.push_back(std::sqrt(square) / estimated_);
+    if (lone_ > 0) statistics.counters.add(kLonePaths, lone_);
     statistics.bytes += kept_.size() * sizeof(float);
     return statistics;
   }
@@ -100,6 +140,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     if (!inner_->persist(state)) return false;
     state.sum(squares_);
     state.sum(estimated_);
+    state.largest(lone_);
     state.value(kept_);
     state.value(kept_after_);
     for (const double square : squares_) expect_possible(square >= 0, "its estimate of the error");
@@ -111,11 +152,17 @@ class ErrorEstimate final : public WrappingIntegrator {
   /// With the image after half of the iterations, which the present one replaces.
   void compare(std::size_t slot, int done) {
     const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;
-    const std::size_t size = kept_.size() / (kSlots * frames_);
+    const std::size_t size = sample_.size();
+    if (has_half) lone_ = 0;
     for (std::size_t f = 0; f < frames_; ++f) {
       const std::span<float> kept(&kept_[(slot * frames_ + f) * size], size);
-      const std::vector<float> now = grid_.luminances(inner_->estimate(static_cast<Frame>(f), kRadiance));
-      if (has_half) squares_[f] = std::pow(done * error_of(kept, now), 2);
+      std::vector<float> now = sample_.of(inner_->estimate(static_cast<Frame>(f), kRadiance));
+      if (has_half) {
+        const Seen half = sample_.parted(kept), all = sample_.parted(now);
+        const double error = error_of(half.pixels, all.pixels);
+        squares_[f] = std::pow(done * error, 2);
+        lone_ = std::max(lone_, lone_paths(half.peaks, all.peaks, error));
+      }
       std::copy(now.begin(), now.end(), kept.begin());
     }
     kept_after_[slot] = done;
@@ -123,13 +170,14 @@ class ErrorEstimate final : public WrappingIntegrator {
   }
 
   int marks_per_octave_;
-  PixelGrid grid_;
+  Sample sample_;
   std::size_t frames_;
-  std::vector<float> kept_;               // luminances by slot, frame and pixel
+  std::vector<float> kept_;               // samples by slot and frame
   std::array<int, kSlots> kept_after_{};  // so many iterations
   // By frame, of the sum of so many iterations: what parts found independently of one another adds up.
   std::vector<double> squares_;
   int estimated_ = 0;
+  std::uint64_t lone_ = 0;  // as of the last estimate
 };
 
 }  // namespace

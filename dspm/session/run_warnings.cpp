@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dspm/integrators/cut_light.h"
+#include "dspm/integrators/error_estimate.h"
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/system/readable.h"
@@ -87,17 +88,33 @@ std::optional<CutPart> visible_cut(const std::vector<CutLight>& regions, const P
   return std::nullopt;
 }
 
+std::uint64_t lone_paths(const Statistics& statistics) {
+  for (const Counters::Entry& counter : statistics.counters)
+    if (counter.name == kLonePaths) return counter.value;
+  return 0;
+}
+
+bool says(const ParamList& params, const char* name, const char* value) {
+  const Param* param = params.find(name);
+  const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
+  return texts != nullptr && !texts->empty() && texts->front() == value;
+}
+
 /// Of the ways to more photons, those that the scene does not go yet.
 std::string hint_for_photons(const ParamList& params) {
-  const auto says = [&](const char* name, const char* value) {
-    const Param* param = params.find(name);
-    const auto* texts = param != nullptr ? std::get_if<std::vector<std::string>>(&param->values) : nullptr;
-    return texts != nullptr && !texts->empty() && texts->front() == value;
-  };
   std::string hint = "give the integrator more \"integer photons\"";
-  if (says("emission", "power")) hint += ", \"string emission\" \"guided\"";
-  if (says("direct", "photons")) hint += ", \"string direct\" \"both\"";
+  if (says(params, "emission", "power")) hint += ", \"string emission\" \"guided\"";
+  if (says(params, "direct", "photons")) hint += ", \"string direct\" \"both\"";
   return hint + ", or more iterations";
+}
+
+/// More iterations do not help soon: they bring as many new specks.
+std::string hint_for_lone_photons(const ParamList& params) {
+  std::string hint = "give the integrator several times as many \"integer photons\"";
+  if (says(params, "emission", "power")) hint += ", or \"string emission\" \"guided\"";
+  if (!says(params, "direct", "sampled")) hint += ", or \"string direct\" \"sampled\"";
+  if (!says(params, "indirect", "paths")) hint += ", or \"string indirect\" \"paths\"";
+  return hint;
 }
 
 }  // namespace
@@ -123,6 +140,7 @@ void RunWarnings::look(const Statistics& statistics, int all) {
                     100 * share),
         "raise the integrator's \"integer maxdepth\", or give --maxdepth");
   if (all < kMoreThanAPreview) return;
+  if (statistics.iterations == all) look_at_lone_paths(statistics);
   const double still = std::max(1.0, static_cast<double>(all) / statistics.iterations);
   if (const double photons = statistics.typical.photons; photons > 0 && photons * still < kFewPhotons)
     warn_once(
@@ -140,7 +158,20 @@ void RunWarnings::look(const Statistics& statistics, int all) {
         "leave out the integrator's \"float radius\", then it begins at four pixels, or give a smaller one");
 }
 
+void RunWarnings::look_at_lone_paths(const Statistics& statistics) {
+  const std::uint64_t parts = lone_paths(statistics);
+  if (parts == 0) return;
+  warn_once(
+      "lone paths",
+      fmt::format("in {} of the picture, single paths bring more light to a pixel than all others: these are bright "
+                  "specks, of which the estimated error, that of half of the pixels, knows nothing",
+                  counted(static_cast<std::size_t>(parts), "part")),
+      statistics.energy.empty() ? "such light is found by photons: try \"dsppm\" or \"vcm\""
+                                : hint_for_lone_photons(job_.params));
+}
+
 void RunWarnings::look_at_errors(const Statistics& statistics, const std::vector<FileFrame>& frames) {
+  look_at_lone_paths(statistics);
   for (std::size_t j = 0; j < statistics.errors.size(); ++j) {
     if (statistics.errors[j] > 0) continue;
     const std::string& variation = job_.variation(frames[j]);

@@ -22,10 +22,11 @@ class RunWarnings {
 
   /// After iterations of a frame interval, of so many in all: those done at its end; 0: unknown.
   void look(const Statistics& statistics, int all);
-  /// At the end of an interval of these frames: those whose error is zero.
+  /// At the end of an interval of these frames: those whose error is zero, and what errors do not tell.
   void look_at_errors(const Statistics& statistics, const std::vector<FileFrame>& frames);
 
  private:
+  void look_at_lone_paths(const Statistics& statistics);
   void warn_once(const std::string& what, const std::string& message, const std::string& hint);
 
   const Job& job_;

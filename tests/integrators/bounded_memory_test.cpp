@@ -116,7 +116,8 @@ TEST(MemoryNeeds, OfBatchesHaveRoomForACopy) {
       R"(Integrator "sppm" "string emission" "power" "string direct" "photons" "string estimator" "hj09" "integer photons" 20000)"));
   const auto scene = test.scene({FileFrame(0)});
   const auto pixels = static_cast<std::size_t>(test.job().settings.crop.count());
-  constexpr std::size_t kLuminances = 8 * sizeof(float);  // that the estimate of the error keeps, up to 4,096 pixels
+  // That the estimate of the error keeps of pixels, up to 4,096, and of parts of the picture, up to 1,024: of one pixel.
+  constexpr std::size_t kLuminances = 2 * 8 * sizeof(float);
   EXPECT_EQ(needs_within(test, *scene, 1)->pixels,
             pixels * (2 * sizeof(PixelStatistics) + sizeof(PassSums) + 2 * kLuminances));
 }

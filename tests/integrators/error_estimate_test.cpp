@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "dspm/image/image.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/math/rng.h"
 #include "dspm/testing/scenes.h"
 #include "dspm/testing/test_scene.h"
 #include "dspm/world/choices.h"
@@ -90,6 +93,60 @@ TEST(ErrorEstimateOf, PhotonmapIsTheErrorAgainstManyIterationsWithTheSameMaps) {
     estimated += run.estimated, actual += true_error(run.image, rendered(test, seed, 12 * kIterations).image);
   }
   EXPECT_NEAR(estimated / actual, 1, 0.2);
+}
+
+/// Pixels of 1 +- 0.3 an iteration, and one that gets `speck` more in one of them.
+class Specks final : public Integrator {
+ public:
+  explicit Specks(std::vector<int> iterations, float speck) : specks_(std::move(iterations)), speck_(speck) {}
+  int iterations() const override { return kIterations; }
+  std::string settings() const override { return ""; }
+  void iterate(int iteration, const Scene&) override {
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      const PathRandom random(1, Stream::setup, i, static_cast<std::uint64_t>(iteration));
+      sums_[i] += 0.7f + 0.6f * random.number(0, 0);
+    }
+    for (std::size_t i = 0; i < specks_.size(); ++i)
+      if (specks_[i] == iteration) sums_[77 * i + 5] += speck_;
+    ++done_;
+  }
+  Image estimate(Frame, const std::string&) const override {
+    Image image(kSide, kSide);
+    for (std::size_t i = 0; i < sums_.size(); ++i) image.pixels[i] = Rgb(sums_[i] / static_cast<float>(done_));
+    return image;
+  }
+  Statistics statistics() const override {
+    Statistics statistics;
+    statistics.iterations = done_;
+    return statistics;
+  }
+  static constexpr int kSide = 90;  // more pixels than the estimate looks at
+
+ private:
+  std::vector<int> specks_;
+  float speck_;
+  std::vector<float> sums_ = std::vector<float>(kSide * kSide);
+  int done_ = 0;
+};
+
+std::uint64_t lone_paths(const std::vector<int>& iterations, float speck) {
+  Scene scene;
+  scene.file_frames = {FileFrame(0)};
+  const auto integrator = with_error_estimate([&](std::size_t) { return std::make_unique<Specks>(iterations, speck); },
+                                              scene, {0, 0, Specks::kSide, Specks::kSide}, 2, 0);
+  for (int i = 0; i < kIterations; ++i) integrator->iterate(i, scene);
+  const Statistics statistics = integrator->statistics();
+  EXPECT_LT(statistics.errors.at(0), 0.03);
+  for (const Counters::Entry& counter : statistics.counters)
+    if (counter.name == kLonePaths) return counter.value;
+  return 0;
+}
+
+// The median knows of none.
+TEST(ErrorEstimateOf, OnePathThatOutweighsAllOthersIsFoundWhenever) {
+  EXPECT_EQ(lone_paths({}, 0), 0u);
+  EXPECT_EQ(lone_paths({3, 15, 16, 31}, 1.5f * kIterations), 4u);
+  EXPECT_EQ(lone_paths({3, 15, 16, 31}, 0.5f * kIterations), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, ErrorEstimate,
