@@ -14,8 +14,8 @@ namespace {
 constexpr double kPilotPixels = 4096;
 constexpr std::uint64_t kFirstIteration = 2 * kPilotIteration;  // random numbers of its own
 constexpr float kLater = 0.55f;                                 // of the initial radius: that after 64 iterations
-constexpr double kLeastByRays = 0.3;                            // of the direct light by then, or photons bring it all
-constexpr double kLeastVariance = 0.02;                         // of a ray; of two samples it is at most 2
+constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all if no guide was needed
+constexpr double kLeastVariance = 0.02;  // of a ray; of two samples it is at most 2
 
 class Pilot {
  public:
@@ -97,7 +97,8 @@ LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, co
   const std::vector<double> shared = pilot.direct_light(&balance, 0);
   double by_rays = 0, all = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) by_rays += shared[i] - seen[i], all += alone[i];
-  learned.by_rays = by_rays > kLeastByRays * all;
+  // Where a guide hardly sends photons, rays alone keep one from outweighing all others.
+  learned.by_rays = !guides.are_off() || by_rays > kLeastByRays * all;
   bytes = sample.accel->memory() + pilot.bytes();
   return learned;
 }

@@ -21,9 +21,10 @@
 namespace dspm {
 namespace {
 
-// A round of pilot paths is a tenth of an iteration, within bounds.
-constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsPerTrace = 1 << 4;
-constexpr std::int64_t kFoundAtOnce = 1 << 6;                        // by one thread
+// A round has a path for every other pilot pixel, within bounds, and enough for every light to be seen.
+constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsOfALight = 1 << 6, kPathsPerTrace = 1 << 4;
+constexpr std::int64_t kLeastLightPaths = 10'000;  // a picture may be small, and what light has to pass smaller
+constexpr std::int64_t kFoundAtOnce = 1 << 6;      // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
 constexpr double kPilotPixels = 16384;
 
@@ -32,28 +33,33 @@ constexpr float kWidest = 1024, kShrink = 4;
 constexpr float kMostRadius = 0.1f;        // of the scene's radius
 constexpr std::size_t kLeastPoints = 256;  // that search, however wide
 constexpr double kEnough = 0.3, kFew = 0.1;
-constexpr int kWideRounds = 4;  // at most, at each radius
+constexpr std::uint64_t kRoundsOfAView = 4;  // by the same camera paths
+constexpr int kFramesOfARound = 4;           // all of the file's sample after some rounds
+constexpr int kWideRounds = 4;               // at most, at each radius
 
 constexpr int kTrialRounds = 2, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
 constexpr double kLeastGain = 1.25;    // in time to the same variance, or the guide is off
 constexpr double kLeastGrowth = 1.05;  // in paths found, over two rounds
+constexpr double kMostOfOne = 0.05;    // of the variance, or the tail is not known yet
 
 class Learner {
  public:
   Learner(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-          const HitPointSettings& hit_point, int photons)
+          const HitPointSettings& hit_point)
       : scene_(sample),
         photon_(photon),
+        camera_(hit_point),
         kinds_(photon.kinds),
-        paths_(std::clamp<std::int64_t>(photons / 10, kLeastPaths, kMostPaths)),
-        pixels_(render, kPilotPixels) {
+        pixels_(render, kPilotPixels),
+        paths_(std::clamp<std::int64_t>(
+            std::max<std::int64_t>(static_cast<std::int64_t>(pixels_.columns()) * pixels_.rows() / 2,
+                                   kPathsOfALight * static_cast<std::int64_t>(sample.lights.size())),
+            photon.are_light_paths ? kLeastLightPaths : kLeastPaths, kMostPaths)) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
     photon_.paths_per_trace = kPathsPerTrace;
     photon_.direct = nullptr;
     for (const LightChoice& choice : sample.light_choices) choices_ += !choice.frames.empty();
-    HitPointSettings camera = hit_point;
-    camera.sample_direct = false, camera.direct = nullptr, camera.share_paths = true;
-    tiles_ = pixels_.trace(sample, camera);
+    camera_.sample_direct = false, camera_.direct = nullptr, camera_.share_paths = true;
   }
 
   EmissionGuides learn(PilotPaths& pilot) {
@@ -94,7 +100,7 @@ class Learner {
       if (i == kTrialRounds) pilot.gain = gain(rounds.back(), first);
       if (i == kTrialRounds && !(pilot.gain > kLeastGain)) return {};
       guides = guides_after(rounds);
-      if (i >= kLeastRounds &&
+      if (i >= kLeastRounds && rounds.back().share_of_one() < kMostOfOne &&
           rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
         break;
     }
@@ -105,31 +111,57 @@ class Learner {
 
   /// `scale`: of the search radius.
   PilotRound trace(const EmissionGuides& guides, float scale) {
-    if (searched_ == nullptr || searched_->scale != scale)
-      searched_ = std::make_unique<const Searched>(
-          Searched{scale, visible(&HitPointTile::hit_points, scale), visible(&HitPointTile::glossy, scale)});
+    look(scale);
     PilotRound round{guides, {}, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
-    photon_.guides = &guides;
+    photon_.guides = &guides, photon_.frames = searched_->frames;
     traces_ = trace_photons(scene_, photon_, rounds_, 0, paths_, std::move(traces_));
     find(*searched_, round);
     ++rounds_;
     return round;
   }
 
-  /// What rounds search, with radii of that scale. Most have that of the round before.
+  /// What a round searches.
   struct Searched {
     float scale;
+    FrameSet frames;
     VisiblePoints matte, glossy;
   };
 
+  void look(float scale) {
+    if (rounds_ % kRoundsOfAView == 0) {
+      searched_ = nullptr;
+      tiles_ = pixels_.trace(scene_, camera_, kPilotIteration + rounds_);
+    }
+    const FrameSet frames = frames_of_round();
+    if (searched_ == nullptr || searched_->scale != scale || searched_->frames != frames)
+      searched_ =
+          std::make_unique<const Searched>(Searched{scale, frames, visible(&HitPointTile::hit_points, scale, frames),
+                                                    visible(&HitPointTile::glossy, scale, frames)});
+  }
+
+  /// Some of each choice, in turns.
+  FrameSet frames_of_round() const {
+    const int at_once = std::max(1, kFramesOfARound / static_cast<int>(choices_));
+    FrameSet frames;
+    for (const LightChoice& choice : scene_.light_choices) {
+      const int turns = (choice.frames.count() + at_once - 1) / at_once;
+      int number = 0;
+      choice.frames.for_each([&](Frame f) {
+        if (number++ % turns == static_cast<int>(rounds_ % static_cast<std::uint64_t>(turns)))
+          frames |= FrameSet::single(f);
+      });
+    }
+    return frames;
+  }
+
   /// Pilot pixels are further apart than pixels; wide circles need fewer points.
-  VisiblePoints visible(std::vector<HitPoint> HitPointTile::*which, float scale) const {
+  VisiblePoints visible(std::vector<HitPoint> HitPointTile::*which, float scale, FrameSet frames) const {
     std::size_t count = 0;
     for (const HitPointTile& tile : tiles_) count += (tile.*which).size();
     const std::size_t most = std::max<std::size_t>(count / kLeastPoints, 1);
     return VisiblePoints(tiles_, which, std::max(1.f, 0.5f * static_cast<float>(pixels_.stride)) * scale,
                          kMostRadius * scene_.radius,
-                         std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most));
+                         std::clamp(static_cast<std::size_t>(scale * scale / 4), std::size_t{1}, most), frames);
   }
 
   void find(const Searched& visible, PilotRound& round) const {
@@ -247,10 +279,11 @@ class Learner {
 
   const Scene& scene_;
   PhotonSettings photon_;
+  HitPointSettings camera_;
   unsigned kinds_;
+  PilotPixels pixels_;
   std::int64_t paths_;         // of a round and choice
   std::uint64_t choices_ = 0;  // of frames of the sample
-  PilotPixels pixels_;
   std::vector<HitPointTile> tiles_;
   std::unique_ptr<const Searched> searched_;
   std::vector<PhotonTrace> traces_;
@@ -268,13 +301,13 @@ bool read_emission(ParamReader& params) {
 }
 
 EmissionGuides learn_emission(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-                              const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
-  return Learner(sample, render, photon, hit_point, photons).learn(pilot);
+                              const HitPointSettings& hit_point, PilotPaths& pilot) {
+  return Learner(sample, render, photon, hit_point).learn(pilot);
 }
 
 void count_found(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
-                 const HitPointSettings& hit_point, int photons, PilotPaths& pilot) {
-  Learner(sample, render, photon, hit_point, photons).trace_first(pilot);
+                 const HitPointSettings& hit_point, PilotPaths& pilot) {
+  Learner(sample, render, photon, hit_point).trace_first(pilot);
 }
 
 std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, const RenderSettings& render,
@@ -294,15 +327,15 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
     LearnedEmission result;
     const std::shared_ptr<const Scene> sample = render.file->scene(scene);
     if (guided)
-      result.guides = learn_emission(*sample, render, photon, hit_point, photons, pilot);
+      result.guides = learn_emission(*sample, render, photon, hit_point, pilot);
     else if (render.count_found)
-      count_found(*sample, render, photon, hit_point, photons, pilot);
+      count_found(*sample, render, photon, hit_point, pilot);
     std::size_t bytes = 0;
     if (both) result.direct = learn_direct(*sample, render, hit_point, photons, result.guides, bytes);
     if (may_go_on && (!both || result.direct.by_rays)) {
       result.goes_on = paths_that_go_on_pay(*sample, render, photon, hit_point, photons, result.guides);
       if (result.goes_on && guided)
-        result.guides = learn_emission(*sample, render, without_diffuse(photon), going_on(hit_point), photons, pilot);
+        result.guides = learn_emission(*sample, render, without_diffuse(photon), going_on(hit_point), pilot);
     }
     result.bytes_while_learning = std::max(bytes, pilot.bytes);
     result.lights = static_cast<std::int32_t>(sample->lights.size());

@@ -50,7 +50,7 @@ class PhotonTracer {
   void start(const PathRandom& random) {
     started_.clear();
     for (std::size_t choice = 0; choice < scene_.light_choices.size(); ++choice)
-      if (!scene_.light_choices[choice].frames.empty()) start(random, choice);
+      if (!(scene_.light_choices[choice].frames & settings_.frames).empty()) start(random, choice);
   }
 
   void start(const PathRandom& random, std::size_t choice) {
@@ -59,14 +59,16 @@ class PhotonTracer {
     const SceneLight& light = scene_.lights[static_cast<std::size_t>(chosen.light)];
     const EmissionNumbers& u = chosen.numbers;
     for (const PhotonStart& start : starts_.of(choice, chosen.light)) {
+      const FrameSet frames = start.frames & settings_.frames;
+      if (frames.empty()) continue;
       const auto emission = start.light->emit({u[0], u[1]}, {u[2], u[3]});
       if (!emission || is_black(emission->flux)) continue;
       const Rgb flux = emission->flux * start.factor / chosen.density;
       if (!is_light(flux) || !is_finite(emission->ray)) {
-        reject(start.frames, {SceneElement::Kind::light, chosen.light});
+        reject(frames, {SceneElement::Kind::light, chosen.light});
         continue;
       }
-      PhotonPath& path = branches_.push({{emission->ray, flux, start.frames}});
+      PhotonPath& path = branches_.push({{emission->ray, flux, frames}});
       path.start = static_cast<int>(started_.size());
       started_.push_back({light,
                           *start.light,

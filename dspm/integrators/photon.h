@@ -51,6 +51,7 @@ struct PhotonSettings {
   unsigned kinds = kAllPhotons;  // to be stored
   bool hidden = false;           // also store hidden photons
   bool share_paths = false;      // frames that differ only in appearance or light share paths; else they part
+  FrameSet frames = FrameSet::first(kMaxFrames);  // in which paths are traced
   const EmissionGuides* guides = nullptr;
   const DirectBalance* direct = nullptr;  // weights photons that come straight from a light; null: 1
   bool keep_ends = false;                 // the traces say which photons are of which path

@@ -1,5 +1,6 @@
 #include "dspm/integrators/pilot_paths.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "dspm/math/rng.h"
@@ -11,6 +12,12 @@ namespace {
 constexpr std::int64_t kGrain = 1 << 8;
 
 }  // namespace
+
+double PilotRound::share_of_one() const {
+  double most = 0, sum = 0;
+  for (const FoundPath& path : found) most = std::max(most, path.squares), sum += path.squares;
+  return sum > 0 ? most / sum : 0;
+}
 
 void PilotPaths::count(const PilotRound& round, const Scene& scene, const PhotonSettings& photon) {
   started.assign(scene.lights.size(), 0), found.assign(scene.lights.size(), 0);

@@ -34,6 +34,8 @@ struct PilotRound {
   std::uint64_t all_paths() const { return paths * choices; }
 
   double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(all_paths()); }
+  /// Of the variance of what the paths bring: that of the path with most of it. If it is large, nobody knows the variance.
+  double share_of_one() const;
   double cost() const { return static_cast<double>(work) / static_cast<double>(all_paths()); }
 };
 

@@ -9,7 +9,7 @@
 namespace dspm {
 
 VisiblePoints::VisiblePoints(std::span<const HitPointTile> tiles, std::vector<HitPoint> HitPointTile::*which,
-                             float scale, float most, std::size_t step) {
+                             float scale, float most, std::size_t step, FrameSet frames) {
   std::vector<std::size_t> first(tiles.size());  // point of each tile
   for (std::size_t t = 1; t < tiles.size(); ++t) first[t] = first[t - 1] + (tiles[t - 1].*which).size();
   std::vector<std::map<int, std::vector<Point>>> of_tiles(tiles.size());
@@ -17,6 +17,7 @@ VisiblePoints::VisiblePoints(std::span<const HitPointTile> tiles, std::vector<Hi
     const auto t = static_cast<std::size_t>(i);
     const std::vector<HitPoint>& hits = tiles[t].*which;
     for (std::size_t place = (step - first[t] % step) % step; place < hits.size(); place += step) {
+      if ((hits[place].frames & frames).empty()) continue;
       const float radius = std::min(scale * hits[place].radius, most);
       of_tiles[t][std::ilogb(radius)].push_back({&hits[place], &tiles[t], radius * radius});
     }

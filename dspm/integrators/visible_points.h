@@ -17,10 +17,10 @@ namespace dspm {
 
 class VisiblePoints {
  public:
-  /// Every `step`-th of the tiles' hit points, with `scale` times their radius, but at most `most`. `which`: ordinary
-  /// ones or those of glossy lobes. The tiles must outlive it.
+  /// Every `step`-th of the tiles' hit points in these frames, with `scale` times their radius, but at most `most`.
+  /// `which`: ordinary ones or those of glossy lobes. The tiles must outlive it.
   VisiblePoints(std::span<const HitPointTile> tiles, std::vector<HitPoint> HitPointTile::*which, float scale,
-                float most, std::size_t step = 1);
+                float most, std::size_t step = 1, FrameSet frames = FrameSet::first(kMaxFrames));
 
   /// Calls fn(radiance, frames, const HitPoint&) for every point that gathers the photon: the luminance that its pixel
   /// gains in each of these frames. Strands do not count.

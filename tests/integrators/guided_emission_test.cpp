@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "dspm/colour/rgb.h"
+#include "dspm/image/image.h"
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/testing/agreement.h"
 #include "dspm/testing/promises.h"
@@ -73,6 +76,34 @@ TEST(GuidedEmission, KeepsThePromises) {
     for (const Verdict& verdict :
          {check_threads(text, 2), check_resume(text, 3), check_joint(text, 2), check_crop(text, 2)})
       EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
+  }
+}
+
+/// A lawn under a sky of radiance 0.5, to the horizon, of which the camera sees what is near: rows at the picture's
+/// upper edge see much more of it than others.
+std::string lawn(int seed, const std::string& direct) {
+  return fmt::format(R"(
+Integrator "dsppm" "integer photons" 40000 "integer seed" {} "string direct" "{}"
+LookAt 0 3.2 -7.2  0 -0.7 0  0 1 0
+Camera "perspective" "float fov" 42
+Film "rgb" "integer xresolution" 64 "integer yresolution" 36
+WorldBegin
+LightSource "infinite" "rgb L" [.5 .5 .5]
+Material "diffuse" "rgb reflectance" [.5 .5 .5]
+AttributeBegin Translate 0 .29 0 Rotate -90 1 0 0 Shape "disk" "float radius" 700 AttributeEnd
+)",
+                     seed, direct);
+}
+
+// The guide sends hardly a photon to the upper edge, and one that starts by power brings a pixel thirty times the light
+// that it should have: so with seeds 0, 1 and 3 if no rays bound its weight.
+TEST(GuidedEmission, NoPhotonOutweighsTheOthersAtAnEdgeOfThePicture) {
+  for (int seed = 0; seed < 4; ++seed) {
+    TestScene test(lawn(seed, "both"));
+    const Image image = test.render(test.all_frames().front(), 4);
+    float most = 0;
+    for (const Rgb& pixel : image.pixels) most = std::max(most, luminance(pixel));
+    EXPECT_LT(most, 2 * 0.25f) << seed;
   }
 }
 

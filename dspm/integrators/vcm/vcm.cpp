@@ -72,13 +72,11 @@ VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSet
 /// Where light paths start that shadow rays cannot replace.
 std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& settings, const Scene& scene,
                                                         const RenderSettings& render, Statistics& statistics) {
-  constexpr int kLeastLearning = 100'000;  // a picture may be small, and what light has to pass smaller
   PhotonSettings photon;
   photon.seed = render.seed, photon.max_depth = settings.max_depth;
   photon.kinds = kCausticPhotons | kDiffusePhotons, photon.hidden = photon.are_light_paths = true;
   const HitPointSettings hit_point{.max_depth = settings.max_depth, .sample_direct = true};
-  auto learned = emission_of_file(scene, render, photon, hit_point, std::max(settings.photons, kLeastLearning),
-                                  settings.guided, statistics);
+  auto learned = emission_of_file(scene, render, photon, hit_point, settings.photons, settings.guided, statistics);
   expect_enough(render.memory, {.learning = learned->bytes_while_learning});
   return learned;
 }
