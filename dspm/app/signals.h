@@ -31,7 +31,8 @@ class ImageRequests {
   SignalHandlers handlers_;
 };
 
-/// SIGINT, SIGTERM and SIGALRM, and SIGXCPU and SIGUSR2, by which schedulers warn, from the moment that files are written.
+/// SIGINT, SIGTERM and SIGALRM, and SIGXCPU and SIGUSR2, by which schedulers warn, from the moment that files are
+/// written.
 class InterruptRequests {
  public:
   InterruptRequests();

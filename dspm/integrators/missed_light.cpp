@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "dspm/math/vec.h"
+
 namespace dspm {
 namespace {
 

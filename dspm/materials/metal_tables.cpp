@@ -1,6 +1,7 @@
 #include "dspm/materials/metal_tables.h"
 
 #include "dspm/materials/facet_albedo.h"
+#include "dspm/math/vec.h"
 
 namespace dspm {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dspm/integrators/body.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 

@@ -8,6 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "dspm/math/frames.h"
+#include "dspm/math/vec.h"
+#include "dspm/scene/scene.h"
 #include "dspm/world/param_states.h"
 
 namespace dspm {

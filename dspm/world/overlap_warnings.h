@@ -5,6 +5,7 @@
 
 #include "dspm/lang/file_frames.h"
 #include "dspm/params/errors.h"
+#include "dspm/scene/scene.h"
 #include "dspm/world/geometry.h"
 #include "dspm/world/looks.h"
 #include "dspm/world/overlaps.h"

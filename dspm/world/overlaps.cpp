@@ -8,6 +8,7 @@
 
 #include "dspm/integrators/nesting.h"
 #include "dspm/integrators/path_step.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/rng.h"
 #include "dspm/math/sampling.h"
 
