@@ -11,8 +11,6 @@
 namespace dspm {
 namespace {
 
-constexpr float kBelowOne = 1 - 0x1p-24f;  // rounding may reach a box's end
-
 bool are_valid(const std::vector<EmissionGuide::Node>& nodes, int lights) {
   std::size_t next_child = static_cast<std::size_t>(lights);
   for (const EmissionGuide::Node& node : nodes) {
@@ -64,8 +62,11 @@ EmissionStart EmissionGuide::draw(const PathRandom& random) const {
                                        [](double place, const Cell& other) { return place < other.end; });
   const Vec2 position = random.pair(0, kLightPoint), direction = random.pair(0, kLightDirection);
   EmissionStart start{cell.light, {position.x, position.y, direction.x, direction.y}, cell.density};
-  for (std::size_t i = 0; i < start.numbers.size(); ++i)
-    start.numbers[i] = std::min(cell.box.low[i] + cell.box.size[i] * start.numbers[i], kBelowOne);
+  // Rounding may reach the end of the cell, where density() finds the next one.
+  for (std::size_t i = 0; i < start.numbers.size(); ++i) {
+    const float low = cell.box.low[i], size = cell.box.size[i];
+    start.numbers[i] = std::min(low + size * start.numbers[i], std::nextafter(low + size, 0.f));
+  }
   return start;
 }
 
