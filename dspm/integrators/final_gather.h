@@ -86,9 +86,15 @@ class FinalGather {
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
     hit.face = Face(vertex.hit.shape, point.ng, vertex.wo);
     hit.throughput = path.throughput, hit.frames = path.frames;
-    const Scattering scattering{
-        BsdfSlot::copy_of(bsdf),         vertex.wo,  point.p_error, lobes, bsdf.transmits(lobes),
-        vertex.material_element().index, path.inside};
+    const Scattering scattering{BsdfSlot::copy_of(bsdf),
+                                vertex.wo,
+                                point.p_error,
+                                lobes,
+                                bsdf.transmits(lobes),
+                                vertex.material_element().index,
+                                path.inside,
+                                point.ns,
+                                unbent_normal(point)};
     estimate_radiance(hit, &scattering, map_, how_, counts_,
                       [&](FrameSet frames, const Rgb& radiance, int group) { add_(hit, frames, radiance, group); });
   }

@@ -51,8 +51,7 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
           if (scattering->transmits ? !surface.counts(details.p(), photon.wi, details.face())
                                     : !(dot(photon.wi, hit.ng) > 0))
             return;
-          const Rgb flux = photon.flux * scattering->bsdf->evaluate(scattering->wo, photon.wi, Transport::radiance,
-                                                                    scattering->lobes);
+          const Rgb flux = photon.flux * scattering->scattered(photon.wi);
           if (!is_light(flux))
             counts.rejections.add({SceneElement::Kind::material, scattering->material}, frames, hit.pixel);
           fn(strands_of(photon), frames, RgbLanes(is_light(flux) ? flux : Rgb()), distance2,

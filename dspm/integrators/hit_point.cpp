@@ -108,7 +108,7 @@ class HitPointTracer {
       const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
       light_.add(arriving, vertex, bsdf, choice);
       if (choice.rough) {
-        end(bsdf, choice, [&](const std::optional<Rgb>& constant) {
+        end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           const FrameFactor f{frames, constant.value_or(Rgb(1)) / choice.chance};
           out_.add_hit_point(tile_.hit_points, arriving, vertex, {&f, 1}, constant ? nullptr : &bsdf, choice.lobes);
         });
@@ -146,7 +146,7 @@ class HitPointTracer {
       const LobeChoice choice = choose_lobes(bsdf, path, vertex, settings_.least_alpha);
       light_.add(branch, vertex, bsdf, choice);
       if (choice.rough) {
-        end(bsdf, choice, [&](const std::optional<Rgb>& constant) {
+        end(vertex, bsdf, choice, [&](const std::optional<Rgb>& constant) {
           ends.add({frames, choice, constant.has_value(), constant.value_or(Rgb()), BsdfSlot::copy_of(bsdf)});
         });
         sample_further(branch, vertex, bsdf, choice, [&](const BsdfSample& sample) {
@@ -171,11 +171,12 @@ class HitPointTracer {
     });
   }
 
-  /// Calls fn(f if it is constant) unless nothing can be gathered.
+  /// Calls fn(f if it is constant, as is the cosine that photons count by) unless nothing can be gathered.
   template <class Fn>
-  void end(const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
+  void end(const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     std::optional<Rgb> constant;
-    if (!settings_.keep_bsdf) constant = bsdf.lambertian(choice.lobes);
+    const bool is_bent = !(vertex.point.ns == unbent_normal(vertex.point));
+    if (!settings_.keep_bsdf && !is_bent) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
   }
 

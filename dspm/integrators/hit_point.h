@@ -1,6 +1,7 @@
 // Hit points: where camera paths end and gather photons, for all frames at once, split where frames part. [WG12 4.1]
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -36,11 +37,21 @@ struct Scattering {
   BsdfSlot bsdf;
   Vec3 wo;  // back along the camera path
   Vec3 p_error;
-  LobeSet lobes;   // those that gather here
-  bool transmits;  // photons on the other side of the surface count as well
-  int material;    // index into the scene's
-  Inside inside;   // the bodies around the hit point
-  int strip = -1;  // index in the tile; negative if the surface does not turn to rays
+  LobeSet lobes;       // those that gather here
+  bool transmits;      // photons on the other side of the surface count as well
+  int material;        // index into the scene's
+  Inside inside;       // the bodies around the hit point
+  Vec3 ns, unbent_ns;  // with the relief, and without
+  int strip = -1;      // index in the tile; negative if the surface does not turn to rays
+
+  /// What a photon from wi gives, per flux. Its flux counts by the normal that its shape has there. The relief is that of
+  /// the hit point: it bends f as well, and within the radius normals may differ as much as they like.
+  Rgb scattered(const Vec3& wi) const {
+    const Rgb f = bsdf->evaluate(wo, wi, Transport::radiance, lobes);
+    if (ns == unbent_ns) return f;
+    const float unbent = dot(wi, unbent_ns);
+    return unbent == 0 ? Rgb() : f * std::abs(dot(wi, ns) / unbent);
+  }
 };
 
 /// On a surface that turns to rays: what it shows to the camera path.

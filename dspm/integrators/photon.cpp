@@ -184,9 +184,9 @@ class PhotonTracer {
     const SurfacePoint& point = vertex.point;
     const Vec3& wi = vertex.wo;
     Rgb flux = path.throughput;
-    if (!(point.ns == point.ng)) {
+    if (const Vec3& ns = unbent_normal(point); !(ns == point.ng)) {
       // If the normals disagree about the side, every scattering function is zero.
-      const float geometric = dot(wi, point.ng), shading = dot(wi, point.ns);
+      const float geometric = dot(wi, point.ng), shading = dot(wi, ns);
       if (!(geometric * shading > 0)) return;
       flux *= shading / geometric;
     }

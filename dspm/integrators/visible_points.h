@@ -34,7 +34,7 @@ class VisiblePoints {
               ? SameSurface(hit, *scattering, std::sqrt(point.radius2)).counts(photon.p, photon.wi, photon.face)
               : dot(photon.wi, hit.ng) > 0;
       if (!counts) return;
-      const Rgb f = scattering == nullptr ? Rgb(1) : scattered(*scattering, photon);
+      const Rgb f = scattering == nullptr ? Rgb(1) : scattering->scattered(photon.wi);
       give(luminance(photon.flux * hit.throughput * f) / kernel_size(point.radius2), frames, hit, fn);
     });
   }
@@ -46,7 +46,7 @@ class VisiblePoints {
       const HitStrip* strip = point.tile->strip_of(hit);
       if (strip == nullptr || strip->place.shape != photon.at.shape || strip->place.strip != photon.at.strip) return;
       const float irradiance = StripKernel(strip->place, std::sqrt(point.radius2)).irradiance(photon.at, photon.wi);
-      const Rgb f = scattered(*point.tile->scattering_of(hit), photon) * std::abs(dot(photon.wi, strip->ns));
+      const Rgb f = point.tile->scattering_of(hit)->scattered(photon.wi) * std::abs(dot(photon.wi, strip->ns));
       give(luminance(photon.flux * hit.throughput * f) * irradiance, frames, hit, fn);
     });
   }
@@ -72,9 +72,6 @@ class VisiblePoints {
         const FrameSet frames = photon.frames & point.hit->frames;
         if (distance2 <= point.radius2 && !frames.empty()) fn(point, *point.hit, frames);
       });
-  }
-  static Rgb scattered(const Scattering& scattering, const Photon& photon) {
-    return scattering.bsdf->evaluate(scattering.wo, photon.wi, Transport::radiance, scattering.lobes);
   }
   template <class Fn>
   static void give(float radiance, FrameSet frames, const HitPoint& hit, Fn&& fn) {

@@ -117,6 +117,22 @@ TEST_P(FewIterations, HaveTheMeanOfMany) {
   }
 }
 
+// Photons on relief count by the normal of the point that gathers them, whatever the radius.
+TEST_P(FewIterations, OfPhotonsBringWhatPathsFind) {
+  if (!GetParam().also_photons) return;
+  const auto image = [&](const std::string& integrator, int iterations) {
+    return rendered(floor(integrator, pictures().textures(), "Material " + GetParam().material), iterations, 16, 1);
+  };
+  const Tiles path = image(R"("path" "integer maxdepth" 2)", 32);
+  const std::string photons =
+      R"("integer maxdepth" 2 "integer photons" 20000 "string emission" "power" "float radius" .2)";
+  for (const std::string& integrator : {R"("dsppm" "string direct" "photons" )" + photons,
+                                        R"("dsppm" "string estimator" "hj09" "string direct" "photons" )" + photons}) {
+    const Verdict verdict = agreement(image(integrator, 2), path, {0.001, 0.02});
+    EXPECT_TRUE(verdict.passed) << integrator << ": " << verdict.message;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Materials, FewIterations, testing::ValuesIn(kCases),
                          [](const auto& of) { return std::to_string(of.index); });
 
