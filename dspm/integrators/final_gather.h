@@ -84,7 +84,7 @@ class FinalGather {
     const SurfacePoint& point = vertex.point;
     HitPoint hit = *path.from;
     hit.p = point.p, hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
-    hit.face = Face(vertex.hit.shape, point.ng, vertex.wo);
+    hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
     hit.throughput = path.throughput, hit.frames = path.frames;
     const Scattering scattering{BsdfSlot::copy_of(bsdf),
                                 vertex.wo,

@@ -7,9 +7,9 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/direct_balance.h"
-#include "dspm/integrators/face.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/integrators/seen_light.h"
+#include "dspm/integrators/shape_face.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/integrators/strip_place.h"
 #include "dspm/math/frames.h"
@@ -22,7 +22,7 @@ struct HitPoint {
   Vec3 p;
   Vec3 ng;         // on the camera path's side
   Rgb throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
-  Face face;       // that the camera path has come to
+  ShapeFace face;  // that the camera path has come to
   FrameSet frames;
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row

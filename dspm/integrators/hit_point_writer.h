@@ -67,7 +67,7 @@ class HitPointWriter {
     HitPoint& hit = hit_points.emplace_back();
     hit.p = point.p;
     hit.ng = dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng;
-    hit.face = Face(vertex.hit.shape, point.ng, vertex.wo);
+    hit.face = ShapeFace(vertex.hit.shape, point.ng, vertex.wo);
     hit.throughput = ended.throughput, hit.strands = ended.strands;
     hit.frames = ended.frames, hit.pixel = path.pixel, hit.indirect = path.indirect, hit.caught = path.caught;
     hit.radius = radius(path);

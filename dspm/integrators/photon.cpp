@@ -203,7 +203,7 @@ class PhotonTracer {
 
   Photon photon(const PhotonPath& path, const Vertex& vertex, Rgb flux, FrameSet frames) {
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const Face face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+    const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
     return {
         vertex.point.p, face, vertex.wo, flux, frames, strands, started_[static_cast<std::size_t>(path.start)].index};
   }

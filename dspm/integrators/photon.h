@@ -8,7 +8,7 @@
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/direct_balance.h"
 #include "dspm/integrators/emission_guide.h"
-#include "dspm/integrators/face.h"
+#include "dspm/integrators/shape_face.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/integrators/strip_place.h"
@@ -21,9 +21,9 @@ namespace dspm {
 
 struct Photon {
   Vec3 p;
-  Face face;  // that it has come to
-  Vec3 wi;    // towards where it came from, unit length
-  Rgb flux;   // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
+  ShapeFace face;  // that it has come to
+  Vec3 wi;         // towards where it came from, unit length
+  Rgb flux;        // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
   int light = -1;          // that it comes from: into the scene's

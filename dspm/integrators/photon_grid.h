@@ -7,9 +7,9 @@
 #include "dspm/colour/rgb_lanes.h"
 #include "dspm/grid/buffer.h"
 #include "dspm/grid/point_grid.h"
-#include "dspm/integrators/face.h"
 #include "dspm/integrators/light_groups.h"
 #include "dspm/integrators/photon.h"
+#include "dspm/integrators/shape_face.h"
 #include "dspm/math/frames.h"
 #include "dspm/math/vec.h"
 #include "dspm/system/parallel.h"
@@ -44,7 +44,7 @@ class PhotonGrid {
    public:
     Details(const PhotonGrid& grid, std::uint32_t place) : grid_(grid), place_(place) {}
     const Vec3& p() const { return grid_.points_[grid_.grid_.order()[place_]]; }
-    Face face() const { return grid_.faces_[place_]; }
+    ShapeFace face() const { return grid_.faces_[place_]; }
     /// Of lights; only to be asked for if groups are told apart.
     int group() const { return grid_.groups_[place_]; }
 
@@ -76,7 +76,7 @@ class PhotonGrid {
   PointGrid grid_;
   Buffer<Gathered> photons_;
   Buffer<Vec3> points_;  // in the order of the input
-  Buffer<Face> faces_;
+  Buffer<ShapeFace> faces_;
   Buffer<std::int32_t> groups_;  // of lights, by photon; empty if they are not told apart
 };
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "dspm/colour/rgb_lanes.h"
-#include "dspm/integrators/face.h"
 #include "dspm/integrators/hit_point.h"
+#include "dspm/integrators/shape_face.h"
 #include "dspm/math/vec.h"
 
 namespace dspm {
@@ -30,13 +30,13 @@ class SurfaceSide {
 class SameSurface {
  public:
   /// `ng`: on the side of `face`; `p_error`: of p; `radius`: within which photons are sought.
-  SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, Face face, float radius)
+  SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
       : p_(p), ng_(ng), face_(face), rounding_(2 * dot(abs(ng), p_error)), flat_(kFlat * radius + rounding_) {}
   SameSurface(const HitPoint& hit, const Scattering& scattering, float radius)
       : SameSurface(hit.p, hit.ng, scattering.p_error, hit.face, radius) {}
 
   /// A photon at p that has come to `face` from wi.
-  bool counts(const Vec3& p, const Vec3& wi, Face face) const {
+  bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
     const float off = std::abs(dot(p - p_, ng_));
     if (off <= rounding_) return true;  // whichever way the parts of a plane are wound
     const bool from_here = dot(wi, ng_) > 0, same_face = face.is_inner() == face_.is_inner();
@@ -47,7 +47,7 @@ class SameSurface {
   static constexpr float kFlat = 1e-3f;  // of the radius: how far apart the shapes of one plane may be
 
   Vec3 p_, ng_;
-  Face face_;
+  ShapeFace face_;
   float rounding_, flat_;
 };
 

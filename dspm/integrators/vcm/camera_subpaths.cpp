@@ -175,7 +175,7 @@ class CameraSubpathTracer {
     const auto giver = [&] { return vertex.material_element(); };
     const SurfacePoint& point = vertex.point;
     const SameSurface surface(point.p, dot(vertex.wo, point.ng) < 0 ? -point.ng : point.ng, point.p_error,
-                              Face(vertex.hit.shape, point.ng, vertex.wo), pass_.radius);
+                              ShapeFace(vertex.hit.shape, point.ng, vertex.wo), pass_.radius);
     const bool transmits = bsdf.transmits(lobes);
     gathers_.gathers.add(frames.count());
     Rgb shared;  // by all frames

@@ -138,7 +138,7 @@ class LightPathTracer {
     if (!(geometric * shading > 0)) return;
     Rgb flux = path.throughput * (point.ns == point.ng ? 1 : shading / geometric);
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const Face face(vertex.hit.shape, point.ng, vertex.wo);
+    const ShapeFace face(vertex.hit.shape, point.ng, vertex.wo);
     const LightVertex stored{point.p, vertex.wo,    face,    flux,         light_index_, frames,
                              strands, path.bounces, weights, path.merging, vertex.hit,   point.outside_eta};
     if (pass_.ways.sighting > 0) connect_to_camera(stored, vertex, path);
@@ -158,7 +158,7 @@ class LightPathTracer {
     if (frames.empty()) return;
     Rgb flux = path.throughput;
     const StrandList strands = out_.strands.folded(path.strands, frames, flux);
-    const Face face(vertex.hit.shape, vertex.point.ng, vertex.wo);
+    const ShapeFace face(vertex.hit.shape, vertex.point.ng, vertex.wo);
     out_.on_curves.push_back({{vertex.point.p, face, vertex.wo, flux, frames, strands, light_index_},
                               StripPlace(vertex.shape, vertex.hit, vertex.wo),
                               path.bounces});

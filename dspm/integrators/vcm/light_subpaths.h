@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "dspm/colour/rgb.h"
-#include "dspm/integrators/face.h"
 #include "dspm/integrators/photon.h"
+#include "dspm/integrators/shape_face.h"
 #include "dspm/integrators/statistics.h"
 #include "dspm/integrators/strand.h"
 #include "dspm/integrators/vcm/splats.h"
@@ -21,10 +21,10 @@ namespace dspm {
 
 /// A vertex on a surface that scatters not only by specular lobes.
 struct LightVertex {
-  Vec3 p, wi;  // towards where the flux came from
-  Face face;   // that it has come to
-  Rgb flux;    // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
-  int light;   // that it comes from: into the scene's
+  Vec3 p, wi;      // towards where the flux came from
+  ShapeFace face;  // that it has come to
+  Rgb flux;        // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
+  int light;       // that it comes from: into the scene's
   FrameSet frames;
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before

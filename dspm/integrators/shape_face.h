@@ -8,11 +8,11 @@
 
 namespace dspm {
 
-class Face {
+class ShapeFace {
  public:
-  Face() = default;
+  ShapeFace() = default;
   /// The face that looks towards w. `ng`: pointing outward.
-  Face(int shape, const Vec3& ng, const Vec3& w) : number_(dot(w, ng) < 0 ? ~shape : shape) {}
+  ShapeFace(int shape, const Vec3& ng, const Vec3& w) : number_(dot(w, ng) < 0 ? ~shape : shape) {}
 
   int shape() const { return number_ < 0 ? ~number_ : number_; }
   bool is_inner() const { return number_ < 0; }
