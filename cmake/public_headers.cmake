@@ -20,7 +20,7 @@ set(public_headers
   modules/module.h modules/stamp.h
   output/renderer.h
   params/errors.h params/params.h params/registry.h
-  scene/scene.h
+  scene/inside.h scene/scene.h
   shapes/cutout.h shapes/placed_shape.h shapes/shape.h shapes/triangle_mesh.h
   system/cancellation.h system/files_read.h system/parallel.h system/state_stream.h system/version.h
   system/work.h
@@ -41,11 +41,12 @@ set(toolkit_headers
   integrators/gathered_flux.h
   integrators/hit_point.h integrators/joint_path.h integrators/kernel_size.h integrators/learn_direct.h
   integrators/learn_emission.h integrators/light_value.h
-  integrators/max_depth.h integrators/memory_needs.h integrators/path_step.h integrators/photon.h
+  integrators/max_depth.h integrators/memory_needs.h integrators/nesting.h integrators/path_step.h integrators/photon.h
   integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
   integrators/pixel_statistics.h
   integrators/progressive.h
-  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/strand.h integrators/surface_kernel.h
+  integrators/progressive_settings.h integrators/radiance_estimate.h integrators/shape_face.h integrators/strand.h
+  integrators/strip_place.h integrators/surface_kernel.h
   integrators/trace_tiles.h integrators/walk.h
   lights/aim.h lights/strength.h
   materials/fresnel.h materials/interface.h materials/relief.h

@@ -135,7 +135,7 @@ TEST(Exr, ChannelsOfOtherNames) {
   EXPECT_EQ(first({"key.B", "key.G", "key.R", "key.Z"}, {1, 2, 3, 9}), Rgb(3, 2, 1));
 }
 
-/// As the library's own writer stores colours in luminance and chroma.
+/// As the library's own writer stores colours in luminance and chroma: it rounds luminance to 7 bits.
 TEST(Exr, LuminanceAndChromaAreColours) {
   const TemporaryDirectory directory;
   const std::string name = directory / "yc.exr";
@@ -149,9 +149,9 @@ TEST(Exr, LuminanceAndChromaAreColours) {
   const Image image = read_image(name);
   ASSERT_EQ(image.width, kSide);
   for (const Rgb& pixel : image.pixels) {
-    EXPECT_NEAR(pixel.r, 0.75f, 2e-3f);
-    EXPECT_NEAR(pixel.g, 0.5f, 2e-3f);
-    EXPECT_NEAR(pixel.b, 0.125f, 2e-3f);
+    EXPECT_NEAR(pixel.r, 0.75f, 5e-3f);
+    EXPECT_NEAR(pixel.g, 0.5f, 5e-3f);
+    EXPECT_NEAR(pixel.b, 0.125f, 5e-3f);
   }
 }
 

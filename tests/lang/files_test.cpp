@@ -75,8 +75,7 @@ TEST_F(Files, SayWhatIsNoPlainText) {
   put("main.dsc",
       "WorldBegin\nTranslate\xC2\xA0"
       "1 2 3\nScale 1 2\xC2\xA0"
-      "3\n\xE2\x80\x9C"
-      "a\xE2\x80\x9D\n"
+      "3\n\n"
       "Shape \"sphere\" \"float\xC2\xA0radius\" [ 1\xC2\xA0]\n");
   const std::string messages = parse({"main.dsc"});
   for (const char* place : {"2:10", "3:10", "5:22"})
@@ -84,7 +83,9 @@ TEST_F(Files, SayWhatIsNoPlainText) {
               std::string::npos)
         << place << "\n"
         << messages;
-  EXPECT_NE(messages.find("4:1: error: this is a typographic quote (U+201C)"), std::string::npos) << messages;
+  put("main.dsc", "WorldBegin\nShape \xE2\x80\x9Csphere\xE2\x80\x9D\n");
+  const std::string of_quotes = parse({"main.dsc"});
+  EXPECT_NE(of_quotes.find("2:7: error: this is a typographic quote (U+201C)"), std::string::npos) << of_quotes;
 }
 
 TEST_F(Files, AreLookedForBesideTheNamingFileThenBesideTheMainFile) {

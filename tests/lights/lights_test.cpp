@@ -171,7 +171,10 @@ TEST(Infinite, BlackOrSpoiltImagesGiveNoLight) {
   Image image(4, 4);
   for (Rgb& pixel : image.pixels) pixel = {-1, std::nanf(""), kInfinity};
   const EnvironmentFile file(image);
-  const auto light = make_light("infinite", {text("filename", file.path())}, {});
+  Diagnostics diagnostics;
+  const auto light = make(light_plugins(), "infinite", {text("filename", file.path())}, LightContext{}, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_NE(to_string(diagnostics.all()[0]).find("pixel 0, 0 is not finite, nor are 15 more"), std::string::npos);
   EXPECT_TRUE(is_black(light->power()));
   EXPECT_FALSE(light->emit({}, {}));
   EXPECT_FALSE(light->illuminate({}, {}));

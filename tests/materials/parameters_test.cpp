@@ -45,9 +45,9 @@ TEST(Parameters, EveryPluginDescribesItself) {
   EXPECT_EQ(plugins, (std::vector<std::string>{"coatedconductor", "coateddiffuse", "conductor", "dielectric", "diffuse",
                                                "diffusetransmission", "hair", "interface", "measured", "mix",
                                                "principled", "subsurface", "thindielectric"}));
-  EXPECT_EQ(
-      names(*material_plugins().find("conductor")),
-      (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k", "reflectance"}));
+  EXPECT_EQ(names(*material_plugins().find("conductor")),
+            (std::vector<std::string>{"roughness", "uroughness", "vroughness", "remaproughness", "eta", "k",
+                                      "reflectance", "energycompensation"}));
 }
 
 TEST(Parameters, DiffuseDefault) {
@@ -65,16 +65,22 @@ TEST(Parameters, BodiesAreOfGlass) {
 }
 
 TEST(Parameters, RoughnessIsTheSquareOfAlphaUnlessToldOtherwise) {
-  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f)}, 0.299f), 1);
-  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f)}, 0.301f), 0);
-  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), flag("remaproughness", false)}, 0.089f), 1);
-  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), flag("remaproughness", false)}, 0.091f), 0);
+  const Param facets_alone = flag("energycompensation", false), alpha = flag("remaproughness", false);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), facets_alone}, 0.299f), 1);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), facets_alone}, 0.301f), 0);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), facets_alone, alpha}, 0.089f), 1);
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f), facets_alone, alpha}, 0.091f), 0);
   // One direction may be given alone; the other keeps "roughness".
-  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f)}, 0.399f), 3);
-  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f)}, 0.401f), 0);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f), facets_alone}, 0.399f),
+            3);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.25f), number("uroughness", 0.16f), facets_alone}, 0.401f),
+            0);
   // Below alpha = 1e-3 a surface is smooth, however little.
   EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.9e-6f)}, 1e-6f), 0);
-  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 1.1e-6f)}, 1e-6f), 3);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 1.1e-6f), facets_alone}, 1e-6f), 3);
+  // What is made up for light that meets two facets is matte, however smooth they are.
+  EXPECT_EQ(least_lobes("conductor", {number("roughness", 0.09f)}, 1), 2);
+  EXPECT_EQ(least_lobes("dielectric", {number("roughness", 0.09f)}, 1), 4);
 }
 
 TEST(Parameters, NegativeRoughnessIsRefused) {

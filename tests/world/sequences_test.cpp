@@ -76,7 +76,9 @@ TEST_F(Sequences, OfFramesThatAreNotRenderedFilesMayBeMissing) {
   EXPECT_EQ(messages(),
             "2 of 5 files are missing, the first of them \"a.4.ply\": their frames are not rendered, and "
             "nothing was looked at there\n");
+  diagnostics = Diagnostics();
   EXPECT_THROW(shapes(shape), SceneError);
+  diagnostics = Diagnostics();
   choices.frames = {Moment(3)};
   EXPECT_THROW(shapes(shape, choices), SceneError);
 }
