@@ -43,7 +43,7 @@ set(toolkit_headers
   integrators/learn_emission.h integrators/light_value.h
   integrators/max_depth.h integrators/memory_needs.h integrators/nesting.h integrators/path_step.h integrators/photon.h
   integrators/photon_batches.h integrators/photon_grid.h integrators/photon_map.h integrators/pilot_paths.h
-  integrators/pixel_statistics.h
+  integrators/pixel_statistics.h integrators/possible_state.h
   integrators/progressive.h
   integrators/progressive_settings.h integrators/radiance_estimate.h integrators/shape_face.h integrators/strand.h
   integrators/strip_place.h integrators/surface_kernel.h

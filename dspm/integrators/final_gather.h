@@ -90,7 +90,7 @@ class FinalGather {
                                 vertex.wo,
                                 point.p_error,
                                 lobes,
-                                bsdf.transmits(lobes),
+                                bsdf.transmits(bsdf.all_lobes()),
                                 vertex.material_element().index,
                                 path.inside,
                                 point.ns,

@@ -171,12 +171,14 @@ class HitPointTracer {
     });
   }
 
-  /// Calls fn(f if it is constant, as is the cosine that photons count by) unless nothing can be gathered.
+  /// Calls fn(f if it is constant, as is the cosine that photons count by, and only one side gets light) unless nothing can
+  /// be gathered.
   template <class Fn>
   void end(const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     std::optional<Rgb> constant;
     const bool is_bent = !(vertex.point.ns == unbent_normal(vertex.point));
-    if (!settings_.keep_bsdf && !is_bent) constant = bsdf.lambertian(choice.lobes);
+    const bool has_another_side = bsdf.transmits(bsdf.all_lobes());
+    if (!settings_.keep_bsdf && !is_bent && !has_another_side) constant = bsdf.lambertian(choice.lobes);
     if (!constant || !is_black(*constant)) fn(constant);
   }
 

@@ -38,7 +38,7 @@ struct Scattering {
   Vec3 wo;  // back along the camera path
   Vec3 p_error;
   LobeSet lobes;       // those that gather here
-  bool transmits;      // photons on the other side of the surface count as well
+  bool transmits;      // light passes the surface, so photons on both sides are asked which face they have come to
   int material;        // index into the scene's
   Inside inside;       // the bodies around the hit point
   Vec3 ns, unbent_ns;  // with the relief, and without

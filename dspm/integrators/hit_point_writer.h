@@ -76,8 +76,9 @@ class HitPointWriter {
     tile_.paths.weighted += ended.strands != 0;
     if (bsdf == nullptr) return;
     hit.scattering = static_cast<int>(tile_.scatterings.size());
-    tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes, bsdf->transmits(lobes),
-                                 vertex.material_element().index, path.inside, point.ns, unbent_normal(point)});
+    tile_.scatterings.push_back({BsdfSlot::copy_of(*bsdf), vertex.wo, point.p_error, lobes,
+                                 bsdf->transmits(bsdf->all_lobes()), vertex.material_element().index, path.inside,
+                                 point.ns, unbent_normal(point)});
     if (!point.turns) return;
     tile_.scatterings.back().strip = static_cast<int>(tile_.strips.size());
     tile_.strips.push_back({StripPlace(vertex.shape, vertex.hit, vertex.wo), point.ns});

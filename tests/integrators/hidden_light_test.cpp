@@ -76,7 +76,7 @@ Shape "disk" "float radius" 1.2
 }
 
 std::string metal(const std::string& roughness) {
-  return R"("conductor" "rgb eta" [.2 .2 .2] "rgb k" [3.9 3.9 3.9] )" + roughness;
+  return R"("conductor" "rgb eta" [.2 .2 .2] "rgb k" [3.9 3.9 3.9] "bool energycompensation" false )" + roughness;
 }
 
 constexpr const char* kSun = R"("distant" "rgb L" [2 2 2] "point3 from" [0.3 0 1] "point3 to" [0 0 0])";
