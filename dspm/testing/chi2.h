@@ -68,10 +68,11 @@ class SphereChi2 {
     Chi2Result result;
     for (int row = 0; row < settings_.rows; ++row)
       for (int column = 0; column < settings_.columns; ++column) {
-        const double share = cell_integral(pdf, row, column);
+        const int observed = observed_[static_cast<std::size_t>(row * settings_.columns + column)];
+        double share = cell_integral(pdf, row, column, kLeastDepth);
+        if (is_unlikely(observed, share)) share = cell_integral(pdf, row, column, kLeastDepthInDoubt);
         result.integral += share;
-        cells.push_back({settings_.samples * share,
-                         observed_[static_cast<std::size_t>(row * settings_.columns + column)], row, column});
+        cells.push_back({settings_.samples * share, observed, row, column});
       }
     cells.push_back({settings_.samples * std::max(0., 1 - result.integral), absorbed_, -1, 0});
     judge(std::move(cells), result);
@@ -96,22 +97,32 @@ class SphereChi2 {
     ++observed_[static_cast<std::size_t>(row * settings_.columns + column)];
   }
 
+  // A horizon may cut a sharp lobe between the points of a coarse quadrature, so what samples contradict is integrated
+  // anew, more finely.
+  static constexpr int kLeastDepth = 1, kLeastDepthInDoubt = 5;
+  bool is_unlikely(int observed, double share) const {
+    const double expected = settings_.samples * share;
+    return std::abs(observed - expected) > 4 * std::sqrt(expected + 1);
+  }
+
   template <class Pdf>
-  double cell_integral(const Pdf& pdf, int row, int column) const {
+  double cell_integral(const Pdf& pdf, int row, int column, int least_depth) const {
     const double v = static_cast<double>(row) / settings_.rows, phi = static_cast<double>(column) / settings_.columns;
     const double dv = 1. / settings_.rows, dphi = 1. / settings_.columns;
-    return refined(pdf, v, phi, dv, dphi, midpoints(pdf, v, phi, dv, dphi), 0);
+    return refined(pdf, v, phi, dv, dphi, midpoints(pdf, v, phi, dv, dphi), 0, least_depth);
   }
   /// Halves a patch until doing so changes the expected count by less than a twentieth.
   template <class Pdf>
-  double refined(const Pdf& pdf, double v, double phi, double dv, double dphi, double coarse, int depth) const {
+  double refined(const Pdf& pdf, double v, double phi, double dv, double dphi, double coarse, int depth,
+                 int least_depth) const {
     double quarters[4], sum = 0;
     for (int i = 0; i < 4; ++i)
       sum += quarters[i] = midpoints(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2);
-    if (depth >= 6 || (std::abs(sum - coarse) * settings_.samples < 0.05 && depth >= 1)) return sum;
+    if (depth >= 6 || (std::abs(sum - coarse) * settings_.samples < 0.05 && depth >= least_depth)) return sum;
     sum = 0;
     for (int i = 0; i < 4; ++i)
-      sum += refined(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2, quarters[i], depth + 1);
+      sum += refined(pdf, v + (i % 2) * dv / 2, phi + (i / 2) * dphi / 2, dv / 2, dphi / 2, quarters[i], depth + 1,
+                     least_depth);
     return sum;
   }
   template <class Pdf>
