@@ -48,8 +48,9 @@ double share_cut(const CutLight& region, float faint) {
 
 double sum(const std::array<float, 2>& halves) { return static_cast<double>(halves[0] + halves[1]); }
 
-/// The regions that lack more than a share of `least`, in the frame that the cut changes most. Dark corners, which are lit after many scatterings, lack a larger share of
-/// their light than anybody sees: so every region counts as brighter by half of the median.
+/// The regions that lack more than a share of `least`, in the frame that the cut changes most. Dark corners, which are lit
+/// after many scatterings, lack a larger share of their light than anybody sees: so every region counts as brighter by
+/// half of the median.
 CutPart part_cut(const std::vector<CutLight>& regions, const PixelRect& crop, double least) {
   constexpr float kFaint = 0.5f;
   const int count = region_count(crop);

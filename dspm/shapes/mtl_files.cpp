@@ -49,10 +49,10 @@ void MtlFiles::read_named(std::string_view names) {
 bool MtlFiles::read(std::string_view name) {
   for (const std::string& spelling : spellings_of(name)) {
     if (read_.contains(spelling)) return true;
+    const std::optional<std::string> text = companion_(spelling);  // an error if it may not be read
+    if (!text) continue;
+    read_.insert(spelling);
     try {
-      const std::optional<std::string> text = companion_(spelling);
-      if (!text) continue;
-      read_.insert(spelling);
       for (FileMaterial& material : read_mtl(plain_text(*text), directory_ / spelling, out_.complaints, left_out_))
         out_.materials.push_back(std::move(material));
     } catch (const std::runtime_error& error) {

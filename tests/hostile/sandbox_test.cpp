@@ -156,9 +156,12 @@ TEST_F(Sandbox, PipesAndDevicesAreNotRead) {
 }
 
 TEST_F(Sandbox, NoFolderIsMadeOutside) {
-  put("box/empty.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"}],"scenes":[{"nodes":[0]}]})");
+  put("box/lamp.gltf",
+      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],
+          "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}},
+          "nodes":[{"extensions":{"KHR_lights_punctual":{"light":0}}}],"scenes":[{"nodes":[0]}]})");
   for (const char* out : {"out/a.dsc", "box/../out/a.dsc", "box/up/out/a.dsc"}) {
-    const Outcome outcome = run(directory, {"--to-dsc", "box/empty.gltf", "-o", out, "--sandbox", "box"});
+    const Outcome outcome = run(directory, {"--to-dsc", "box/lamp.gltf", "-o", out, "--sandbox", "box"});
     expect_refused(outcome, out);
     EXPECT_FALSE(fs::exists(directory / "out")) << out;
   }
