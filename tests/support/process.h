@@ -108,8 +108,11 @@ inline Outcome run(const TemporaryDirectory& directory, const std::vector<std::s
 
 /// Within half a minute.
 inline bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return condition();
+  for (int i = 0; i < 3000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 inline bool appears(const std::filesystem::path& path) {
   return comes_true([&] { return std::filesystem::exists(path); });
