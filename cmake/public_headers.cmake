@@ -30,7 +30,7 @@ set(testing_headers
   testing/agreement.h testing/checks.h testing/chi2.h testing/furnace.h testing/promises.h testing/scattering.h
   testing/scattering_cases.h testing/scenes.h testing/test_scene.h testing/verdict.h)
 set(toolkit_headers
-  materials/rough_boundary.h accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h shapes/beyond_hole.h
+  accel/box_ray.h accel/cut_query.h accel/hits.h accel/meet.h shapes/beyond_hole.h
   cameras/projection.h
   colour/rgb_lanes.h
   grid/buffer.h grid/point_grid.h grid/points_within.h
@@ -49,7 +49,9 @@ set(toolkit_headers
   integrators/strip_place.h integrators/surface_kernel.h
   integrators/trace_tiles.h integrators/walk.h
   lights/aim.h lights/strength.h
-  materials/fresnel.h materials/interface.h materials/relief.h
+  materials/albedo_table.h materials/boundary_tables.h materials/brushed_albedo.h materials/brushed_tables.h
+  materials/fresnel.h materials/interface.h materials/made_up.h materials/per_surroundings.h materials/relief.h
+  materials/rough_boundary.h materials/table_place.h
   math/frame_lanes.h
   shapes/curvature.h shapes/double_vec.h shapes/quadric.h shapes/rounding.h shapes/triangle.h
   textures/mapping.h)

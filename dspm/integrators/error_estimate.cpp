@@ -100,11 +100,14 @@ double error_of(std::span<const float> half, std::span<const float> all) {
   return median(relative);
 }
 
+/// Nobody sees what changes in the dark: so every part is taken to be at least as bright as half of them are.
 std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, double error) {
   const double most = std::max(kLoneChange, kUnusual * error);
+  std::vector<float> sorted(all.begin(), all.end());
+  const double usual = median(sorted);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
-    count += static_cast<double>(std::abs(all[i] - half[i])) > most * static_cast<double>(all[i]);
+    count += static_cast<double>(std::abs(all[i] - half[i])) > most * std::max(static_cast<double>(all[i]), usual);
   return count;
 }
 
