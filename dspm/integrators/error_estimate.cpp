@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -55,6 +57,7 @@ class Sample {
     const auto pixels = static_cast<std::size_t>(pixels_.count());
     return {values.first(pixels), values.subspan(pixels)};
   }
+  int parts_across() const { return parts_.across(width_); }
   /// Zeros if the image has another size: it is refused when it is to be written.
   std::vector<float> of(const Image& image) const {
     std::vector<float> values(size());
@@ -100,14 +103,30 @@ double error_of(std::span<const float> half, std::span<const float> all) {
   return median(relative);
 }
 
+/// The second brightest of a part and those around it: at the edges of what is bright, a pixel that hardly covers it
+/// changes as much as under a lone path, but has such neighbours.
+float around(std::span<const float> peaks, int columns, int part) {
+  const int rows = static_cast<int>(peaks.size()) / columns, x = part % columns, y = part / columns;
+  std::vector<float> brightest;
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows - 1); ++j)
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns - 1); ++i)
+      brightest.push_back(peaks[static_cast<std::size_t>(j * columns + i)]);
+  const std::size_t second = std::min<std::size_t>(1, brightest.size() - 1);
+  std::nth_element(brightest.begin(), brightest.begin() + static_cast<std::ptrdiff_t>(second), brightest.end(), std::greater<>());
+  return brightest[second];
+}
+
 /// Nobody sees what changes in the dark: so every part is taken to be at least as bright as half of them are.
-std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, double error) {
+std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, int columns, double error) {
   const double most = std::max(kLoneChange, kUnusual * error);
   std::vector<float> sorted(all.begin(), all.end());
-  const double usual = median(sorted);
+  const float usual = static_cast<float>(median(sorted));
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    count += static_cast<double>(std::abs(all[i] - half[i])) > most * std::max(static_cast<double>(all[i]), usual);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double change = static_cast<double>(std::abs(all[i] - half[i]));
+    if (change <= most * static_cast<double>(std::max(all[i], usual))) continue;
+    count += change > most * static_cast<double>(around(all, columns, static_cast<int>(i)));
+  }
   return count;
 }
 
@@ -164,7 +183,7 @@ class ErrorEstimate final : public WrappingIntegrator {
         const Seen half = sample_.parted(kept), all = sample_.parted(now);
         const double error = error_of(half.pixels, all.pixels);
         squares_[f] = std::pow(done * error, 2);
-        lone_ = std::max(lone_, lone_paths(half.peaks, all.peaks, error));
+        lone_ = std::max(lone_, lone_paths(half.peaks, all.peaks, sample_.parts_across(), error));
       }
       std::copy(now.begin(), now.end(), kept.begin());
     }

@@ -25,7 +25,8 @@
 namespace dspm {
 
 /// The counter of Statistics::counters: parts of the picture, at most 1024 of them, whose brightest pixel changed by
-/// more than half, and by far more than is usual in that image, since half of the iterations; in the frame with most.
+/// more than half, by far more than is usual in that image, and against its surroundings, since half of the iterations;
+/// in the frame with most.
 inline constexpr std::string_view kLonePaths = "lone paths";
 
 /// The integrator that `make` returns (null if it failed); its statistics have the errors of all frames, of the

@@ -51,6 +51,7 @@ class WatchedTexture final : public Texture<T> {
     const std::optional<T> value = texture_->constant();
     return value ? std::optional(checked(*value)) : std::nullopt;
   }
+  bool averages() const override { return texture_->averages(); }
 
  private:
   T checked(const T& value) const {

@@ -70,6 +70,9 @@ constexpr const char* kThinGlass =
 const Sight kSights[] = {
     {"FrostedSlabBehindAPane", kFrosted + slab(0.02), true},
     {"ThinnerFrostedSlabBehindAPane", kFrosted + slab(0.001), true},
+    // Most of its light meets several facets: it leaves through matte lobes.
+    {"RoughestSlabBehindAPane", "Material \"dielectric\" \"float roughness\" 1\n" + slab(0.01), true},
+    {"RoughestSlabBehindAPaneFromAbove", "Material \"dielectric\" \"float roughness\" 1\n" + slab(0.01), true, 0.5},
     {"FrostedSlabBehindAPaneFromAbove", kFrosted + slab(0.02), true, 0.5},
     {"ThinGlassSheetsBehindAPane", kThinGlass + sheets(0.01), true},
     {"MixOfFrostedGlassAndPaper",
@@ -93,7 +96,7 @@ TEST_P(ThinSlabs, ShowOneSide) {
   const int times = seeds(8);
   const Tiles path = rendered(scene(sight, "\"path\" \"integer maxdepth\" 4", false), 128, times);
   for (const char* integrator : {
-           R"("dsppm" "integer maxdepth" 4 "integer photons" 600 "float radius" .15 "string direct" "photons")",
+           R"("dsppm" "integer maxdepth" 5 "integer photons" 600 "float radius" .15 "string direct" "photons")",
            R"("vcm" "integer maxdepth" 5 "integer photons" 400 "float radius" .15)",
            R"("vcm" "integer maxdepth" 5 "integer photons" 400 "float radius" .15 "bool connect" false)",
        }) {

@@ -56,8 +56,9 @@ TEST(RunWarnings, ManyIterationsMakeUpForFewPhotons) {
 }
 
 TEST(RunWarnings, TheHintIsWhatTheSceneDoesNotSayYet) {
-  const std::string text = warnings(
+  const std::string all = warnings(
       R"("dsppm" "integer iterations" 40 "integer photons" 30 "string emission" "power" "string indirect" "photons")");
+  const std::string text = all.substr(0, all.find("warning:", 1));
   EXPECT_EQ(text.find("\"string direct\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"string emission\" \"guided\""), std::string::npos) << text;
 }
