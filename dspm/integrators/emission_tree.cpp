@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "dspm/grid/buffer.h"
+#include "dspm/math/rng.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
@@ -20,6 +22,9 @@ constexpr std::size_t kAtOnce = 256;       // records that are worth no second t
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
+// Of a record's value, what is taken to lie beside it: within so many sides of its box.
+constexpr double kBeside = 0.01;
+constexpr float kFarthestBeside = 1.5f;
 
 using Records = std::span<EmissionRecord>;
 
@@ -134,6 +139,32 @@ void add_worths(const Box& box, std::vector<double>& worths) {
   for (const Box& half : *box.halves) add_worths(half, worths);
 }
 
+/// A record next to that one, at a place that follows from its numbers.
+EmissionRecord beside(const EmissionRecord& record, const EmissionBox& box) {
+  std::uint64_t seed = 0;
+  for (const float number : record.numbers) seed = mix_bits(seed + std::bit_cast<std::uint32_t>(number));
+  const PathRandom random(seed, Stream::setup, 0, 0);
+  const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+  const EmissionNumbers u{a.x, a.y, b.x, b.y};
+  EmissionRecord moved = record;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const float to = record.numbers[side] + (2 * u[side] - 1) * kFarthestBeside * box.size[side];
+    moved.numbers[side] = std::clamp(to < 0 ? -to : to < 1 ? to : 2 - to, 0.f, 1 - 0x1p-24f);
+  }
+  return moved;
+}
+
+void add_spread(const Box& box, std::vector<EmissionRecord>& all) {
+  if (box.halves != nullptr) {
+    for (const Box& half : *box.halves) add_spread(half, all);
+    return;
+  }
+  for (const EmissionRecord& record : box.records) {
+    all.push_back(record), all.back().value *= 1 - kBeside;
+    all.push_back(beside(record, box.box)), all.back().value *= kBeside;
+  }
+}
+
 class Trees {
  public:
   Trees(Records records, std::span<const float> usual) : usual_(usual), roots_(usual.size()) {
@@ -150,6 +181,15 @@ class Trees {
       grow(roots_[light], std::numeric_limits<double>::infinity());
     });
     least_worth_ = most_worth_not_affordable();
+  }
+
+  /// The records, light by light, each with one beside it. Without those the density would fall off a cliff at the edges
+  /// of what was found: a path that starts just beyond one is seldom drawn, and weighs as much more.
+  std::vector<EmissionRecord> spread() const {
+    std::vector<EmissionRecord> all;
+    all.reserve(2 * room_.size());
+    for (const Box& root : roots_) add_spread(root, all);
+    return all;
   }
 
   EmissionGuide guide() {
@@ -228,7 +268,8 @@ class Trees {
 }  // namespace
 
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual) {
-  return Trees(records, usual).guide();
+  std::vector<EmissionRecord> spread = Trees(records, usual).spread();
+  return Trees(spread, usual).guide();
 }
 
 }  // namespace dspm

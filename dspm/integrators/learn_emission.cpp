@@ -252,9 +252,9 @@ class Learner {
                                                           path.squares * own * own / path.mixture * wanted * wanted};
       });
     });
-    // The paths, the records, twice while trees grow, and those, with a box for every four records at most.
+    // The paths, the records, those and others beside them, twice while trees grow, with a box for every four at most.
     bytes_ = std::max(bytes_, bytes_of(tiles_) + bytes_of(traces_) + scene_.accel->memory() +
-                                  count * (2 * sizeof(FoundPath) + 3 * sizeof(EmissionRecord)) +
+                                  count * (2 * sizeof(FoundPath) + 7 * sizeof(EmissionRecord)) +
                                   scene_.light_choices.size() * kTreeBytes);
     EmissionGuides guides;
     guides.of_choice.resize(scene_.light_choices.size());

@@ -107,6 +107,22 @@ TEST(EmissionGuide, PutsPathsWhereTheyWereFound) {
   EXPECT_NEAR(static_cast<double>(low) / inside, 0.2, 0.05);
 }
 
+// A photon from just beyond an edge weighs as much more as its start is less dense.
+TEST(EmissionGuide, HasNoCliffsAtTheEdgesOfWhatWasFound) {
+  const EmissionGuide guide = learned();
+  double worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const PathRandom random(4, Stream::setup, static_cast<std::uint64_t>(i), 0);
+    const Vec2 a = random.pair(0, 0), b = random.pair(0, 1);
+    EmissionNumbers inside{0.5f, 0.25f + kSmall * a.y, kSmall * b.x, 0.75f + kSmall * b.y}, beyond = inside;
+    const std::size_t side = i % 2 == 0 ? 0 : 3;  // where boxes of other sizes meet, and where they go on
+    if (side == 3) inside[0] = beyond[0] = 0.5f + kSmall * a.x, inside[3] = 0.75f;
+    beyond[side] = std::nextafter(inside[side], 0.f);
+    worst = std::max(worst, static_cast<double>(guide.density(0, inside) / guide.density(0, beyond)));
+  }
+  EXPECT_LT(worst, 100);  // millions, if nothing were drawn beyond the edges
+}
+
 TEST(EmissionGuide, LosesNoLight) {
   const EmissionGuide guide = learned();
   for (int i = 0; i < 1000; ++i) {
