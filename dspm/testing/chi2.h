@@ -99,10 +99,10 @@ class SphereChi2 {
 
   // A horizon may cut a sharp lobe between the points of a coarse quadrature, so what samples contradict is integrated
   // anew, more finely.
-  static constexpr int kLeastDepth = 1, kLeastDepthInDoubt = 5;
+  static constexpr int kLeastDepth = 0, kLeastDepthInDoubt = 5;
   bool is_unlikely(int observed, double share) const {
     const double expected = settings_.samples * share;
-    return std::abs(observed - expected) > 4 * std::sqrt(expected + 1);
+    return std::abs(observed - expected) > 3 * std::sqrt(expected + 1);
   }
 
   template <class Pdf>

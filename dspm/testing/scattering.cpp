@@ -55,11 +55,17 @@ Vec3 peak(const Bsdf& bsdf, const DensityCase& c, const PathRandom& random) {
   return best;
 }
 
-/// One lobe, all, and all but one: others of a bsdf with many lobes would take most of the time and show nothing new.
-std::vector<LobeSet> telling_subsets_of(LobeSet lobes) {
-  const auto count = [](LobeSet set) { return std::popcount(static_cast<unsigned>(set)); };
-  std::vector<LobeSet> subsets = subsets_of(lobes);
-  std::erase_if(subsets, [&](LobeSet set) { return count(set) > 1 && count(set) + 1 < count(lobes); });
+/// One lobe, all, and what integrators ask for: the lobes that gather, and those that do not.
+std::vector<LobeSet> telling_subsets_of(const Bsdf& bsdf) {
+  const LobeSet all = bsdf.all_lobes();
+  std::vector<LobeSet> asked{all};
+  for (const float least_alpha : {0.05f, 0.1f, 0.25f, 0.5f, 0.9f})
+    asked.push_back(bsdf.lobes(least_alpha)), asked.push_back(static_cast<LobeSet>(all & ~asked.back()));
+  std::vector<LobeSet> subsets = subsets_of(all);
+  std::erase_if(subsets, [&](LobeSet set) {
+    return !std::has_single_bit(static_cast<unsigned>(set)) &&
+           std::find(asked.begin(), asked.end(), set) == asked.end();
+  });
   return subsets;
 }
 
@@ -68,7 +74,7 @@ std::vector<DensityCase> density_cases(const Material& material) {
   on_surfaces(material, [&](const Bsdf& bsdf, const SurfacePoint& point) {
     if (bsdf.lobes(1e-6f) == 0) return;  // fully specular: no density
     for (const Vec3& wo : directions())
-      for (const LobeSet lobes : telling_subsets_of(bsdf.all_lobes())) {
+      for (const LobeSet lobes : telling_subsets_of(bsdf)) {
         // Where ns turns away from the camera, ng's horizon cuts through the middle of sharp lobes, which cells do not
         // see; weights_agree covers it.
         if (dot(wo, point.ng) * dot(wo, point.ns) > 0) cases.push_back({point, wo, lobes, Transport::radiance});
