@@ -12,6 +12,7 @@
 
 #include "dspm/grid/buffer.h"
 #include "dspm/math/rng.h"
+#include "dspm/math/vec.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
