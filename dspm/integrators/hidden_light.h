@@ -1,4 +1,4 @@
-// Light that only photons bring to a glossy lobe: see docs/design.md, Photons and hit points. Such lobes extend camera
+// Light that only photons bring to a glossy lobe: see docs/photons.md, Hidden light. Such lobes extend camera
 // paths, but no ray hits a light without extent, and no shadow ray reaches it through glass.
 #pragma once
 

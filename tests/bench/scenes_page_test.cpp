@@ -1,4 +1,4 @@
-// README's table of scenes quotes docs/results.md: each share of dynamic paths is the one that was measured.
+// The table of docs/scenes.md quotes docs/results.md: each share of dynamic paths is the one that was measured.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -41,13 +41,13 @@ std::map<std::string, Cells> table_after(const std::string& text, const std::str
 }
 
 Cells quoted(const std::string& scene) {
-  for (const auto& [name, cells] : table_after(text_of("README.md"), "| scene |"))
+  for (const auto& [name, cells] : table_after(text_of("docs/scenes.md"), "| scene |"))
     if (name.rfind("[" + scene + "]", 0) == 0) return {cells.at(3), cells.at(4)};
-  ADD_FAILURE() << scene << " is not in README's table";
+  ADD_FAILURE() << scene << " is not in the table of docs/scenes.md";
   return {};
 }
 
-TEST(Readme, QuotesTheMeasuredShares) {
+TEST(ScenesPage, QuotesTheMeasuredShares) {
   const std::string results = text_of("docs/results.md");
   const auto scenes = table_after(results, "<!-- figures: scenes -->"),
              horse = table_after(results, "<!-- figures: horse -->");
@@ -57,7 +57,7 @@ TEST(Readme, QuotesTheMeasuredShares) {
 }
 
 // One iteration of 77,000 camera paths, and more photon paths: standard deviations of at most 0.2%.
-TEST(Readme, QuotesTheSharesOfTheDemo) {
+TEST(ScenesPage, QuotesTheSharesOfTheDemo) {
   const LoadedScene loaded = load(our_scene("demo"));
   const auto run = start(loaded, loaded.job, "dsppm", loaded.job.frames);
   run.integrator->iterate(0, *run.scene);

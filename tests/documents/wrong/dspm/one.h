@@ -1,0 +1,3 @@
+// docs/page.md is there.
+// docs/lost.md is not.
+#pragma once
