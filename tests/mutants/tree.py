@@ -17,7 +17,7 @@ import time
 CMAKE_OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -w", "-DDSPM_BENCH=OFF"]
 
 # They take minutes, or look at what no mutant changes.
-LEFT_OUT = re.compile("fuzz/|hostile/bounds|modules/(?!not_finite|crash)|scenes/|include_directions|checkpoint/kill|output/disk_faults|app/(memory_faults|long_run)")
+LEFT_OUT = re.compile("fuzz/|hostile/bounds|modules/(?!not_finite|crash)|scenes/|include_directions|documents/|checkpoint/kill|output/disk_faults|app/(memory_faults|long_run)")
 
 MEMORY = 12 << 30  # of address space
 
