@@ -94,7 +94,7 @@ def expect_notes(scene):
     with request.in_scene(scene):
         bpy.ops.render.render()
     for text in ('material "odd", node "Toon BSDF": Toon BSDF is not known', "//nowhere/lost.png cannot be read"):
-        expect(any(text in note for note in request.notes), f"a note says {text}, not only {request.notes} {request.error}")
+        expect(any(text in note for note in request.notes.texts), f"a note says {text}, not only {request.notes.texts} {request.error}")
 
 
 def expect_gloss():

@@ -20,7 +20,9 @@ class DspmEngine(bpy.types.RenderEngine):
         request = ExportRequest.wanted
         try:
             if request:
-                request.notes = export_frames(self, depsgraph, request.path, request.frames, request.variations)
+                path = request.file_of(depsgraph.view_layer.name)
+                for note in export_frames(self, depsgraph, path, request.frames, request.variations):
+                    request.notes.add(note)
             else:
                 self._rendering(depsgraph).show(self, depsgraph.scene.frame_current)
         except Exception as problem:

@@ -25,7 +25,7 @@ class ExportDspm(bpy.types.Operator, ExportHelper):
         if request.error:
             self.report({"ERROR"}, request.error)
             return {"CANCELLED"}
-        for note in request.notes:
+        for note in request.notes.texts:
             self.report({"WARNING"}, note)
         return {"FINISHED"}
 

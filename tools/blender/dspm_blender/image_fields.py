@@ -1,6 +1,7 @@
 """Blender's images as arrays, and files for the scene."""
 import os
 import struct
+import tempfile
 import zlib
 
 import bpy
@@ -8,11 +9,18 @@ import numpy as np
 
 from .fields import Field
 
-LINEAR = {"Linear", "Non-Color", "Raw", "Linear Rec.709"}
+ENCODINGS = {"Linear": "linear", "Linear Rec.709": "linear", "Non-Color": "linear", "Raw": "linear", "sRGB": "sRGB"}
+FLOATS = {"OPEN_EXR", "HDR"}  # formats of files that hold nothing else
 
 
-def is_linear(image):
-    return image.is_float or image.colorspace_settings.name in LINEAR
+def encoding(image):
+    """That dspm has for the numbers of the image's file, or None: of another colour space."""
+    return ENCODINGS.get(image.colorspace_settings.name)
+
+
+def is_plain(image):
+    """Files of floats are linear, others sRGB: so they are read where no encoding can be said."""
+    return encoding(image) == ("linear" if image.file_format in FLOATS else "sRGB")
 
 
 def is_missing(image):
@@ -28,14 +36,36 @@ def image_field(image, place):
 
 
 def pixels(image):
-    """Linear, from the lowest row."""
+    """Linear, from the lowest row. Blender itself decodes floats, but not bytes."""
+    values = numbers_of(image)
+    if not image.is_float and encoding(image) is None:
+        return decoded_by_blender(values, image.colorspace_settings.name)
+    if not image.is_float and encoding(image) == "sRGB":
+        values[..., :3] = decoded(values[..., :3])
+    return values
+
+
+def numbers_of(image):
     width, height = image.size
     values = np.empty(width * height * 4, dtype=np.float32)
     image.pixels.foreach_get(values)
-    values = values.reshape(height, width, 4)
-    if not is_linear(image):
-        values[..., :3] = decoded(values[..., :3])
-    return values
+    return values.reshape(height, width, 4)
+
+
+def decoded_by_blender(values, space):
+    """By the colour management's own tables: as a file of floats in that colour space."""
+    height, width = values.shape[:2]
+    with tempfile.TemporaryDirectory(prefix="dspm-") as folder:
+        raw = bpy.data.images.new("dspm", width, height, alpha=True, float_buffer=True, is_data=True)
+        raw.pixels.foreach_set(values.ravel())
+        raw.filepath_raw, raw.file_format = os.path.join(folder, "raw.exr"), "OPEN_EXR"
+        raw.save()
+        read = bpy.data.images.load(raw.filepath_raw)
+        read.colorspace_settings.name = space
+        result = numbers_of(read)
+    for each in (raw, read):
+        bpy.data.images.remove(each)
+    return result
 
 
 def decoded(values):

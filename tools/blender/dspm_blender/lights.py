@@ -29,6 +29,8 @@ class Light:
 
     def see(self, frame, instance):
         light = instance.object.data
+        if light.type == "AREA" and not area_of(light, instance.matrix_world):
+            return  # shrunk to nothing
         matrix, directive, shape = KINDS[light.type](self, light, instance.matrix_world)
         self.hidden = not instance.object.visible_camera
         self.mirrored = instance.object.visible_glossy
@@ -39,6 +41,8 @@ class Light:
 
     def lines(self, all_frames, camera):
         """A lamp that the camera is not to see is a hole if it would, and a sun a point; else mirrors show it, as in Cycles."""
+        if not self.lights:
+            return []
         if self.hidden and (not self.mirrored or camera.shows(self._extents())):
             for _, shape in self.shapes:
                 if shape:
@@ -93,15 +97,13 @@ class Light:
         """It shines along -z."""
         if light.spread < math.pi - 1e-4:
             self.notes.add(f'light "{self.name}": its spread is 180 degrees')
-        size = (light.size, light.size if light.shape in {"SQUARE", "DISK"} else light.size_y, 1)
-        scale = matrix.to_scale()
-        area = abs(size[0] * scale.x * size[1] * scale.y)
+        size = (*sides(light), 1)
         round_one = light.shape in {"DISK", "ELLIPSE"}
         turned = matrix @ Matrix.Rotation(math.pi, 4, "X") @ Matrix.Diagonal((*size, 1))
         shape = Directive("Shape", "disk").with_params({"float radius": 0.5}) if round_one else Directive(
             "Shape", "trianglemesh").with_params({
                 "point3 P": [-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0], "integer indices": [0, 1, 2, 0, 2, 3]})
-        return turned, area_light(self._colour(light, 1 / (4 * area * (math.pi / 4 if round_one else 1)))), shape
+        return turned, area_light(self._colour(light, 1 / (4 * area_of(light, matrix)))), shape
 
     def _colour(self, light, factor):
         colour = times(light.color, light.energy * factor)
@@ -117,6 +119,15 @@ class Light:
 
 
 KINDS = {"POINT": Light.point, "SPOT": Light.spot, "SUN": Light.sun, "AREA": Light.area}
+
+
+def sides(light):
+    return light.size, light.size if light.shape in {"SQUARE", "DISK"} else light.size_y
+
+
+def area_of(light, matrix):
+    (x, y), scale = sides(light), matrix.to_scale()
+    return abs(x * scale.x * y * scale.y) * (math.pi / 4 if light.shape in {"DISK", "ELLIPSE"} else 1)
 
 
 def area_light(radiance):

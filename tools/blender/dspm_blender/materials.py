@@ -12,7 +12,7 @@ class Materials:
     """All materials of a scene, by name. Those with animated nodes are read again in each frame."""
 
     def __init__(self, textures, notes):
-        self.textures, self.notes, self.states, self.names = textures, notes, {}, {}
+        self.textures, self.notes, self.states, self.override = textures, notes, {}, None
 
     def see(self, frame, material):
         """Its name in the scene."""
@@ -25,6 +25,10 @@ class Materials:
         if not states or (states[-1][0] != frame and is_animated(material)):
             states.append((frame, self._directives(material)))
         return name
+
+    def shown(self, frame, material):
+        """The same for an object that has this material. A view layer may override all of them."""
+        return self.see(frame, self.override or material)
 
     def lines(self):
         for states in self.states.values():
@@ -46,8 +50,12 @@ class Materials:
         output = material.node_tree.get_output_node("CYCLES")
         if output is None:
             return [Directive("MakeNamedMaterial", tree.name).with_params({"string type": "interface"})]
-        shader = tree.of(LinkedSocket(output.inputs["Surface"]))
-        more = displacement(tree, output) | absorption(tree, shader, LinkedSocket(output.inputs["Volume"]))
+        surface, volume = (LinkedSocket(output.inputs[name]) for name in ("Surface", "Volume"))
+        if surface.source() is None and volume.source() is not None:
+            tree.note(volume.source(), "a volume without a surface is left out, and light passes its object")
+            return [Directive("MakeNamedMaterial", tree.name).with_params({"string type": "interface"})]
+        shader = tree.of(surface)
+        more = displacement(tree, output) | absorption(tree, shader, volume)
         made = tree.directive(replace(shader, plain=shader.plain | more))
         return [*tree.parts, made]
 

@@ -28,7 +28,7 @@ class Objects:
         if key not in self.geometries:
             self.geometries[key] = Geometry(self._stem(key[-1]), self.folder)
         self.geometries[key].see(frame, object.data)
-        names = tuple(self.materials.see(frame, material) for material in slots(object))
+        names = tuple(self.materials.shown(frame, material) for material in slots(object))
         placement = self.placements.setdefault((key, names, tuple(parameters(object))), {}).setdefault(
             instance_key(instance), Placement(object.name, block))
         placement.matrices.append((frame, instance.matrix_world.copy()))

@@ -36,6 +36,19 @@ def passes(layer):
         yield Pass(f"Combined_{group.name}", "RGB", "COLOR", "lights", channels)
 
 
+COVERED = {"use_pass_combined", "use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv",
+           "use_pass_cryptomatte_object", "use_pass_cryptomatte_material", "use_pass_cryptomatte_accurate"}
+
+
+def lacking(layer):
+    """Names of the passes that a view layer asks for in vain."""
+    for owner in (layer, getattr(layer, "cycles", None), getattr(layer, "eevee", None)):
+        for each in owner.bl_rna.properties if owner else ():
+            if each.identifier.startswith("use_pass_") and each.identifier not in COVERED and getattr(owner, each.identifier):
+                yield each.name
+    yield from (each.name for each in layer.aovs)
+
+
 def picture(exr, channels, width):
     """Rows of pixels, `width` numbers in each; what the file does not have is 0."""
     nothing = np.zeros((exr.height, exr.width), dtype=np.float32)

@@ -28,7 +28,8 @@ class SceneExport:
 
     def see(self, frame, depsgraph):
         """Frames count from 1."""
-        scene = depsgraph.scene
+        scene, layer = depsgraph.scene, depsgraph.view_layer_eval
+        self.materials.override = layer.material_override
         self.camera.see(frame, scene.camera and scene.camera.evaluated_get(depsgraph), scene)
         self.world.see(frame, scene.world and scene.world.evaluated_get(depsgraph))
         for instance in depsgraph.object_instances:
@@ -39,6 +40,7 @@ class SceneExport:
                 self._see_hair(frame, instance, system.name, material, particle_strands(object, system))
             if not instance.show_self:
                 continue
+            self._note_lacks(instance, depsgraph.view_layer)
             if object.type == "LIGHT":
                 light = Light(object.name, self.notes, self.variations.block(instance))
                 self.lights.setdefault(instance_key(instance), light).see(frame, instance)
@@ -50,11 +52,19 @@ class SceneExport:
                 self.notes.add(f'object "{object.name}": {object.type.lower()} is left out')
         self.variations.see(frame, self.materials)
 
+    def _note_lacks(self, instance, layer):
+        """What view layers ask of objects' collections, or the object itself."""
+        object = (instance.parent if instance.is_instance else instance.object).original
+        if object.is_holdout or object.holdout_get(view_layer=layer):
+            self.notes.add(f'object "{object.name}": a holdout is an object as others are')
+        if object.indirect_only_get(view_layer=layer):
+            self.notes.add(f'object "{object.name}": the camera sees it, though it is for indirect light only')
+
     def _see_hair(self, frame, instance, name, material, strands):
         key = (instance_key(instance), name)
         if key not in self.hair:
             self.hair[key] = Hair(f"{file_name(name)}.{len(self.hair)}", self.meshes, name,
-                                  self.materials.see(frame, material), self.variations.block(instance))
+                                  self.materials.shown(frame, material), self.variations.block(instance))
         self.hair[key].see(frame, instance.matrix_world.copy(), strands)
 
     def write(self, scene, settings, frames):

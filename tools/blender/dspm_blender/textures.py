@@ -5,7 +5,8 @@ import re
 
 from .directive import Directive
 from .fields import luminance
-from .image_fields import file_of, is_linear, write_png
+from .image_fields import encoding, file_of, write_png
+from .write_pfm import write_pfm
 
 
 def file_name(name):
@@ -38,9 +39,9 @@ class Textures:
 
     def picture(self, field, wanted):
         """The file of a field's colours, relative to the scene, and its encoding."""
-        found = file_of(field.image) if field.image else None
+        found = file_of(field.image) if field.image and encoding(field.image) else None
         if found:
-            return os.path.relpath(found, os.path.dirname(self.folder)), "linear" if is_linear(field.image) else "sRGB"
+            return os.path.relpath(found, os.path.dirname(self.folder)), encoding(field.image)
         return self._written(field.values[..., :3], wanted), "linear"
 
     def _texture(self, kind, field, wanted):
@@ -81,5 +82,7 @@ class Textures:
     def _written(self, values, wanted):
         name = self._new(file_name(wanted))
         os.makedirs(self.folder, exist_ok=True)
-        write_png(os.path.join(self.folder, name + ".png"), values)
-        return f"{os.path.basename(self.folder)}/{name}.png"
+        in_bytes = values.min() >= 0 and values.max() <= 1
+        file, write = (f"{name}.png", write_png) if in_bytes else (f"{name}.pfm", write_pfm)
+        write(os.path.join(self.folder, file), values)
+        return f"{os.path.basename(self.folder)}/{file}"

@@ -6,7 +6,7 @@ from mathutils import Euler, Matrix
 from .blocks import matrix_text
 from .colours import Colours
 from .directive import Directive, over_frames
-from .image_fields import file_of, is_missing, missing, pixels
+from .image_fields import file_of, is_missing, is_plain, missing, pixels
 from .light_groups import light_group
 from .links import LinkedSocket
 from .textures import file_name
@@ -36,6 +36,8 @@ class World:
         if not world.use_nodes:
             return light.with_params({"rgb L": list(world.color)})
         output = world.node_tree.get_output_node("CYCLES")
+        if output and LinkedSocket(output.inputs["Volume"]).source():
+            self.notes.add(f'world "{world.name}": its volume is left out')
         source = LinkedSocket(output.inputs["Surface"]).source() if output else None
         if source is None:
             return None
@@ -58,7 +60,7 @@ class World:
         if node.projection != "EQUIRECTANGULAR":
             self.notes.add(f"{colours.named(node)}: the picture is taken as latitude and longitude")
         self.turn = self._turn(world, source.input("Vector").source(), colours) @ FROM_LIGHT_SPACE
-        file = file_of(node.image)
+        file = file_of(node.image) if is_plain(node.image) else None
         if file:
             name = os.path.relpath(file, os.path.dirname(self.folder))
         else:

@@ -1,0 +1,193 @@
+"""Runs in Blender: small scenes of what went wrong once, exported, and what dspm makes of them.
+usage: blender -b --factory-startup --python exported.py -- dspm folder"""
+import os
+import subprocess
+import sys
+
+import addon_utils
+import bpy
+import numpy as np
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
+import scenes
+from dspm_blender.export_request import ExportRequest
+from dspm_blender.exr import Exr
+
+program, folder = sys.argv[sys.argv.index("--") + 1:][:2]
+failures = []
+
+
+def expect(holds, text):
+    if not holds:
+        failures.append(text)
+        print("FAILED:", text)
+
+
+def begin(frames=1, camera=(0, -6, 2)):
+    scenes.empty(camera=camera, target=(0, 0, 0), lens=40, frames=frames)
+    addon_utils.enable("dspm_blender")
+    scene = bpy.context.scene
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 16, 12, 100
+    return scene
+
+
+def exported(scene, name):
+    """(the file, the notes)"""
+    request = ExportRequest(os.path.join(folder, name + ".dsc"), list(range(1, scene.frame_end + 1)), True)
+    with request.in_scene(scene):
+        try:
+            bpy.ops.render.render()
+        except RuntimeError:
+            pass  # it is in the request as well
+    expect(request.error is None, f"{name} is exported, without: {request.error}")
+    return request.path, request.notes.texts
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def rendered(path, iterations=1):
+    """Its frames as floats, rows from below."""
+    images = path[:-4] + ".####.exr"
+    run = subprocess.run([program, path, "-o", images, "--integrator", "path", "--iterations", str(iterations), "--float",
+                          "--compression", "none", "--quiet"], capture_output=True, text=True)
+    expect(run.returncode == 0, f"dspm renders {os.path.basename(path)}: {run.stderr}")
+    names = sorted(each for each in os.listdir(folder) if each.startswith(os.path.basename(path)[:-4] + ".") and each.endswith("exr"))
+    return [np.dstack([Exr(os.path.join(folder, each)).channels[letter] for letter in "RGB"]) for each in names]
+
+
+def keyed_scale(object, *scales):
+    for frame, scale in enumerate(scales, 1):
+        object.scale = scale
+        object.keyframe_insert("scale", frame=frame)
+
+
+def expect_what_is_shrunk_to_nothing():
+    """Scales of 0, of one axis or of all, of a mesh, of lamps, of what they hang on; and one that changes its sign."""
+    scene = begin(frames=3)
+    scenes.sky((1, 1, 1, 1), 1)
+    for i, scales in enumerate((((1, 1, 1), (0, 0, 0), (-1, 1, 1)), ((1, 1, 1), (1, 1, 0), (1, 0, 0)),
+                                ((1, 1, 1), (-1, 1, 1), (1, 1, 1)), ((1e-12,) * 3, (1e-15,) * 3, (1e-30,) * 3))):
+        bpy.ops.mesh.primitive_cube_add(size=1, location=(2 * i - 3, 0, 0))
+        keyed_scale(bpy.context.object, *scales)
+    area = scenes.lamp("AREA", (0, 0, 4), 100, shape="ELLIPSE", size=1, size_y=2)
+    keyed_scale(area, (1, 1, 1), (1, 0, 1), (0, 0, 0))
+    scenes.lamp("AREA", (0, 0, 4), 100, size=0).name = "never there"
+    anchor = bpy.data.objects.new("anchor", None)
+    scene.collection.objects.link(anchor)
+    keyed_scale(anchor, (0, 0, 0), (1, 1, 1), (1, 1, 1))
+    for kind, settings in (("POINT", {"shadow_soft_size": 0.2}), ("SPOT", {"shadow_soft_size": 0}), ("SUN", {}), ("AREA", {})):
+        scenes.lamp(kind, (1, 0, 3), 10, **settings).parent = anchor
+    path, _ = exported(scene, "shrunk")
+    images = rendered(path)
+    expect(len(images) == 3 and all(np.isfinite(each).all() for each in images), "what is shrunk to nothing is rendered")
+    text = text_of(path)
+    expect('DynamicBegin "area" "integer frames" [1 1]' in text and "never there" not in text, "a lamp of no size is not there")
+
+
+def expect_view_layers():
+    """Each has its file, of what it shows, as it shows it."""
+    scene = begin()
+    scenes.sky((1, 1, 1, 1), 1)
+    paint = scenes.material("grey", lambda tree: scenes.bsdf(tree, "Diffuse", Color=(.5, .5, .5, 1)))
+    for name in ("near", "far"):
+        collection = bpy.data.collections.new(name)
+        scene.collection.children.link(collection)
+        thing = scenes.plane(1, paint)
+        thing.name = f"{name} thing"
+        collection.objects.link(thing)
+        scene.collection.objects.unlink(thing)
+    second = scene.view_layers.new("Back/ground")
+    scene.view_layers[0].layer_collection.children["far"].exclude = True
+    second.layer_collection.children["near"].exclude = True
+    second.layer_collection.children["far"].holdout = True
+    second.material_override = scenes.material("clay", lambda tree: scenes.bsdf(tree, "Diffuse", Color=(.9, .1, .1, 1)))
+    path, notes = exported(scene, "layers")
+    other = os.path.join(folder, "layers.Back_ground.dsc")
+    expect('view layer "Back/ground" is in layers.Back_ground.dsc' in notes, f"a note says where the second layer is: {notes}")
+    expect("near thing" in text_of(path) and "far thing" not in text_of(path), "the first view layer has its objects")
+    expect("far thing" in text_of(other) and "near thing" not in text_of(other), "so has the second one")
+    expect('NamedMaterial "grey"' in text_of(path) and 'NamedMaterial "clay"' in text_of(other), "and its material")
+    expect(any("holdout" in note for note in notes), f"a holdout is named: {notes}")
+    second.use = False
+    expect(exported(scene, "one layer")[1] == [], "a view layer that is not rendered is not exported")
+
+
+def fog(tree):
+    scatter, output = tree.nodes.new("ShaderNodeVolumeScatter"), tree.get_output_node("ALL")
+    tree.links.new(scatter.outputs[0], output.inputs["Volume"])
+
+
+def expect_fog():
+    """A box of fog hides nothing, and is named."""
+    scene = begin()
+    scenes.sky((.5, .25, 1, 1), 1)
+    world = scene.world.node_tree
+    world.links.new(world.nodes.new("ShaderNodeVolumeScatter").outputs[0], world.nodes["World Output"].inputs["Volume"])
+    bpy.ops.mesh.primitive_cube_add(size=20)
+    box = bpy.data.materials.new("fog")
+    box.use_nodes = True
+    box.node_tree.nodes.clear()
+    box.node_tree.nodes.new("ShaderNodeOutputMaterial")
+    fog(box.node_tree)
+    bpy.context.object.data.materials.append(box)
+    path, notes = exported(scene, "fog")
+    expect(np.allclose(rendered(path)[0], (.5, .25, 1), rtol=1e-3), "fog lets the sky through")
+    expect(any('material "fog"' in note and "without a surface" in note for note in notes), f"fog is named: {notes}")
+    expect('world "sky": its volume is left out' in notes, f"fog of the world is named: {notes}")
+
+
+# ACEScg to linear Rec. 709 by Bradford's adaptation (ACES TB-2014-004, colour-science.org).
+FROM_ACESCG = np.array([[1.70505, -0.62179, -0.08326], [-0.13026, 1.14080, -0.01055], [-0.02400, -0.12897, 1.15297]])
+
+
+def picture_file(kind, depth, colour):
+    """A file of one colour, whose numbers are those given."""
+    image = bpy.data.images.new("numbers", 4, 4, float_buffer=True, is_data=True)
+    image.pixels.foreach_set(np.tile(np.array([*colour, 1], "f"), 16))
+    settings = bpy.context.scene.render.image_settings
+    settings.file_format, settings.color_mode, settings.color_depth = kind, "RGB", depth
+    bpy.context.scene.view_settings.view_transform = "Raw"
+    path = os.path.join(folder, f"numbers{len(os.listdir(folder))}.{'exr' if kind == 'OPEN_EXR' else 'png'}")
+    image.save_render(path)
+    return path
+
+
+def expect_colour_spaces():
+    """Pictures of numbers are what their colour space says, as a surface and as the sky."""
+    numbers = np.array([.5, .25, .1])
+    linear = ((numbers + 0.055) / 1.055) ** 2.4
+    for kind, depth, space, seen in (
+            ("OPEN_EXR", "32", "Linear", numbers), ("OPEN_EXR", "32", "sRGB", linear), ("OPEN_EXR", "32", "Linear ACEScg", FROM_ACESCG @ numbers),
+            ("PNG", "16", "sRGB", linear), ("PNG", "16", "Non-Color", numbers), ("PNG", "8", "sRGB", linear),
+            ("PNG", "8", "Linear ACEScg", FROM_ACESCG @ numbers)):
+        scene = begin(camera=(0, 0, 2))
+        image = bpy.data.images.load(picture_file(kind, depth, numbers))
+        image.colorspace_settings.name = space
+
+        def glow(tree):
+            emission = scenes.bsdf(tree, "Emission")
+            tree.links.new(scenes.texture(tree, image).outputs["Color"], emission.inputs["Color"])
+            return emission
+        scenes.plane(1, scenes.material("glow", glow))
+        world = scenes.sky((1, 1, 1, 1), 1.0).node_tree
+        sky = world.nodes.new("ShaderNodeTexEnvironment")
+        sky.image = image
+        world.links.new(sky.outputs["Color"], world.nodes["Background"].inputs["Color"])
+        name = f"{kind} {depth} {space}"
+        picture = rendered(exported(scene, name)[0])[0]
+        for where, found in (("surface", picture[6, 8]), ("sky", picture[0, 0])):
+            expect(np.allclose(found, seen, rtol=0.02, atol=0.003), f"{name} as a {where} is {seen}, not {found}")
+
+
+def main():
+    for test in (expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces):
+        test()
+    print(f"{len(failures)} failures")
+    sys.exit(1 if failures else 0)
+
+
+main()
