@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "dspm/looking/terminal.h"
+#include "dspm/output/json.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/standard_streams.h"
 
@@ -27,6 +28,12 @@ std::size_t longest_line() {
 std::string bar(double share) {
   const int filled = std::clamp(static_cast<int>(share * kBarWidth), 0, kBarWidth);
   return fmt::format("[{:=<{}}{:{}}]", "", filled, "", kBarWidth - filled);
+}
+
+std::string quoted_in_json(const std::string& text) {
+  JsonWriter json;
+  json.value(text);
+  return json.text();
 }
 
 /// If there is room for a bar, and something to show.
@@ -85,6 +92,14 @@ void Progress::step(int interval, int iterations, std::optional<double> error) {
   const std::string shown = with_bar(line, share_done(interval, iterations)).substr(0, longest_line());
   print_message(fmt::format("\r{:{}}", shown, std::min(width_, longest_line())));
   width_ = shown.size();
+}
+
+void Progress::written(int interval, const std::vector<std::string>& frames, bool last) {
+  if (kind_ != ProgressKind::json) return;
+  std::vector<std::string> quoted;
+  for (const std::string& frame : frames) quoted.push_back(quoted_in_json(frame));
+  print_message(fmt::format("{{\"event\": \"images\", \"interval\": {}, \"frames\": [{}], \"last\": {}}}\n",
+                            interval + 1, fmt::join(quoted, ", "), last));
 }
 
 double Progress::elapsed() const {

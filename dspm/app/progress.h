@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dspm/app/error_trend.h"
 
@@ -41,6 +42,8 @@ class Progress {
   void begin(int interval, int iterations);
   /// `iterations` of the interval (counted from 0) are done. `error`: estimated, if it is known.
   void step(int interval, int iterations, std::optional<double> error = {});
+  /// The interval's images are in their files. `frames`: what they are called; `last`: they do not get better.
+  void written(int interval, const std::vector<std::string>& frames, bool last);
   /// How far the run is after that many iterations of the interval.
   struct Outlook {
     double share, seconds;                    // of all work, 0: unknown; so far

@@ -84,6 +84,7 @@ class Render final : public SessionObserver {
     if (is_of_no_use()) return;
     if (images == Images::last && progress.iterations > saved_) save(progress, integrator);
     results_.write(intervals_[progress.index], integrator, progress.seconds, images);
+    say_what_is_written(progress.index, images == Images::last);
     if (images == Images::last) look(progress, integrator, true);
     last_words_.keep(kept_in_words());
     if (images == Images::so_far) results_.report_faults();
@@ -112,6 +113,11 @@ class Render final : public SessionObserver {
                           {outlook.share, outlook.seconds, outlook.seconds_left});
     watch_.begin("", "");
     live_->wait_while_paused(exhibit(progress, integrator), [this] { return end_wanted(); });
+  }
+  void say_what_is_written(std::size_t interval, bool last) {
+    std::vector<std::string> frames;
+    for (const FileFrame frame : intervals_[interval]) frames.push_back(loaded_.description->frames.label(frame));
+    if (progress_ && results_.are_whole()) progress_->written(static_cast<int>(interval), frames, last);
   }
   void say_what_is_found(const Statistics& statistics) {
     for (const EmissionReport& report : statistics.emission) {

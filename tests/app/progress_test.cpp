@@ -110,20 +110,22 @@ TEST(Progress, SpeaksJsonToPrograms) {
   {
     Progress progress({.iterations = 4, .intervals = 2, .until_error = 0.02}, progress_kind("json"));
     progress.step(0, 4, 0.08);
+    progress.written(0, {"1", "oak \"A\" 2"}, true);
     progress.step(1, 2);
   }
   std::istringstream text(testing::internal::GetCapturedStderr());
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 4u);
+  ASSERT_EQ(lines.size(), 5u);
   for (const std::string& line : lines) EXPECT_TRUE(test::JsonCheck::valid(line)) << line;
   EXPECT_EQ(lines[0], R"({"event": "begin", "intervals": 2, "iterations": 4, "until_error": 0.02})");
   EXPECT_TRUE(lines[1].starts_with(R"({"event": "iteration", "interval": 1, "iterations": 4, "seconds": )"))
       << lines[1];
   EXPECT_NE(lines[1].find(R"("error": 0.08, "share_done": 0.5000, )"), std::string::npos) << lines[1];
-  EXPECT_NE(lines[2].find(R"("interval": 2, "iterations": 2, )"), std::string::npos);
-  EXPECT_NE(lines[2].find(R"("share_done": 0.7500, "seconds_left": )"), std::string::npos) << lines[2];
-  EXPECT_TRUE(lines[3].starts_with(R"({"event": "end", "seconds": )")) << lines[3];
+  EXPECT_EQ(lines[2], R"({"event": "images", "interval": 1, "frames": ["1", "oak \"A\" 2"], "last": true})");
+  EXPECT_NE(lines[3].find(R"("interval": 2, "iterations": 2, )"), std::string::npos);
+  EXPECT_NE(lines[3].find(R"("share_done": 0.7500, "seconds_left": )"), std::string::npos) << lines[3];
+  EXPECT_TRUE(lines[4].starts_with(R"({"event": "end", "seconds": )")) << lines[4];
 }
 
 }  // namespace

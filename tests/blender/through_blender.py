@@ -7,13 +7,16 @@ from types import SimpleNamespace
 
 import addon_utils
 import bpy
+import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, "../../tools/blender")]
 import scenes
+from dspm_blender.engine import DspmEngine
 from dspm_blender.export_request import ExportRequest
 from dspm_blender.exr import Exr
 from dspm_blender.fields import Field
+from dspm_blender.passes import lacking
 from dspm_blender.principled_node import gloss
 from dspm_blender.process import find_program
 
@@ -38,7 +41,9 @@ def prepare():
     format = scene.render.image_settings
     format.file_format, format.color_depth, format.exr_codec = "OPEN_EXR_MULTILAYER", "32", "NONE"
     layer.use_pass_z = layer.use_pass_normal = layer.use_pass_position = layer.use_pass_uv = True
-    layer.use_pass_cryptomatte_object = layer.dspm.albedo = True
+    layer.use_pass_cryptomatte_object = layer.dspm.albedo = layer.dspm.variance = True
+    layer.use_pass_mist = layer.use_pass_vector = layer.use_pass_diffuse_color = True
+    layer.aovs.add().name = "own"
     layer.lightgroups.add(name="big lamp")
     bpy.data.objects["area"].lightgroup = "big lamp"
     return scene
@@ -47,7 +52,7 @@ def prepare():
 # Blender's channel, and dspm's.
 CHANNELS = {"Combined.R": "R", "Combined.G": "G", "Combined.B": "B", "Depth.Z": "Z", "Normal.X": "N.X", "Normal.Z": "N.Z",
             "Position.Y": "P.Y", "UV.U": "u", "Albedo.G": "Albedo.G", "CryptoObject00.R": "CryptoObject00.r",
-            "CryptoObject01.G": "CryptoObject01.g", "Combined_big lamp.R": "light_big_lamp.R"}
+            "CryptoObject01.G": "CryptoObject01.g", "Variance.B": "variance.B", "Combined_big lamp.R": "light_big_lamp.R"}
 failures = []
 
 
@@ -74,8 +79,81 @@ def rendered_alone(scene, name, animation):
     path = os.path.join(folder, name + ".dsc")
     bpy.ops.export_scene.dspm(filepath=path, animation=animation)
     subprocess.run([program, path, "-o", path[:-4] + (".####.exr" if animation else ".exr"), "--float", "--compression", "none",
-                    "--quiet", "--aov", "N,P,Z,albedo,cryptoobject,lights,uv"], check=True)
+                    "--quiet", "--aov", "N,P,Z,albedo,cryptoobject,lights,uv,variance", "--denoise"], check=True)
     return path[:-4]
+
+
+def expect_lacking(scene):
+    """Passes that dspm does not have are named."""
+    said = set(lacking(bpy.context.view_layer))
+    expect(said == {"Mist", "Vector", "Diffuse Color", "own"}, f"it says which passes are left out, not {said}")
+
+
+def rendered_in_blender(scene, name):
+    """The files of an animation in Blender."""
+    scene.render.filepath = os.path.join(folder, name + ".")
+    bpy.ops.render.render(animation=True)
+    return [os.path.join(folder, f"{name}.{frame:04}.exr") for frame in range(1, FRAMES + 1)]
+
+
+def expect_denoised(scene, alone):
+    """Combined is the image with less noise, and the other one stays."""
+    scene.dspm.denoise = True
+    for frame, path in enumerate(rendered_in_blender(scene, "denoised"), 1):
+        theirs, plain, better = Exr(path), Exr(f"{alone}.{frame:04}.exr"), Exr(f"{alone}.denoised.{frame:04}.exr")
+        expect(np.array_equal(theirs.channels["ViewLayer.Combined.R"], better.channels["R"]), f"frame {frame} is denoised")
+        expect(np.array_equal(theirs.channels["ViewLayer.Noisy Image.R"], plain.channels["R"]), f"its noisy image is there")
+        expect(not np.array_equal(plain.channels["R"], better.channels["R"]), "which makes a difference")
+    scene.dspm.denoise = False
+
+
+def expect_frames_as_they_are_done(scene):
+    """sppm renders frame by frame: Blender has the first one before the last one is begun."""
+    scene.dspm.integrator, running = "sppm", []
+
+    def look(*_):
+        running.append(DspmEngine.animations["ViewLayer"].run.process.poll() is None)
+    bpy.app.handlers.render_write.append(look)
+    rendered_in_blender(scene, "one by one")
+    bpy.app.handlers.render_write.remove(look)
+    scene.dspm.integrator = "dsppm"
+    expect(len(running) == FRAMES and running[0], f"the first of {len(running)} frames is there while others are rendered: {running}")
+
+
+def expect_resumed(scene, alone):
+    """A render that breaks off leaves its checkpoint beside the .blend file, from which the next one gets the same bits."""
+    blend = os.path.join(folder, "kept.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=blend)
+    kept, program_that_breaks = os.path.join(folder, "kept.dspm", "ViewLayer.0001-0003"), os.path.join(folder, "breaking")
+    with open(program_that_breaks, "w") as script:
+        script.write(f'#!/bin/sh\n"{program}" "$@" --checkpoint-every 1\nexit 1\n')
+    os.chmod(program_that_breaks, 0o755)
+    preferences = bpy.context.preferences.addons["dspm_blender"].preferences
+    preferences.program, scene.dspm.iterations = program_that_breaks, 1
+    try:
+        rendered_in_blender(scene, "broken")
+    except RuntimeError:
+        pass
+    preferences.program, scene.dspm.iterations, scene.dspm.resume = program, 2, True
+    expect(os.path.exists(os.path.join(kept, "checkpoint")), f"a render that breaks off leaves a checkpoint in {kept}")
+    begun = os.stat(os.path.join(kept, "scene.dsc")).st_mtime_ns
+    for frame, path in enumerate(rendered_in_blender(scene, "resumed"), 1):
+        expect(np.array_equal(Exr(path).channels["ViewLayer.Combined.R"], Exr(f"{alone}.{frame:04}.exr").channels["R"]),
+               f"frame {frame} is what it is without the break")
+    expect(os.stat(os.path.join(kept, "scene.dsc")).st_mtime_ns == begun, "what is resumed is not exported again")
+    scene.dspm.resume = False
+    rendered_in_blender(scene, "again")
+    expect(not os.path.exists(os.path.join(folder, "kept.dspm")), "nothing is kept of a render that is complete")
+
+
+def expect_guide(scene):
+    """It is learned once."""
+    scene.dspm.guide = os.path.join(folder, "photons.guide")
+    bpy.ops.render.render()
+    learned = os.stat(scene.dspm.guide).st_mtime_ns
+    bpy.ops.render.render()
+    expect(os.stat(scene.dspm.guide).st_mtime_ns == learned, "a guide that is there is not learned again")
+    scene.dspm.guide = ""
 
 
 def expect_notes(scene):
@@ -163,6 +241,11 @@ def main():
     bpy.ops.render.render(animation=True)
     for frame in range(1, FRAMES + 1):
         compare(os.path.join(folder, f"blender.{frame:04}.exr"), f"{alone}.{frame:04}.exr", f"frame {frame}")
+    expect_lacking(scene)
+    expect_denoised(scene, alone)
+    expect_frames_as_they_are_done(scene)
+    expect_resumed(scene, alone)
+    expect_guide(scene)
     scene.frame_set(2)
     scene.render.use_border = scene.render.use_crop_to_border = True
     scene.render.border_min_x, scene.render.border_max_x, scene.render.border_min_y, scene.render.border_max_y = .25, .75, .1, .5

@@ -1,5 +1,6 @@
 """The render engine: F12 renders a frame, Render Animation all frames together."""
 import sys
+from contextlib import closing
 
 import bpy
 
@@ -23,8 +24,12 @@ class DspmEngine(bpy.types.RenderEngine):
                 path = request.file_of(depsgraph.view_layer.name)
                 for note in export_frames(self, depsgraph, path, request.frames, request.variations):
                     request.notes.add(note)
+            elif self.is_animation:
+                self._animation(depsgraph).show(self, depsgraph.scene.frame_current)
             else:
-                self._rendering(depsgraph).show(self, depsgraph.scene.frame_current)
+                frame = depsgraph.scene.frame_current
+                with closing(Rendering(self, depsgraph, [frame])) as rendering:
+                    rendering.show(self, frame)
         except Exception as problem:
             if request:
                 request.error = str(problem)  # which its operator tells
@@ -37,9 +42,7 @@ class DspmEngine(bpy.types.RenderEngine):
         self.report({"ERROR"}, problem)
         print(problem, file=sys.stderr, flush=True)
 
-    def _rendering(self, depsgraph):
-        if not self.is_animation:
-            return Rendering(self, depsgraph, [depsgraph.scene.frame_current])
+    def _animation(self, depsgraph):
         layer = depsgraph.view_layer.name
         if layer not in self.animations:
             self.animations[layer] = Rendering(self, depsgraph, animation_frames(depsgraph.scene))
@@ -47,14 +50,15 @@ class DspmEngine(bpy.types.RenderEngine):
 
     def update_render_passes(self, scene=None, renderlayer=None):
         self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
-        for each in passes(renderlayer):
+        for each in passes(renderlayer, scene.dspm.denoise):
             self.register_pass(scene, renderlayer, each.name, len(each.letters), each.letters, each.kind)
 
 
 @bpy.app.handlers.persistent
 def forget_animations(*_):
     """When Blender begins a render, and when it has ended."""
-    DspmEngine.animations.clear()
+    while DspmEngine.animations:
+        DspmEngine.animations.popitem()[1].close()
 
 
 HANDLERS = (bpy.app.handlers.render_init, bpy.app.handlers.render_complete, bpy.app.handlers.render_cancel)

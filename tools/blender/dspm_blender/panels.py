@@ -19,8 +19,14 @@ class RenderPanel(bpy.types.Panel):
         layout.prop(settings, "iterations")
         if settings.integrator in {"dsppm", "sppm"}:
             layout.prop(settings, "photons")
-        for name in ("max_depth", "until_error", "time_limit", "seed"):
+        for name in ("max_depth", "until_error", "time_limit", "seed", "denoise"):
             layout.prop(settings, name)
+        if settings.uses_guide():
+            layout.prop(settings, "guide")
+        layout.prop(settings, "checkpoint")
+        row = layout.row()
+        row.enabled = settings.checkpoint
+        row.prop(settings, "resume")
         layout.prop(context.scene.render, "film_transparent")
 
 
@@ -37,7 +43,8 @@ class PassesPanel(bpy.types.Panel):
         layout.use_property_split = True
         for name in ("use_pass_z", "use_pass_normal", "use_pass_position", "use_pass_uv"):
             layout.prop(layer, name)
-        layout.prop(layer.dspm, "albedo")
+        for name in ("albedo", "variance", "denoising_data"):
+            layout.prop(layer.dspm, name)
         layout.prop(layer, "use_pass_cryptomatte_object")
         layout.prop(layer, "use_pass_cryptomatte_material")
 

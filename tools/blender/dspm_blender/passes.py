@@ -11,12 +11,14 @@ class Pass:
     name: str       # Blender's
     letters: str    # one for each of its channels
     kind: str       # of its socket
-    output: str     # dspm's --aov
+    output: str     # dspm's --aov; empty: radiance as it is before it is denoised
     channels: tuple
 
 
-def passes(layer):
+def passes(layer, denoise):
     """Those that a view layer asks for, besides Combined."""
+    if denoise:
+        yield Pass("Noisy Image", "RGBA", "COLOR", "", ())  # as Cycles calls what Combined would be
     if layer.use_pass_z:
         yield Pass("Depth", "Z", "VALUE", "Z", ("Z",))
     if layer.use_pass_normal:
@@ -27,6 +29,12 @@ def passes(layer):
         yield Pass("UV", "UVA", "VECTOR", "uv", ("u", "v"))
     if layer.dspm.albedo:
         yield Pass("Albedo", "RGB", "COLOR", "albedo", ("Albedo.R", "Albedo.G", "Albedo.B"))
+    if layer.dspm.variance:
+        yield Pass("Variance", "RGB", "COLOR", "variance", ("variance.R", "variance.G", "variance.B"))
+    if layer.dspm.denoising_data:
+        yield Pass("Denoising Normal", "XYZ", "VECTOR", "denoisingN", tuple(f"DenoisingN.{letter}" for letter in "XYZ"))
+        yield Pass("Denoising Albedo", "RGB", "COLOR", "denoisingalbedo", tuple(f"DenoisingAlbedo.{letter}" for letter in "RGB"))
+        yield Pass("Denoising Depth", "Z", "VALUE", "denoisingZ", ("DenoisingZ.Z",))
     for wanted, output, name in ((layer.use_pass_cryptomatte_object, "cryptoobject", "CryptoObject"),
                                  (layer.use_pass_cryptomatte_material, "cryptomaterial", "CryptoMaterial")):
         for i in range(3 if wanted else 0):

@@ -1,10 +1,12 @@
 """A run of the program dspm: its progress, its messages, its pictures so far."""
+import ctypes
 import json
 import os
 import queue
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 
 from .exr import Exr
@@ -17,24 +19,34 @@ def find_program(preferred):
     return program
 
 
+LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
+PR_SET_PDEATHSIG = 1  # <sys/prctl.h>
+
+
+def ends_with_blender():
+    """In the program's process: if Blender crashes, it saves its checkpoint and ends, instead of going on unseen. The signal
+    comes once for each of Blender's threads, and dspm ends at once on a second SIGTERM."""
+    if LIBC:
+        LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGUSR2)
+
+
 class Run:
-    """Renders a scene's frames into `picture(frame)`, frames from 1. Ends when it is left."""
+    """Renders a scene's frames into `picture(frame)`, frames from 1, until it is closed."""
 
     def __init__(self, program, scene, frames, arguments, seconds_between_pictures):
-        stem = os.path.splitext(scene)[0]
-        self.pattern = f"{stem}.result.####.exr" if frames > 1 else f"{stem}.result.exr"
+        self.stem = f"{os.path.splitext(scene)[0]}.result"
+        self.numbers = ".{:04}" if frames > 1 else ""
         self.share, self.messages, self.lines, self.is_stopping = 0.0, [], queue.Queue(), False
+        self.done = set()  # frames whose pictures do not get better
         self.process = subprocess.Popen(
-            [program, scene, "-o", self.pattern, "--float", "--compression", "none", "--progress", "json",
-             "--write-every", f"{seconds_between_pictures}s", *arguments],
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
+            [program, scene, "-o", f"{self.stem}{'.####' if frames > 1 else ''}.exr", "--float", "--compression", "none",
+             "--progress", "json", "--write-every", f"{seconds_between_pictures}s", *arguments],
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
+            preexec_fn=ends_with_blender)
         self.reader = threading.Thread(target=self._read, daemon=True)
         self.reader.start()
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
+    def close(self):
         self.process.kill()
         self.process.wait()
 
@@ -53,19 +65,25 @@ class Run:
             self.process.send_signal(signal.SIGINT)
         self.is_stopping = True
 
-    def picture(self, frame):
+    def picture(self, frame, kind=""):
         """An Exr, or None if there is none yet. dspm replaces whole files."""
-        path = self.pattern.replace("####", f"{frame:04}")
+        path = self._path(frame, kind)
         return Exr(path) if os.path.exists(path) else None
 
     def written(self, frame):
         """When its picture was."""
-        path = self.pattern.replace("####", f"{frame:04}")
+        path = self._path(frame)
         return os.stat(path).st_mtime_ns if os.path.exists(path) else None
 
     def problem(self):
         """Of a run that has ended."""
         return None if self.process.wait() in {0, 130} else "\n".join(self.messages[-20:]) or "dspm has failed"
+
+    def is_complete(self):
+        return self.process.poll() == 0
+
+    def _path(self, frame, kind=""):
+        return f"{self.stem}{kind}{self.numbers.format(frame)}.exr"
 
     def _read(self):
         for line in self.process.stderr:
@@ -73,6 +91,9 @@ class Run:
 
     def _take(self, line):
         if line.startswith("{"):
-            self.share = json.loads(line).get("share_done", self.share)
+            event = json.loads(line)
+            self.share = event.get("share_done", self.share)
+            if event.get("last"):
+                self.done.update(map(int, event["frames"]))
         elif line:
             self.messages.append(line)
