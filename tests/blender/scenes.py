@@ -224,6 +224,29 @@ def second_map(tree):
     return paint
 
 
+def wax():
+    """Two balls with light inside: by a node of its own, and by Principled under its gloss."""
+    empty(camera=(0, -6, 2), target=(0, 0, 0.6), lens=45)
+    plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.5, .5, .5, 1))))
+    milk = material("milk", milky)
+    skin = material("skin", lambda tree: bsdf(tree, "Principled", **{
+        "Base Color": (.8, .5, .3, 1), "Subsurface Color": (.8, .3, .2, 1), "Subsurface": 0.4, "Subsurface Radius": (1, .4, .2),
+        "Roughness": 0.4}))
+    for x, paint in ((-1.1, milk), (1.1, skin)):
+        bpy.ops.mesh.primitive_uv_sphere_add(radius=0.9, location=(x, 0, 0.9))
+        bpy.ops.object.shade_smooth()
+        bpy.context.object.data.materials.append(paint)
+    lamp("AREA", (2, -2, 4), 400, turn=(0.5, 0.5, 0), size=2)
+    sky((.6, .7, .9, 1), 0.5)
+
+
+def milky(tree):
+    node = tree.nodes.new("ShaderNodeSubsurfaceScattering")
+    node.inputs["Color"].default_value, node.inputs["Scale"].default_value = (.8, .6, .4, 1), 0.5
+    node.inputs["Radius"].default_value = (1, .5, .3)
+    return node
+
+
 def turned():
     """Pictures that are scaled, turned and moved by Mapping: as a point, as a texture, after one another, and mirrored."""
     empty(camera=(0, 0, 9), target=(0, 0, 0), lens=45)
@@ -253,7 +276,7 @@ def mapped(tree, chain):
     return paint
 
 
-ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, turned)
+ALL = (startup, lamps, glass_monkey, waves, instances, pictures, hair, moving, painted, wax, turned)
 
 
 # What they are made of.

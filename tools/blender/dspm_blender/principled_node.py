@@ -1,17 +1,52 @@
 """Blender's Principled BSDF, of versions before 4 and since. dspm's parameters are explained in materials/principled.cpp."""
 import numpy as np
 
-from .fields import Field, is_one, is_zero, luminance, product
+from .fields import Field, complement, is_one, is_zero, luminance, product, total
 from .shader import Shader
+from .subsurface import body
 
 
 def principled(tree, source):
+    """Its opaque ground may be a body that scatters inside."""
     new = "Coat Weight" in source.node.inputs
     name = NEW if new else OLD
+    surface = of_surface(tree, source, name, new)
+    weight = tree.field(source, name["subsurface"])
+    if is_zero(weight):
+        return surface
+    if not surface.is_plain():
+        tree.note(source, "scatters at its surface only, as it emits or has holes")
+        return surface
+    ground = product(complement(tree.field(source, "Metallic")), complement(tree.field(source, name["transmission"])))
+    share = product(weight, ground) if new else ground
+    if is_zero(share):
+        return surface
+    inside = body_of(tree, source, weight, surface, new)
+    if is_one(share):
+        return inside
+    return Shader("mix", {"amount": share}, {"string materials": [tree.part(surface), tree.part(inside)]})
+
+
+def body_of(tree, source, weight, surface, new):
+    """Before Blender 4, Subsurface is a factor of the radius and the share of another colour; since then, it is a share of it all."""
+    if new:
+        colour, size, ior = tree.field(source, "Base Color"), tree.field(source, "Subsurface Scale"), "IOR"
+        if "Subsurface IOR" in source.node.inputs and source.node.inputs["Subsurface IOR"].enabled:
+            ior = "Subsurface IOR"
+    else:
+        colour = total(product(tree.field(source, "Subsurface Color"), weight),
+                       product(tree.field(source, "Base Color"), complement(weight)))
+        size, ior = weight, "Subsurface IOR"
+    inside = body(source.node, colour, product(tree.field(source, "Subsurface Radius"), size),
+                  tree.number(source, "Subsurface Anisotropy"), tree.number(source, ior), surface.plain["float eta"],
+                  surface.fields["roughness"])
+    relief = {key: value for key, value in surface.plain.items() if key in tree.relief(source)}
+    return Shader(inside.kind, inside.fields, inside.plain | relief)
+
+
+def of_surface(tree, source, name, new):
     get = lambda each: tree.field(source, name[each])
     transmission, colour, eta = get("transmission"), get("basecolor"), max(tree.number(source, "IOR"), 1.0)
-    if not is_zero(get("subsurface")):
-        tree.note(source, "scatters at its surface only")
     if not new and is_one(transmission):
         colour = product(colour, colour)  # it colours each boundary, dspm's root does
     eta, specular = gloss(tree, source, get("specular"), transmission, eta, new)

@@ -4,6 +4,7 @@ from dataclasses import replace
 from .fields import Field, complement, is_one, is_zero, product, total
 from .principled_node import principled
 from .shader import HOLE, Shader, black, diffuse
+from .subsurface import body
 
 
 def diffuse_node(tree, source):
@@ -56,8 +57,11 @@ def velvet(tree, source):
 
 
 def subsurface(tree, source):
-    tree.note(source, "scatters at its surface only")
-    return diffuse(tree.field(source, "Color"))
+    """Its surface mirrors nothing."""
+    radius = product(tree.field(source, "Radius"), tree.field(source, "Scale"))
+    inside = body(source.node, tree.field(source, "Color"), radius, tree.number(source, "Anisotropy"),
+                  tree.number(source, "IOR"), 1.0, Field.of(0))
+    return replace(inside, plain=inside.plain | tree.relief(source))
 
 
 def emission(tree, source):
