@@ -158,6 +158,7 @@ def moving():
     empty(camera=(-1, -6, 2), target=(0, 0, 0.6), lens=40, frames=2)
     camera = bpy.context.scene.camera
     camera.data.dof.use_dof, camera.data.dof.aperture_fstop = True, 0.4
+    camera.data.dof.aperture_blades, camera.data.dof.aperture_rotation, camera.data.dof.aperture_ratio = 3, 0.3, 1.5
     camera.data.dof.focus_object = bpy.data.objects.new("focus", None)
     plane(30, material("ground", lambda tree: bsdf(tree, "Diffuse", Color=(.6, .6, .6, 1))))
     paint = material("paint", lambda tree: bsdf(tree, "Diffuse", Color=(.2, .5, .8, 1)))

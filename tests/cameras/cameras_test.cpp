@@ -17,6 +17,10 @@ std::unique_ptr<Camera> camera(const std::string& name, const std::vector<Param>
   return make(camera_plugins(), name, params, context);
 }
 
+Param integer(std::string name, int value) {
+  return {ParamType::integer, std::move(name), {}, std::vector<int>{value}, {}, {}};
+}
+
 void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
   EXPECT_LT(max_component(abs(a - b)), tolerance)
       << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
@@ -123,6 +127,39 @@ void expect_sharp(const std::string& name, Vec2 film_point) {
 TEST(Perspective, IsSharpInThePlaneOfFocus) { expect_sharp("perspective", {40, 170}); }
 TEST(Orthographic, IsSharpInThePlaneOfFocus) { expect_sharp("orthographic", {40, 170}); }
 
+// A regular polygon with n corners at the distance R, evenly filled: the mean of r^2 is R^2 / 6 (1 + 2 cos^2(pi / n)).
+TEST(Blades, FillAPolygonEvenly) {
+  constexpr int n = 20'000;
+  constexpr float radius = 0.5f, ratio = 2;
+  for (const std::string name : {"perspective", "orthographic"})
+    for (const int blades : {3, 6}) {
+      const auto lens = camera(name,
+                               {number("lensradius", radius), number("focaldistance", 4), integer("blades", blades),
+                                number("bladerotation", 20), number("anamorphic", ratio)},
+                               film(300, 200));
+      const Vec3 middle = camera(name, {}, film(300, 200))->ray({40, 170}, {}).origin;
+      const float edge = std::cos(kPi / static_cast<float>(blades));
+      float x2 = 0, y2 = 0, farthest = 0;
+      Vec2 sum;
+      for (int i = 0; i < n; ++i) {
+        const Vec2 u = PathRandom(2, Stream::setup, static_cast<std::uint64_t>(i), 0).pair(0, 0);
+        const Vec3 offset = lens->ray({40, 170}, u).origin - middle;
+        const Vec2 p{offset.x * ratio / radius, offset.y / radius};  // as if the opening were not narrower than high
+        for (int k = 0; k < blades; ++k) {
+          const float angle = (20 + 360.f * static_cast<float>(k) / static_cast<float>(blades)) * kPi / 180;
+          farthest = std::max(farthest, p.x * std::cos(angle) + p.y * std::sin(angle));
+        }
+        x2 += p.x * p.x, y2 += p.y * p.y, sum = sum + p;
+      }
+      EXPECT_NEAR(farthest, edge, 0.02f) << name << blades;
+      EXPECT_LE(farthest, edge * 1.00001f) << name << blades;
+      const float expected = (1 + 2 * edge * edge) / 12;  // of each axis, by symmetry
+      EXPECT_NEAR(x2 / n, expected, 5 * 0.5f / std::sqrt(float{n})) << name << blades;
+      EXPECT_NEAR(y2 / n, expected, 5 * 0.5f / std::sqrt(float{n})) << name << blades;
+      EXPECT_LT(std::hypot(sum.x, sum.y) / n, 5 * 0.7f / std::sqrt(float{n})) << name << blades;
+    }
+}
+
 TEST(Orthographic, RaysAreParallelAndSpreadOverTheScreen) {
   const Matrix4 to_world = Matrix4::translate(0, 0, 3) * Matrix4::scale(2, 2, 2);
   const auto seen = camera("orthographic", {}, film(200, 100, to_world));
@@ -154,7 +191,8 @@ TEST(Sight, FindsTheRayAgainAndTheFilmThatAnAreaTakes) {
   for (const std::string name : {"perspective", "orthographic"}) {
     for (const float lens_radius : {0.f, 0.2f}) {
       const auto seen =
-          camera(name, {number("lensradius", lens_radius), number("focaldistance", 5)}, film(640, 480, to_world));
+          camera(name, {number("lensradius", lens_radius), number("focaldistance", 5), integer("blades", 5)},
+                 film(640, 480, to_world));
       for (std::uint64_t i = 0; i < 200; ++i) {
         const PathRandom random(4, Stream::setup, i, 0);
         const Vec2 u = random.pair(0, 0), lens = random.pair(0, 1), place{u.x * 640, u.y * 480};
@@ -193,6 +231,9 @@ TEST(Cameras, RejectWhatMakesNoSense) {
             "parameter \"lensradius\" of plugin \"perspective\" must not be negative\n");
   EXPECT_EQ(errors(number("focaldistance", 0)),
             "parameter \"focaldistance\" of plugin \"perspective\" must be above 0\n");
+  EXPECT_EQ(errors(integer("blades", 2)),
+            "parameter \"blades\" of plugin \"perspective\" must be 0, or from 3 to 100\n");
+  EXPECT_EQ(errors(number("anamorphic", 0)), "parameter \"anamorphic\" of plugin \"perspective\" must be above 0\n");
   EXPECT_NE(errors(numbers("screenwindow", {-1, 1, -1})), "");
   EXPECT_NE(errors(numbers("screenwindow", {1, 1, -1, 1})), "");
   EXPECT_EQ(errors(number("shutterclose", 0.5f)), "");

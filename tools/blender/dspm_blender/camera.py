@@ -1,4 +1,6 @@
 """The scene's camera. Blender looks along -z, dspm along +z of camera space."""
+import math
+
 from mathutils import Matrix, Vector
 
 from .blocks import pose
@@ -47,14 +49,20 @@ class Camera:
             return Directive("Camera", "orthographic").with_params({**window, **self._lens(camera)})
         return Directive("Camera", "perspective").with_params({"float fov": 90, **window, **self._lens(camera)})
 
-    def _lens(self, camera):
-        data = camera.data
-        if not data.dof.use_dof:
+    @staticmethod
+    def _lens(camera):
+        """Blender's f-stop is that of the opening's height, dspm's radius that of its longer axis."""
+        data, dof = camera.data, camera.data.dof
+        if not dof.use_dof:
             return {}
-        if data.dof.aperture_blades or data.dof.aperture_ratio != 1:
-            self.notes.add(f'camera "{camera.name}": its aperture is round')
         focal_length = data.lens / 1000 if data.type == "PERSP" else 1
-        return {"float lensradius": focal_length / (2 * data.dof.aperture_fstop), "float focaldistance": focus(camera)}
+        radius = focal_length / (2 * dof.aperture_fstop) * max(1, 1 / dof.aperture_ratio)
+        lens = {"float lensradius": radius, "float focaldistance": focus(camera)}
+        if dof.aperture_ratio != 1 or dof.id_data.animation_data:
+            lens["float anamorphic"] = dof.aperture_ratio
+        if dof.aperture_blades >= 3:
+            lens |= {"integer blades": dof.aperture_blades, "float bladerotation": math.degrees(dof.aperture_rotation)}
+        return lens
 
 
 def focus(camera):

@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 
 from .fields import Field
+from .versions import ENCODINGS
 
-ENCODINGS = {"Linear": "linear", "Linear Rec.709": "linear", "Non-Color": "linear", "Raw": "linear", "sRGB": "sRGB"}
 FLOATS = {"OPEN_EXR", "HDR"}  # formats of files that hold nothing else
 
 

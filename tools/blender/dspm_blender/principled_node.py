@@ -4,12 +4,12 @@ import numpy as np
 from .fields import Field, complement, is_one, is_zero, luminance, product, total
 from .shader import Shader
 from .subsurface import body
+from .versions import is_new, principled_names
 
 
 def principled(tree, source):
     """Its opaque ground may be a body that scatters inside."""
-    new = "Coat Weight" in source.node.inputs
-    name = NEW if new else OLD
+    new, name = is_new(source.node), principled_names(source.node)
     surface = of_surface(tree, source, name, new)
     weight = tree.field(source, name["subsurface"])
     if is_zero(weight):
@@ -92,11 +92,3 @@ def sheen(tree, source, new):
 
 def scaled(field, factor):
     return field if factor == 1 else product(field, Field.of(factor))
-
-
-SAME = {"basecolor": "Base Color", "metallic": "Metallic", "roughness": "Roughness", "alpha": "Alpha",
-        "anisotropy": "Anisotropic"}
-OLD = SAME | {"specular": "Specular", "transmission": "Transmission", "coat": "Clearcoat",
-              "coatroughness": "Clearcoat Roughness", "emission": "Emission", "subsurface": "Subsurface"}
-NEW = SAME | {"specular": "Specular IOR Level", "transmission": "Transmission Weight", "coat": "Coat Weight",
-              "coatroughness": "Coat Roughness", "emission": "Emission Color", "subsurface": "Subsurface Weight"}

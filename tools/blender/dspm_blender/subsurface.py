@@ -3,6 +3,7 @@ import numpy as np
 
 from .fields import Field, is_zero, product, together
 from .shader import Shader, diffuse
+from .versions import extent_depends_on_colour
 
 SHORTEST = 1e-5  # of mean free paths
 
@@ -12,20 +13,13 @@ def body(node, colour, radius, anisotropy, ior, eta, roughness):
     if is_zero(radius):
         return diffuse(colour)
     factor = Field.of(1 / (4 * np.pi))
-    if depends_on_colour(node):
+    if extent_depends_on_colour(node):
         values = np.sqrt(3 * (1 - scattered_share(np.clip(colour.values, 0, 1), ior)))
         factor = colour.with_values(values)
     (lengths, scale), leader = together([radius, factor])
     mfp = leader.with_values(np.maximum(lengths * scale * (1 - anisotropy), SHORTEST))
     return Shader("subsurface", {"reflectance": colour, "mfp": mfp, "roughness": product(roughness, roughness)},
                   {"float g": anisotropy, "float eta": eta, "bool remaproughness": False})
-
-
-def depends_on_colour(node):
-    """Random Walk before Blender 4, which calls it Random Walk (Skin). The other methods take 1 / (4 pi) of radii."""
-    name = "subsurface_method" if hasattr(node, "subsurface_method") else "falloff"
-    kinds = node.bl_rna.properties[name].enum_items.keys()
-    return getattr(node, name) == ("RANDOM_WALK_SKIN" if "RANDOM_WALK_SKIN" in kinds else "RANDOM_WALK")
 
 
 def scattered_share(reflectance, eta):
