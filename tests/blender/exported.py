@@ -183,8 +183,53 @@ def expect_colour_spaces():
             expect(np.allclose(found, seen, rtol=0.02, atol=0.003), f"{name} as a {where} is {seen}, not {found}")
 
 
+def spotted(tree):
+    """Noise through a ramp, in generated coordinates, and a chequered roughness of object coordinates."""
+    noise, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
+    noise.inputs["Scale"].default_value = 4
+    ramp.color_ramp.elements[0].position, ramp.color_ramp.elements[1].position = 0.45, 0.55
+    ramp.color_ramp.elements[0].color, ramp.color_ramp.elements[1].color = (.8, .1, .05, 1), (.05, .2, .7, 1)
+    emission = scenes.bsdf(tree, "Emission")
+    tree.links.new(noise.outputs["Fac"], ramp.inputs["Fac"])
+    tree.links.new(ramp.outputs["Color"], emission.inputs["Color"])
+    return emission
+
+
+def expect_baked_textures(samples=16):
+    """Noise looks as Cycles has it if it is baked, and is a mean with a note if it is not. The scene stays as it was."""
+    scene = begin(camera=(0, -4, 1))
+    addon_utils.enable("cycles")
+    scene.render.resolution_x, scene.render.resolution_y, scene.dspm.bake_size = 96, 72, 512
+    paint = scenes.material("spotted", spotted)
+    for x, add in ((-0.8, bpy.ops.mesh.primitive_monkey_add), (0.9, bpy.ops.mesh.primitive_cube_add)):
+        add(location=(x, 0, 0))
+        bpy.context.object.scale = (.7, .7, .7)
+        bpy.context.object.data.materials.append(paint)
+    maps = [[layer.name for layer in each.data.uv_layers] for each in scene.objects if each.type == "MESH"]
+    path = os.path.join(folder, "baked.dsc")
+    expect(bpy.ops.export_scene.dspm(filepath=path, bake=True) == {"FINISHED"}, "the scene with noise is exported")
+    image = rendered(path, samples)[0]
+    expect(maps == [[layer.name for layer in each.data.uv_layers] for each in scene.objects if each.type == "MESH"] and
+           set(bpy.data.images.keys()) <= {"Render Result"} and len(paint.node_tree.nodes) == 4, "baking for an export leaves nothing behind")
+    scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", samples, False
+    settings = scene.render.image_settings
+    settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR", "32", "NONE"
+    scene.render.filepath = os.path.join(folder, "cycles.exr")
+    bpy.ops.render.render(write_still=True)
+    theirs = np.dstack([Exr(scene.render.filepath).channels[letter] for letter in "RGB"])
+    away = np.abs(image - theirs).mean() / theirs.mean()
+    expect(away < 0.08, f"baked noise is that of Cycles, not {away:.1%} away")
+    _, notes = exported(scene, "not baked")
+    expect(any("Noise Texture has not been baked" in note for note in notes), f"what is not baked is named: {notes}")
+    bpy.ops.dspm.bake_textures()
+    expect("Noise" not in " ".join(exported(scene, "kept")[1]), "what was baked in the panel is exported")
+    expect('"integer uvset" 2' in text_of(os.path.join(folder, "kept.dsc")), "it lies by its own map")
+    bpy.ops.dspm.forget_textures()
+    expect(set(bpy.data.images.keys()) <= {"Render Result"}, "and can be removed")
+
+
 def main():
-    for test in (expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces):
+    for test in (expect_what_is_shrunk_to_nothing, expect_view_layers, expect_fog, expect_colour_spaces, expect_baked_textures):
         test()
     print(f"{len(failures)} failures")
     sys.exit(1 if failures else 0)

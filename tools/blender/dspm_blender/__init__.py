@@ -9,9 +9,9 @@ bl_info = {
     "category": "Render",
 }
 
-from . import engine, export_operator, panels, preferences, settings, variation_settings
+from . import baking_operators, engine, export_operator, panels, preferences, settings, variation_settings
 
-MODULES = (preferences, settings, variation_settings, engine, export_operator, panels)
+MODULES = (preferences, settings, variation_settings, baking_operators, engine, export_operator, panels)
 
 
 def register():

@@ -6,6 +6,7 @@ from .colour_math import blended, computed, hue_shifted
 from .fields import Field, Place, grey, luminance, together
 from .image_fields import image_field, is_missing, missing
 from . import layers
+from .baking import PROCEDURAL, picture_of
 from .links import LinkedSocket
 
 
@@ -22,7 +23,7 @@ class Colours:
             return constant(socket.end().socket)
         key = (source.node.as_pointer(), source.socket.identifier, source.groups)
         if key not in self.done:
-            evaluate = NODES.get(source.node.bl_idname, unknown)
+            evaluate = baked if picture_of(source) else NODES.get(source.node.bl_idname, unknown)
             self.done[key] = evaluate(self, source)
         return self.done[key]
 
@@ -53,10 +54,17 @@ def unknown(colours, source):
     entering = [colours.of(LinkedSocket(socket, source.groups)) for socket in source.node.inputs
                 if socket.type == source.socket.type == "RGBA" and socket.enabled]
     instead = "the mean of the colours that enter it stands in" if entering else "0.5 stands in"
-    colours.notes.add(f"{colours.named(source.node)}: {source.node.bl_label} is not known; {instead}")
+    lack = "has not been baked" if source.node.bl_idname in PROCEDURAL else "is not known"
+    colours.notes.add(f"{colours.named(source.node)}: {source.node.bl_label} {lack}; {instead}")
     if not entering:
         return Field.of(0.5)
     return Field(np.mean([field.mean().values for field in entering], axis=0))
+
+
+def baked(colours, source):
+    """The picture of a procedural texture."""
+    uv_set = layers.uv_set(layers.BAKED_UVS, bpy.data.meshes)
+    return image_field(picture_of(source), Place(uv_set=uv_set or 1))
 
 
 def picture(colours, source):

@@ -2,6 +2,7 @@
 import bpy
 from bpy_extras.io_utils import ExportHelper
 
+from .baking import any_baked, bake, forget
 from .export_frames import animation_frames
 from .export_request import ExportRequest
 
@@ -16,8 +17,20 @@ class ExportDspm(bpy.types.Operator, ExportHelper):
     variations: bpy.props.BoolProperty(
         name="Variations", default=True, description="Of materials and collections that have them; else as it is here")
 
+    bake: bpy.props.BoolProperty(
+        name="Bake Procedural Textures", description="As pictures, which goes for this export only unless there are some already")
+
     def execute(self, context):
-        scene = context.scene
+        scene, had_some = context.scene, any_baked()
+        for note in bake(scene, context.view_layer, scene.dspm.bake_size) if self.bake else ():
+            self.report({"WARNING"}, note)
+        try:
+            return self._export(scene)
+        finally:
+            if self.bake and not had_some:
+                forget()
+
+    def _export(self, scene):
         frames = animation_frames(scene) if self.animation else [scene.frame_current]
         request = ExportRequest(bpy.path.abspath(self.filepath), frames, self.variations)
         with request.in_scene(scene):

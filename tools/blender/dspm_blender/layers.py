@@ -1,6 +1,9 @@
 """What materials ask of a mesh beside its first texture coordinates: another UV map, and the colours of its vertices."""
 
 
+BAKED_UVS = "dspm baked"  # on which pictures of procedural textures lie
+
+
 def shown_uvs(mesh):
     """The UV map that is marked for rendering."""
     return next((layer for layer in mesh.uv_layers if layer.active_render), None)
@@ -9,7 +12,7 @@ def shown_uvs(mesh):
 def second_uvs(mesh):
     """The first other one that a material's UV Map node names."""
     shown = shown_uvs(mesh)
-    for name in asked(mesh.materials, "ShaderNodeUVMap", "uv_map"):
+    for name in asked_uvs(mesh):
         layer = mesh.uv_layers.get(name)
         if layer is not None and layer != shown:
             return layer
@@ -43,12 +46,17 @@ def nodes(tree):
             yield from nodes(node.node_tree)
 
 
+def asked_uvs(mesh):
+    """Pictures that were baked come first, as nothing can stand in for their map."""
+    return [BAKED_UVS, *asked(mesh.materials, "ShaderNodeUVMap", "uv_map")]
+
+
 def uv_set(name, meshes):
     """1 or 2: as which texture coordinates dspm knows the UV map of that name; None if meshes do not agree or it is a
     third one."""
     sets = set()
     for mesh in meshes:
-        if name and name in mesh.uv_layers and name in asked(mesh.materials, "ShaderNodeUVMap", "uv_map"):
+        if name and name in mesh.uv_layers and name in asked_uvs(mesh):
             second = second_uvs(mesh)
             sets.add(1 if mesh.uv_layers[name] == shown_uvs(mesh) else 2 if second and second.name == name else None)
     return sets.pop() if len(sets) == 1 else None if sets else 1

@@ -1,6 +1,8 @@
 """Panels of the render and view layer properties, and Blender's own that hold for dspm as well."""
 import bpy
 
+from .baking_operators import BakeTextures, ForgetTextures
+
 
 class RenderPanel(bpy.types.Panel):
     bl_label = "dspm"
@@ -28,6 +30,10 @@ class RenderPanel(bpy.types.Panel):
         row.enabled = settings.checkpoint
         row.prop(settings, "resume")
         layout.prop(context.scene.render, "film_transparent")
+        layout.prop(settings, "bake_size")
+        row = layout.row(align=True)
+        row.operator(BakeTextures.bl_idname)
+        row.operator(ForgetTextures.bl_idname, text="", icon="X")
 
 
 class PassesPanel(bpy.types.Panel):

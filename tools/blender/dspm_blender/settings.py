@@ -37,6 +37,9 @@ class DspmSettings(bpy.types.PropertyGroup):
         name="Guide", subtype="FILE_PATH",
         description="Where photons start: learned and written if there is no such file, else read. Empty: learned each time")
 
+    bake_size: bpy.props.IntProperty(
+        name="Baked Size", default=1024, min=16, max=16384, description="Pixels of a picture of a procedural texture, each way")
+
     def integrator_directive(self):
         directive = Directive("Integrator", self.integrator).with_params(
             {"integer iterations": self.iterations, "integer maxdepth": self.max_depth})
