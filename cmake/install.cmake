@@ -10,7 +10,11 @@ target_include_directories(libdspm INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DI
 target_compile_features(libdspm INTERFACE cxx_std_20)
 target_compile_options(libdspm INTERFACE ${dspm_code_options})
 
-set_target_properties(dspm PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(library_folders "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+if(SKBUILD)
+  set(library_folders "$ORIGIN/..")  # of the program in the Python package
+endif()
+set_target_properties(dspm PROPERTIES INSTALL_RPATH "${library_folders}")
 install(TARGETS dspm)
 install(TARGETS libdspm EXPORT dspm LIBRARY NAMELINK_COMPONENT Development)
 if(TARGET dspm_mpi)

@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -102,6 +103,13 @@ void def_field(py::class_<Class>& of, const char* name, std::vector<S> Class::*m
     return view(values.empty() ? nullptr : &(values.front().*field), values.size(), sizeof(S), self);
   };
   of.def_property_readonly(name, get, doc);
+}
+
+/// How it is shown: by its name and its length. `count`: of a const Class&.
+template <class Class, class Count>
+void def_repr(py::class_<Class>& of, const char* name, const Count& count) {
+  of.def("__repr__",
+         [=](const Class& self) { return fmt::format("<dspm.{} of {} rows>", name, std::invoke(count, self)); });
 }
 
 }  // namespace dspm::python

@@ -130,6 +130,7 @@ void add_query(py::module_& module) {
 
 For each ray: parts with disjoint frames, whose union is the frames of the ray; a miss is a part of shape -1.)");
   parts.def("__len__", &Parts::size);
+  def_repr(parts, "Parts", &Parts::size);
   def_array(parts, "ray", &Parts::ray, "(n,): row of the ray.");
   def_array(parts, "frames", &Parts::frames, "(n,), uint64");
   def_field(parts, "t", &Parts::hits, &RayHit::t, "(n,): the distance; infinite for a miss.");
@@ -149,9 +150,16 @@ Frames are indices into scene.labels; none: all. Bit j of a mask is the j-th of 
           "Of a sphere around the scene, over all frames of the file.")
       .def_property_readonly(
           "radius", [](const Query& q) { return q.scene->radius; }, "Its radius.")
-      .def_property_readonly("object_names", [](const Query& q) { return copied(q.scene->object_names); })
-      .def_property_readonly("material_names", [](const Query& q) { return copied(q.scene->material_names); })
-      .def_property_readonly("light_names", [](const Query& q) { return copied(q.scene->light_names); })
+      .def("__repr__", [](const Query& q) { return fmt::format("<dspm.Query of {} frames>", q.scene->frame_count()); })
+      .def_property_readonly(
+          "object_names", [](const Query& q) { return copied(q.scene->object_names); },
+          "What numbers of objects stand for.")
+      .def_property_readonly(
+          "material_names", [](const Query& q) { return copied(q.scene->material_names); },
+          "What numbers of materials stand for.")
+      .def_property_readonly(
+          "light_names", [](const Query& q) { return copied(q.scene->light_names); },
+          "What numbers of lights stand for.")
       .def("camera_rays", camera_rays, py::arg("film"), py::arg("lens"),
            R"(Rays (their rows are film points), and what each sees counts by: 1 but for lenses that shade.
 

@@ -55,11 +55,13 @@ Directions have unit length; hits lie at t in (0, t_max). Bit f of `frames` (uin
   def_field(rays, "origin", &Rays::rays, &Ray::origin, "(n, 3)");
   def_field(rays, "direction", &Rays::rays, &Ray::direction, "(n, 3)");
   def_field(rays, "t_max", &Rays::rays, &Ray::t_max, "(n,)");
+  def_repr(rays, "Rays", &Rays::size);
   def_array(rays, "frames", &Rays::frames, "(n,), uint64");
   def_array(rays, "row", &Rays::row, "(n,): of what each ray was made from: of the film points, or of the surfaces.");
 
   py::class_<Radiance> radiance(module, "Radiance", "Radiance by rows, in groups of frames that agree.");
   radiance.def("__len__", [](const Radiance& r) { return r.row.size(); });
+  def_repr(radiance, "Radiance", [](const Radiance& r) { return r.row.size(); });
   def_array(radiance, "row", &Radiance::row, "(n,): of the rays, or of the surfaces that emit.");
   def_array(radiance, "frames", &Radiance::frames, "(n,), uint64");
   def_array(radiance, "radiance", &Radiance::radiance, "(n, 3)");

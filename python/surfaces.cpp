@@ -121,12 +121,14 @@ void add_surfaces(py::module_& module) {
   py::class_<Scattered> scattered(module, "Scattered",
                                   "Directions that were drawn at surfaces; those absorbed are left out.");
   scattered.def_readonly("rays", &Scattered::rays, "Rays on; their rows are surfaces.");
+  def_repr(scattered, "Scattered", [](const Scattered& s) { return s.rays.size(); });
   def_array(scattered, "weight", &Scattered::weight, "(n, 3): f |cos| / pdf_w.");
   def_array(scattered, "pdf_w", &Scattered::pdf_w, "(n,): by solid angle; 0: specular.");
   def_array(scattered, "specular", &Scattered::specular, "(n,): 1 if the direction was the only possible one.");
 
   py::class_<LightSamples> lights(module, "LightSamples", "Light that may arrive at surfaces, by samples.");
   lights.def_readonly("rays", &LightSamples::rays, "Shadow rays; their rows are surfaces.");
+  def_repr(lights, "LightSamples", [](const LightSamples& l) { return l.rays.size(); });
   def_array(lights, "wi", &LightSamples::wi, "(n, 3): towards the light.");
   def_array(lights, "weight", &LightSamples::weight,
             "(n, 3): radiance over pdf_w. Times f |cos| it is what the surface scatters.");
@@ -148,6 +150,7 @@ Textures are looked up at points, without a footprint. Light that a body absorbs
            "Chooses one light by its power, and a point on it, with numbers in [0, 1), (n, 3): LightSamples.")
       .def("emitted", emitted, "Radiance that surfaces emit back along the rays; rows are surfaces.")
       .def("spawn", spawn, py::arg("w"), "Rays in these directions, (n, 3), that start safely off the surfaces.");
+  def_repr(surfaces, "Surfaces", &Surfaces::size);
   def_array(surfaces, "ray", &Surfaces::ray, "(n,): row of the ray.");
   def_array(surfaces, "frames", &Surfaces::frames, "(n,), uint64");
   def_field(surfaces, "p", &Surfaces::points, &SurfacePoint::p, "(n, 3)");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -61,6 +62,7 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
   const std::vector<OutputInfo> outputs = asked_outputs(integrator, job_);
   for (std::size_t j = 0; j < interval.size(); ++j) {
     const FileFrame frame = interval[j];
+    if (!std::binary_search(job_.frames.begin(), job_.frames.end(), frame)) continue;
     const std::filesystem::path name = output_.name(frame);
     const auto image = std::make_shared<Image>();
     const auto clean = std::make_shared<Image>();  // with less noise; empty: none
@@ -101,7 +103,8 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
       faults_.attempt(output_.denoised_name(frame), write_clean, failed);
   }
   faults_.attempt(settings_.contact_sheet, [&] { output_.write_contact_sheet(); });
-  written_.insert(interval.begin(), interval.end());
+  std::set_intersection(interval.begin(), interval.end(), job_.frames.begin(), job_.frames.end(),
+                        std::inserter(written_, written_.end()));
 }
 
 std::string Results::written() const {
@@ -113,6 +116,15 @@ std::string Results::written() const {
   const std::string images = from_to([&](FileFrame frame) { return output_.name(frame); });
   if (!job_.denoiser) return images;
   return images + "; with less noise: " + from_to([&](FileFrame frame) { return output_.denoised_name(frame); });
+}
+
+std::vector<std::filesystem::path> Results::files() const {
+  std::vector<std::filesystem::path> files;
+  for (const FileFrame frame : written_) {
+    for (const std::filesystem::path& file : output_.image_files(frame)) files.push_back(file);
+    if (job_.denoiser) files.push_back(output_.denoised_name(frame));
+  }
+  return files;
 }
 
 void Results::say_end(double seconds, bool interrupted) const {

@@ -21,7 +21,8 @@ class Results {
           bool keep_failed, Messages& messages, Video::EndWanted end_wanted);
 
   std::size_t bytes_while_writing() const { return output_.bytes_while_writing(); }
-  /// Writes the images of an interval's frames, `seconds` after its start; the last ones go to the video, too.
+  /// Writes the images of those of an interval's frames that are the job's, `seconds` after its start; the last ones go to
+  /// the video, too.
   void write(const FrameList& interval, const Integrator& integrator, double seconds, Images images);
   /// Writes another file of the run; see WriteFaults.
   void attempt(const std::filesystem::path& file, const WriteFaults::Write& write) { faults_.attempt(file, write); }
@@ -31,6 +32,8 @@ class Results {
 
   /// The files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none.
   std::string written() const;
+  /// Of the frames that have images.
+  std::vector<std::filesystem::path> files() const;
   void say_end(double seconds, bool interrupted) const;
   /// Writes the statistics, the table of images and the video. Returns whether all files are written.
   bool finish(const RunReport& report);
