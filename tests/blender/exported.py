@@ -184,7 +184,7 @@ def expect_colour_spaces():
 
 
 def spotted(tree):
-    """Noise through a ramp, in generated coordinates, and a chequered roughness of object coordinates."""
+    """Noise through a ramp, in generated coordinates, brighter above."""
     noise, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
     noise.inputs["Scale"].default_value = 4
     ramp.color_ramp.elements[0].position, ramp.color_ramp.elements[1].position = 0.45, 0.55
@@ -192,7 +192,17 @@ def spotted(tree):
     emission = scenes.bsdf(tree, "Emission")
     tree.links.new(noise.outputs["Fac"], ramp.inputs["Fac"])
     tree.links.new(ramp.outputs["Color"], emission.inputs["Color"])
+    tree.links.new(strength_of_height(tree), emission.inputs["Strength"])
     return emission
+
+
+def strength_of_height(tree):
+    """A half and once the height in generated coordinates, which two of the nodes hand on as vectors."""
+    place, away, parts = (tree.nodes.new(f"ShaderNode{kind}") for kind in ("TexCoord", "VectorMath", "SeparateXYZ"))
+    away.inputs[1].default_value = (0, 0, .5)
+    tree.links.new(place.outputs["Generated"], away.inputs[0])
+    tree.links.new(away.outputs[0], parts.inputs[0])
+    return parts.outputs["Z"]
 
 
 def expect_baked_textures(samples=16):
@@ -210,7 +220,7 @@ def expect_baked_textures(samples=16):
     expect(bpy.ops.export_scene.dspm(filepath=path, bake=True) == {"FINISHED"}, "the scene with noise is exported")
     image = rendered(path, samples)[0]
     expect(maps == [[layer.name for layer in each.data.uv_layers] for each in scene.objects if each.type == "MESH"] and
-           set(bpy.data.images.keys()) <= {"Render Result"} and len(paint.node_tree.nodes) == 4, "baking for an export leaves nothing behind")
+           set(bpy.data.images.keys()) <= {"Render Result"} and len(paint.node_tree.nodes) == 7, "baking for an export leaves nothing behind")
     scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", samples, False
     settings = scene.render.image_settings
     settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR", "32", "NONE"

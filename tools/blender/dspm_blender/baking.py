@@ -1,23 +1,13 @@
-"""Procedural textures as pictures: Cycles evaluates each over the surfaces that show it, laid out on a UV map of their own.
-
-A picture stays with its node, as the property PREFIX + the output's identifier, so whatever reads the node finds it there."""
+"""Makes pictures of procedural textures: Cycles evaluates each over the surfaces that show it, on a UV map of their own."""
 from contextlib import contextmanager
 
 import bpy
 
+from .baked_pictures import PREFIX, is_of_places
+from .colours import NODES
 from .layers import BAKED_UVS
 
-PREFIX = "dspm "
-PROCEDURAL = {"ShaderNodeTexNoise", "ShaderNodeTexVoronoi", "ShaderNodeTexMusgrave", "ShaderNodeTexWave", "ShaderNodeTexMagic",
-              "ShaderNodeTexBrick", "ShaderNodeTexChecker", "ShaderNodeTexGradient", "ShaderNodeTexWhiteNoise",
-              "ShaderNodeTexGabor"}  # Musgrave until Blender 4.0, Gabor since 4.3
-
 GAP = 0.01  # between pieces of the surface; their margins must stay apart, as each object's overwrite those of others
-
-
-def picture_of(source):
-    """The picture of an output, or None."""
-    return source.node.get(PREFIX + source.socket.identifier)
 
 
 def bake(scene, layer, size):
@@ -60,9 +50,18 @@ def forget():
             mesh.uv_layers.remove(mesh.uv_layers[BAKED_UVS])
 
 
+RELIEFS = {"ShaderNodeBump", "ShaderNodeNormalMap", "ShaderNodeDisplacement"}
+
+
 def procedural_outputs(tree):
-    return [output for node in tree.nodes if node.bl_idname in PROCEDURAL
-            for output in node.outputs if output.is_linked and output.type in {"RGBA", "VALUE"}]
+    """Those from which a colour is computed, or a shader takes one."""
+    return [output for node in tree.nodes for output in node.outputs
+            if is_of_places(node, output) and any(takes_colours(link.to_node) for link in output.links)]
+
+
+def takes_colours(node):
+    is_shader = any(output.type == "SHADER" for output in node.outputs)
+    return is_shader or (node.bl_idname in NODES and node.bl_idname != "ShaderNodeTexImage") or node.bl_idname in RELIEFS
 
 
 def groups_of_meshes(objects):

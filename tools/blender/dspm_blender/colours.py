@@ -2,11 +2,11 @@
 import bpy
 import numpy as np
 
+from .baked_pictures import is_of_places, picture_of
 from .colour_math import blended, computed, hue_shifted
 from .fields import Field, Place, grey, luminance, together
 from .image_fields import image_field, is_missing, missing
 from . import layers
-from .baking import PROCEDURAL, picture_of
 from .links import LinkedSocket
 
 
@@ -54,7 +54,7 @@ def unknown(colours, source):
     entering = [colours.of(LinkedSocket(socket, source.groups)) for socket in source.node.inputs
                 if socket.type == source.socket.type == "RGBA" and socket.enabled]
     instead = "the mean of the colours that enter it stands in" if entering else "0.5 stands in"
-    lack = "has not been baked" if source.node.bl_idname in PROCEDURAL else "is not known"
+    lack = "has not been baked" if is_of_places(source.node, source.socket) else "is not known"
     colours.notes.add(f"{colours.named(source.node)}: {source.node.bl_label} {lack}; {instead}")
     if not entering:
         return Field.of(0.5)
