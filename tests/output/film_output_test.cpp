@@ -150,6 +150,9 @@ TEST(DescribedCamera, ParametersHaveTheEffectThatIsClaimed) {
   const std::vector<std::pair<std::string, std::string>> before_after = {
       {R"("float fov" 60)", R"("float fov" 40)"},
       {R"("float lensradius" 0.1)", R"("float lensradius" 0.3)"},
+      {R"("integer blades" 5)", R"("integer blades" 3)"},
+      {R"("float bladerotation" 10)", R"("float bladerotation" 30)"},
+      {"", R"("float anamorphic" 3)"},
       {R"("float focaldistance" 8)", R"("float focaldistance" 3)"},
       {R"("float frameaspectratio" 1.5)", R"("float frameaspectratio" 1.1)"},
       {R"("float shutteropen" 0)", R"("float shutteropen" 0.5)"},
