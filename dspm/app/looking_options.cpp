@@ -43,6 +43,11 @@ void add(CLI::App& app, Options& o) {
   app.add_flag_callback("--flicker", [&o] { o.task = Task::flicker; })
       ->description("do not render, print how much these images (a.####.exr) flicker; -o: in false colours");
   app.add_option("--fps", o.page_fps,
+  add_count(app, "--sheet-columns", o.sheet.columns, 1, kMostPixels,
+            "images in a line of the contact sheet (default: as suits the page)");
+  add_count(
+      app, "--sheet-rows", o.sheet.lines, 1, kMostPixels,
+      "lines on a page of the contact sheet; what does not fit goes to page.0002.png (default: about 150 images)");
                  "frames per second of a glTF file's animation (24), or of a --video or --sheet of images that exist")
       ->check(CLI::Range(1e-3, 1e3).description(""))
       ->type_name("RATE");

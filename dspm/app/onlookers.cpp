@@ -36,8 +36,9 @@ TerminalGraphics graphics_of_stderr() {
 struct Onlookers::Terminal {
   Terminal(const TerminalGraphics& graphics, const Job& job)
       : preview(graphics, size_of_terminal(STDERR_FILENO)),
-        places(job),
-        sheet(places.layout(job.settings.crop.width(), job.settings.crop.height(), {.max_width = preview.width()})) {
+        style{.max_width = preview.width(), .lines = static_cast<int>(job.frames.size())},  // on one page
+        places(SheetPlaces::suited(job, job.settings.crop.width(), job.settings.crop.height(), style)),
+        sheet(places.layout(job.settings.crop.width(), job.settings.crop.height(), style)) {
     listen_to_messages([this](std::string_view text) {
       const std::lock_guard lock(mutex);
       preview.text_follows(text);
@@ -49,6 +50,7 @@ struct Onlookers::Terminal {
 
   std::mutex mutex;
   Preview preview;
+  SheetStyle style;
   SheetPlaces places;
   ContactSheet sheet;
 };

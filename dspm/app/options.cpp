@@ -70,12 +70,15 @@ struct Place {
   bool in_parts, in_merge;
 };
 constexpr Place kPlaces[] = {
-    {"farm", false, false},         {"parts", false, false},   {"outfile", false, true},   {"png", false, true},
-    {"contact-sheet", false, true}, {"index", false, true},    {"video", false, true},     {"view", false, true},
-    {"exposure", false, true},      {"png-bits", false, true}, {"png-space", false, true}, {"sheet-tile", false, true},
-    {"sheet-title", false, true},   {"labels", false, true},   {"half", false, true},      {"float", false, true},
-    {"compression", false, true},   {"tiles", false, true},    {"aov-files", false, true}, {"stats", false, true},
-    {"checkpoint", false, true},    {"plugin", true, true},    {"sandbox", true, true},    {"quiet", true, true},
+    {"farm", false, false},         {"parts", false, false},        {"outfile", false, true},
+    {"png", false, true},           {"contact-sheet", false, true}, {"index", false, true},
+    {"video", false, true},         {"view", false, true},          {"background", true, true},
+    {"sheet-columns", false, true}, {"sheet-rows", false, true},    {"exposure", false, true},
+    {"png-bits", false, true},      {"png-space", false, true},     {"sheet-tile", false, true},
+    {"sheet-title", false, true},   {"labels", false, true},        {"half", false, true},
+    {"float", false, true},         {"compression", false, true},   {"tiles", false, true},
+    {"aov-files", false, true},     {"stats", false, true},         {"checkpoint", false, true},
+    {"plugin", true, true},         {"sandbox", true, true},        {"quiet", true, true},
 };
 
 void keep_words(const CLI::App& app, Options& o) {

@@ -46,12 +46,12 @@ double rate_of(const PageFiles& pages, const std::string& first) {
   return rate > 0 ? rate : kUsualRate;
 }
 
-void check_files(const ImageTask& task, const PageFiles& pages) {
+void check_files(const ImageTask& task, const PageFiles& pages, const std::vector<std::filesystem::path>& sheets) {
   std::vector<NamedFile> read, written;
   for (const std::string& file : task.files)
     if (std::none_of(read.begin(), read.end(), [&](const NamedFile& each) { return each.path == file; }))
       read.push_back({file, "an image that is read"});
-  if (!pages.sheet.empty()) written.push_back({pages.sheet, "the sheet"});
+  for (const std::filesystem::path& sheet : sheets) written.push_back({sheet, "the sheet"});
   if (!pages.video.empty()) written.push_back({pages.video, "the video"});
   expect_distinct(read, written);
 }
@@ -66,6 +66,9 @@ class Sheets {
         height_(first.height),
         layout_(moves_ ? 1 : static_cast<int>(count), width_, height_, style),
         sheet_(layout_) {}
+  std::vector<std::filesystem::path> names() const {
+    return moves_ ? std::vector<std::filesystem::path>{path_} : page_names(path_, layout_);
+  }
 
   void put(std::size_t i, const Image& image, const std::string& label) {
     const Image fitting = fitted(image, width_, height_);
@@ -76,7 +79,7 @@ class Sheets {
   }
   void write(const PngFormat& format, double rate) const {
     if (moves_) return write_animation(path_, pages_, 1 / rate, format);
-    write_png(path_, sheet_.image(), format);
+    sheet_.write(path_, format);
   }
 
  private:
@@ -93,13 +96,14 @@ class Sheets {
 std::string make_pages(const ImageTask& task, const PageFiles& pages) {
   if (pages.sheet.empty() && pages.video.empty())
     throw UsageError("what is to be made of these images? --sheet FILE, --video FILE, --compare or --flicker");
-  check_files(task, pages);
   const View view(task.view), video_view = view.for_video();
   const double rate = rate_of(pages, task.files.front());
   const Image first = shown_file(task.files.front(), view);
   std::unique_ptr<Sheets> sheets;
   std::unique_ptr<Video> video;
   if (!pages.sheet.empty()) sheets = std::make_unique<Sheets>(pages.sheet, task.files.size(), first, pages.style);
+  const std::vector<std::filesystem::path> names = sheets ? sheets->names() : std::vector<std::filesystem::path>();
+  check_files(task, pages, names);
   if (!pages.video.empty())
     video = std::make_unique<Video>(pages.video, VideoFormat{first.width, first.height, static_cast<float>(rate)});
   for (std::size_t i = 0; i < task.files.size(); ++i) {
@@ -115,8 +119,11 @@ std::string make_pages(const ImageTask& task, const PageFiles& pages) {
   }
   if (sheets) sheets->write(view.png(), rate);
   if (video) video->finish();
-  return fmt::format("{}: {}{}{}\n", counted(task.files.size(), "image"), pages.sheet,
-                     pages.sheet.empty() || pages.video.empty() ? "" : ", ", pages.video);
+  std::vector<std::string> written;
+  if (!names.empty()) written.push_back(names.front().string());
+  if (names.size() > 1) written.back() += " to " + names.back().string();
+  if (video) written.push_back(pages.video);
+  return fmt::format("{}: {}\n", counted(task.files.size(), "image"), fmt::join(written, ", "));
 }
 
 }  // namespace dspm

@@ -1,7 +1,7 @@
 #include "dspm/output/contact_sheet.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,13 +9,13 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/shrink.h"
+#include "dspm/math/frames.h"
 #include "dspm/output/bitmap_font.h"
+#include "dspm/output/image_name.h"
 
 namespace dspm {
 
 namespace {
-
-constexpr int kGap = 8;  // pixels around images and labels
 
 std::vector<std::string_view> parts_of(std::string_view label) {
   std::vector<std::string_view> parts;
@@ -48,74 +48,39 @@ std::string shortened(std::string_view label, std::size_t most) {
   return longest;
 }
 
-int label_height(int text_scale) { return kTextHeight * text_scale + kGap / 2; }
-
-/// Smaller is better: how far the shape is from 16:10, and how many cells stay empty.
-double badness(int count, int columns, double image_aspect) {
-  const int rows = (count + columns - 1) / columns;
-  const double aspect = image_aspect * columns / rows;
-  return std::abs(std::log(aspect / 1.6)) + static_cast<double>(columns * rows - count) / (columns * rows);
-}
-
 }  // namespace
 
-SheetLayout::SheetLayout(int count, int width, int height, SheetStyle style) : style_(std::move(style)) {
-  const double aspect = static_cast<double>(width) / height;
-  for (int c = 2; c <= count; ++c) {
-    if (badness(count, c, aspect) < badness(count, columns, aspect)) columns = c;
-  }
-  rows = (count + columns - 1) / columns;
-  fit(width, height);
-}
-
-SheetLayout SheetLayout::table(int columns, int rows, int width, int height, SheetStyle style) {
-  SheetLayout layout;
-  layout.style_ = std::move(style);
-  layout.columns = columns, layout.rows = rows;
-  layout.fit(width, height);
-  return layout;
-}
-
-void SheetLayout::fit(int width, int height) {
-  const double aspect = static_cast<double>(width) / height;
-  const int fitting = std::clamp((style_.max_width - kGap) / columns - kGap, 1, width);
-  image_width = style_.tile_width > 0 ? style_.tile_width : fitting;
-  image_height = std::max(1, static_cast<int>(std::lround(image_width / aspect)));
-  text_scale = image_width >= 384 ? 2 : 1;
-}
-
-int SheetLayout::title_height() const { return style_.title.empty() ? 0 : kTextHeight * (text_scale + 1) + kGap; }
-
-int SheetLayout::sheet_width() const { return kGap + columns * (image_width + kGap); }
-int SheetLayout::sheet_height() const {
-  const int below = style_.labels ? label_height(text_scale) : 0;
-  return title_height() + kGap + rows * (image_height + below + kGap);
-}
-
-PixelRect SheetLayout::place(int i) const {
-  const int below = style_.labels ? label_height(text_scale) : 0;
-  const int x = kGap + i % columns * (image_width + kGap);
-  const int y = title_height() + kGap + i / columns * (image_height + below + kGap);
-  return {x, y, x + image_width, y + image_height};
-}
-
-ContactSheet::ContactSheet(const SheetLayout& layout)
-    : layout_(layout), sheet_(layout.sheet_width(), layout.sheet_height()) {
-  std::fill(sheet_.pixels.begin(), sheet_.pixels.end(), Rgb(0.03f));
-  draw_text(sheet_, kGap, kGap, layout_.style().title, layout_.text_scale + 1, Rgb(0.8f));
+ContactSheet::ContactSheet(const SheetLayout& layout) : layout_(layout) {
+  Image empty(layout.sheet_width(), layout.sheet_height());
+  std::fill(empty.pixels.begin(), empty.pixels.end(), Rgb(0.03f));
+  draw_text(empty, kSheetGap, kSheetGap, layout_.style().title, layout_.text_scale + 1, Rgb(0.8f));
+  pages_.assign(static_cast<std::size_t>(layout.pages), empty);
 }
 
 void ContactSheet::put(int i, const Image& image, std::string_view label) {
   const PixelRect place = layout_.place(i);
+  Image& page = pages_[static_cast<std::size_t>(layout_.page(i))];
   const Image small = shrunk(image, place.width(), place.height());
   for (int y = 0; y < small.height; ++y) {
-    std::copy_n(&small.at(0, y), small.width, &sheet_.at(place.x0, place.y0 + y));
+    std::copy_n(&small.at(0, y), small.width, &page.at(place.x0, place.y0 + y));
   }
   if (!layout_.style().labels) return;
   const int advance = kTextAdvance * layout_.text_scale;
   const std::string fitting = shortened(label, static_cast<std::size_t>(std::max(1, place.width() / advance)));
   const int left = place.x0 + (place.width() - advance * static_cast<int>(fitting.size())) / 2;
-  draw_text(sheet_, left, place.y1 + kGap / 2, fitting, layout_.text_scale, Rgb(0.6f));
+  draw_text(page, left, place.y1 + kSheetGap / 2, fitting, layout_.text_scale, Rgb(0.6f));
+}
+
+void ContactSheet::write(const std::filesystem::path& path, const PngFormat& format) const {
+  const std::vector<std::filesystem::path> names = page_names(path, layout_);
+  for (std::size_t i = 0; i < names.size(); ++i) write_png(names[i], pages_[i], format);
+}
+
+std::vector<std::filesystem::path> page_names(const std::filesystem::path& path, const SheetLayout& layout) {
+  if (layout.pages == 1) return {image_name(path, std::nullopt)};
+  std::vector<std::filesystem::path> names;
+  for (int page = 1; page <= layout.pages; ++page) names.push_back(image_name(path, Moment::numbered(page)));
+  return names;
 }
 
 }  // namespace dspm

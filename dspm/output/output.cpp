@@ -56,6 +56,7 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
                Video::EndWanted end_wanted)
     : job_(job), view_(settings.view), png_(settings.png), layers_(settings) {
   layers_.check(job.outputs);
+  if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
   try_writes(paths_of(written));
@@ -64,7 +65,6 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
     warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   }
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
-  if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
   const auto variation = [&](FileFrame frame) { return job.description->frames.combination_of(frame); };
   const bool is_one_variation = std::all_of(job.frames.begin(), job.frames.end(), [&](FileFrame frame) {
     return variation(frame) == variation(job.frames.front());
@@ -92,7 +92,8 @@ std::vector<NamedFile> Output::files(const OutputSettings& settings, const Other
   }
   if (settings.stats_in_file()) files.push_back({settings.stats, "the statistics"});
   if (!settings.index.empty()) files.push_back({settings.index, "the table of images"});
-  if (!settings.contact_sheet.empty()) files.push_back({settings.contact_sheet, "the contact sheet"});
+  for (const std::filesystem::path& page : sheet_ ? sheet_->names() : std::vector<std::filesystem::path>())
+    files.push_back({page, "the contact sheet"});
   files.insert(files.end(), others.written.begin(), others.written.end());
   return files;
 }

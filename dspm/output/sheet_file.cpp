@@ -26,33 +26,44 @@ bool is_sheet_name(const std::filesystem::path& path) {
 }
 
 SheetFile::SheetFile(std::filesystem::path path, const Job& job, const SheetStyle& style)
-    : path_(std::move(path)), job_(job), places_(job), moves_(is_animation_name(path_)) {
-  const SheetLayout layout = layout_of(style);
-  int pages = 1;
-  if (moves_) pages = places_.columns() > 0 ? places_.columns() : static_cast<int>(job.frames.size());
-  pages_.assign(static_cast<std::size_t>(pages), ContactSheet(layout));
+    : path_(std::move(path)),
+      job_(job),
+      moves_(is_animation_name(path_)),
+      places_(moves_ ? SheetPlaces(job)
+                     : SheetPlaces::suited(job, job.settings.crop.width(), job.settings.crop.height(), style)),
+      layout_(layout_of(style)) {
+  int images = 1;
+  if (moves_) images = places_.columns() > 0 ? places_.columns() : static_cast<int>(job.frames.size());
+  sheets_.assign(static_cast<std::size_t>(images), ContactSheet(layout_));
 }
 
 SheetLayout SheetFile::layout_of(const SheetStyle& style) const {
   const int width = job_.settings.crop.width(), height = job_.settings.crop.height();
-  const auto layout = [&](int w, int h, const SheetStyle& with) {
-    return moves_ ? SheetLayout(std::max(places_.rows(), 1), w, h, with) : places_.layout(w, h, with);
+  const auto layout = [&](int w, int h, SheetStyle with) {
+    if (!moves_) return places_.layout(w, h, with);
+    const int rows = std::max(places_.rows(), 1);
+    with.lines = rows;  // what moves in step is on one page
+    return SheetLayout(rows, w, h, with);
   };
   return layout(width, height, enlarged(style, job_, layout(kQuickShare * width, kQuickShare * height, style)));
+}
+
+std::vector<std::filesystem::path> SheetFile::names() const {
+  return moves_ ? std::vector{path_} : page_names(path_, layout_);
 }
 
 void SheetFile::put(FileFrame frame, const Image& shown) {
   const int place = places_.of(frame), columns = places_.columns();
   const std::string label = job_.description->frames.label(frame);
-  if (!moves_) return pages_.front().put(place, shown, label);
+  if (!moves_) return sheets_.front().put(place, shown, label);
   const int page = columns > 0 ? place % columns : place;
-  pages_[static_cast<std::size_t>(page)].put(columns > 0 ? place / columns : 0, shown, label);
+  sheets_[static_cast<std::size_t>(page)].put(columns > 0 ? place / columns : 0, shown, label);
 }
 
 void SheetFile::write(const PngFormat& format) const {
-  if (!moves_) return write_png(path_, pages_.front().image(), format);
+  if (!moves_) return sheets_.front().write(path_, format);
   std::vector<Image> images;
-  for (const ContactSheet& page : pages_) images.push_back(page.image());
+  for (const ContactSheet& sheet : sheets_) images.push_back(sheet.image());
   const FileFrames& file = job_.description->frames;
   const auto moment = [&](FileFrame frame) { return file.moment_index(frame); };
   const bool is_time = moment(job_.frames.front()) != moment(job_.frames.back());
@@ -62,7 +73,8 @@ void SheetFile::write(const PngFormat& format) const {
 
 std::size_t SheetFile::bytes() const {
   // A PNG in memory needs as much again; an animation its copies, and their integers.
-  return (moves_ ? 3 : 2) * pages_.size() * pages_.front().image().pixels.size() * sizeof(Rgb);
+  const std::size_t pages = sheets_.size() * static_cast<std::size_t>(layout_.pages);
+  return (moves_ ? 3 : 2) * pages * sheets_.front().image().pixels.size() * sizeof(Rgb);
 }
 
 }  // namespace dspm

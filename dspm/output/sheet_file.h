@@ -1,4 +1,4 @@
-// The contact sheet of a run, and its file: a PNG with all images, or an animation with one for each row of the table,
+// The contact sheet of a run, and its file: a PNG (or one for each page) with all images, or an animation with one for each row of the table,
 // which runs through the row's images.
 #pragma once
 
@@ -23,6 +23,8 @@ class SheetFile {
  public:
   SheetFile(std::filesystem::path path, const Job& job, const SheetStyle& style);
 
+  /// The files that write() writes.
+  std::vector<std::filesystem::path> names() const;
   /// `shown`: by a view.
   void put(FileFrame frame, const Image& shown);
   /// Throws WriteError.
@@ -35,9 +37,10 @@ class SheetFile {
 
   std::filesystem::path path_;
   const Job& job_;
-  SheetPlaces places_;
   bool moves_;
-  std::vector<ContactSheet> pages_;  // one, or one for each image of a row
+  SheetPlaces places_;
+  SheetLayout layout_;
+  std::vector<ContactSheet> sheets_;  // one, or one for each image of a row
 };
 
 }  // namespace dspm

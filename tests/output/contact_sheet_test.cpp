@@ -22,8 +22,9 @@ TEST(ContactSheet, PlacesLieApartOnTheSheet) {
          {std::pair(512, 512), std::pair(1920, 1080), std::pair(100, 400), std::pair(16, 16)}) {
       const SheetLayout layout(count, width, height);
       EXPECT_LE(layout.sheet_width(), 2048);
-      EXPECT_GE(layout.columns * layout.rows, count);
-      EXPECT_LT(layout.columns * (layout.rows - 1), count) << "no row is empty";
+      EXPECT_GE(layout.columns * layout.lines * layout.pages, count);
+      EXPECT_LT(layout.columns * (layout.lines * layout.pages - layout.pages), count) << "no line is empty";
+      EXPECT_EQ(layout.page(count - 1), layout.pages - 1);
       const auto with_label = [&](int i) {
         PixelRect place = layout.place(i);
         place.y1 += kTextHeight * layout.text_scale;
@@ -34,7 +35,8 @@ TEST(ContactSheet, PlacesLieApartOnTheSheet) {
         EXPECT_GT(place.x0, 0);
         EXPECT_LT(place.x1, layout.sheet_width());
         EXPECT_LE(place.y1, layout.sheet_height());
-        for (int j = std::max(0, i - layout.columns - 1); j < i; ++j) EXPECT_FALSE(overlap(with_label(j), place));
+        for (int j = std::max(0, i - layout.columns - 1); j < i; ++j)
+          EXPECT_FALSE(layout.page(j) == layout.page(i) && overlap(with_label(j), place));
       }
     }
   }
@@ -43,10 +45,37 @@ TEST(ContactSheet, PlacesLieApartOnTheSheet) {
 TEST(ContactSheet, TheGridSuitsTheImages) {
   const SheetLayout eight(8, 256, 256), one(1, 640, 480), tall(4, 100, 400);
   EXPECT_EQ(eight.columns, 4);
-  EXPECT_EQ(eight.rows, 2);
+  EXPECT_EQ(eight.lines, 2);
   EXPECT_EQ(one.columns, 1);
   EXPECT_EQ(one.image_width, 640) << "nothing is shrunk without need";
   EXPECT_EQ(tall.columns, 4);
+}
+
+TEST(ContactSheet, ManyImagesGoToPagesThatAreAlike) {
+  for (const int count : {151, 200, 1000, 5000}) {
+    const SheetLayout layout(count, 160, 90);
+    EXPECT_GE(layout.pages, (count + 149) / 150) << count;
+    EXPECT_LE(layout.pages, (count + 119) / 120) << count;
+    EXPECT_GE(layout.image_width, 100) << "an image can be seen";
+    std::vector<int> images(static_cast<std::size_t>(layout.pages));
+    for (int i = 0; i < count; ++i) ++images[static_cast<std::size_t>(layout.page(i))];
+    EXPECT_LE(images.front(), 150);
+    EXPECT_GT(images.back(), images.front() / 2) << count;
+  }
+  EXPECT_EQ(SheetLayout(144, 160, 90).pages, 1);
+  EXPECT_EQ(SheetLayout(1000, 160, 90, {.lines = 1000}).pages, 1) << "all on one, if that is asked for";
+}
+
+TEST(ContactSheet, ColumnsAndLinesAreThoseAskedFor) {
+  const SheetLayout seven(24, 160, 90, {.columns = 7}), paged(24, 160, 90, {.columns = 5, .lines = 2}),
+      few(3, 160, 90, {.columns = 9});
+  EXPECT_EQ(seven.columns, 7);
+  EXPECT_EQ(seven.lines, 4);
+  EXPECT_EQ(seven.place(7).x0, seven.place(0).x0) << "the first of the second line";
+  EXPECT_EQ(paged.pages, 3);
+  EXPECT_EQ(paged.page(10), 1);
+  EXPECT_EQ(paged.place(10).y0, paged.place(0).y0);
+  EXPECT_EQ(few.columns, 3) << "there are no more";
 }
 
 TEST(ContactSheet, ImagesAndLabelsAppear) {
@@ -78,7 +107,7 @@ TEST(ContactSheet, ImagesAndLabelsAppear) {
 
 TEST(ContactSheet, ALabelIsNearerToItsImageThanToTheNextRow) {
   const SheetLayout layout(4, 64, 48);
-  ASSERT_GT(layout.rows * layout.columns, layout.columns) << "there is no next row";
+  ASSERT_GT(layout.lines * layout.columns, layout.columns) << "there is no next row";
   ContactSheet sheet(layout);
   const Rgb background = sheet.image().at(0, 0);
   sheet.put(0, Image(64, 48), "0001");

@@ -71,12 +71,26 @@ TEST(SheetFile, APngHoldsAllImages) {
   const TemporaryDirectory directory;
   const Product product(1);
   product.written(directory / "sheet.png");
-  const SheetLayout layout = SheetLayout::table(3, 2, 16, 8);
+  const SheetLayout layout({3, 2}, 16, 8);
   const Image sheet = read_image(directory / "sheet.png");
   for (int i = 0; i < 6; ++i) {
     const PixelRect place = layout.place(i);
     EXPECT_NEAR(sheet.at(place.x0 + 4, place.y0 + 4).g, 0.1 * i, 3e-3) << i;
   }
+}
+
+TEST(SheetFile, PagesAreFiles) {
+  const TemporaryDirectory directory;
+  const Product product(1);
+  const SheetFile file = product.written(directory / "sheet.png", {.lines = 1});
+  ASSERT_EQ(file.names().size(), 2u);
+  const SheetLayout layout({3, 2}, 16, 8, {.lines = 1});
+  for (int i = 0; i < 6; ++i) {
+    const Image sheet = read_image(directory / fmt::format("sheet.{:04}.png", i / 3 + 1));
+    const PixelRect place = layout.place(i);
+    EXPECT_NEAR(sheet.at(place.x0 + 4, place.y0 + 4).g, 0.1 * i, 3e-3) << i;
+  }
+  EXPECT_FALSE(std::filesystem::exists(directory / "sheet.png"));
 }
 
 TEST(SheetFile, AnAnimationRunsThroughTheRows) {
@@ -100,9 +114,9 @@ TEST(SheetFile, AQuickLookHasTheSheetOfTheWhole) {
   Product product(1);
   product.job.quick = true;
   product.written(directory / "quick.png");
-  EXPECT_EQ(read_image(directory / "quick.png").width, SheetLayout::table(3, 2, 64, 32).sheet_width());
+  EXPECT_EQ(read_image(directory / "quick.png").width, SheetLayout({3, 2}, 64, 32).sheet_width());
   product.written(directory / "small.png", {.tile_width = 16});
-  EXPECT_EQ(read_image(directory / "small.png").width, SheetLayout::table(3, 2, 16, 8).sheet_width());
+  EXPECT_EQ(read_image(directory / "small.png").width, SheetLayout({3, 2}, 16, 8).sheet_width());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ Sheet sheet(int frames, const std::string& axes, const std::vector<int>& chosen 
   }
   const SheetPlaces places(job);
   const SheetLayout layout = places.layout(64, 48);
-  Sheet result{layout.columns, layout.rows, {}};
+  Sheet result{layout.columns, layout.lines, {}};
   for (const FileFrame frame : job.frames) result.places.push_back(places.of(frame));
   return result;
 }
@@ -68,6 +68,75 @@ TEST(SheetPlaces, TheLastAxisIsInColumns) {
   EXPECT_EQ(two.places, (Places{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(three.columns, 2);
   EXPECT_EQ(three.rows, 6);
+}
+
+/// An axis of so many choices.
+std::string axis(const std::string& name, int choices) {
+  std::string text = "AxisBegin \"" + name + "\"\n";
+  for (int i = 0; i < choices; ++i)
+    text += "VariationBegin \"" + name + std::to_string(i) + "\" Hide \"cushion\" VariationEnd\n";
+  return text + "AxisEnd\n";
+}
+
+struct Pages {
+  SheetLayout layout;
+  std::vector<int> places;
+};
+
+Pages suited(int frames, const std::string& axes, int width, int height, const SheetStyle& style = {}) {
+  Diagnostics diagnostics;
+  const SceneDescription scene = parse_text(
+      "scene.dsc", "Frames " + std::to_string(frames) + " WorldBegin DynamicBegin \"cushion\" DynamicEnd\n" + axes, {},
+      diagnostics);
+  diagnostics.throw_if_errors();
+  Job job;
+  job.description = &scene;
+  job.frames.resize(static_cast<std::size_t>(scene.frames.count()));
+  std::iota(job.frames.begin(), job.frames.end(), FileFrame(0));
+  const SheetPlaces places = SheetPlaces::suited(job, width, height, style);
+  Pages pages{places.layout(width, height, style), {}};
+  for (const FileFrame frame : job.frames) pages.places.push_back(places.of(frame));
+  return pages;
+}
+
+/// 6 x 4 x 3 x 2 variations: with the last axis alone in columns, the page would be 2 images wide and 72 high.
+TEST(SheetPlaces, ColumnsSuitThePage) {
+  const std::string axes = axis("a", 6) + axis("b", 4) + axis("c", 3) + axis("d", 2);
+  for (const auto& [width, height] : {std::pair(160, 120), std::pair(160, 90), std::pair(90, 160)}) {
+    const Pages pages = suited(1, axes, width, height);
+    const SheetLayout& layout = pages.layout;
+    EXPECT_EQ(layout.pages, 1);
+    EXPECT_EQ(layout.columns % 2, 0) << "the last axis stays in one line";
+    EXPECT_LT(layout.unsuited(), kUnsuited);
+    const double aspect = static_cast<double>(layout.sheet_width()) / layout.sheet_height();
+    EXPECT_GT(aspect, 0.5) << width;
+    EXPECT_LT(aspect, 4) << width;
+    for (int i = 0; i < 144; ++i) EXPECT_EQ(pages.places[static_cast<std::size_t>(i)], i) << "in the file's order";
+  }
+}
+
+TEST(SheetPlaces, PagesBeginWithAChoiceOfAnAxis) {
+  const Pages thousand = suited(1, axis("a", 10) + axis("b", 10) + axis("c", 10), 160, 90);
+  EXPECT_EQ(thousand.layout.columns, 10);
+  EXPECT_EQ(thousand.layout.pages, 10);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(thousand.layout.page(thousand.places[static_cast<std::size_t>(i)]), i / 100);
+}
+
+/// The axes whose product reaches that number are in columns, and rows that are too long go on below.
+TEST(SheetPlaces, ColumnsAreThoseAskedFor) {
+  const std::string axes = axis("a", 4) + axis("b", 3) + axis("c", 2);
+  const Pages six = suited(1, axes, 64, 48, {.columns = 6}), five = suited(1, axes, 64, 48, {.columns = 5});
+  EXPECT_EQ(six.layout.columns, 6);
+  EXPECT_EQ(six.layout.lines, 4);
+  EXPECT_EQ(five.layout.columns, 5);
+  EXPECT_EQ(five.layout.lines, 8) << "two for each row of six";
+  EXPECT_EQ(five.layout.place(6).x0, five.layout.place(0).x0) << "the next row begins at the left";
+}
+
+TEST(SheetPlaces, LongAnimationsOfVariationsAreBroken) {
+  const Pages pages = suited(48, axis("a", 2), 64, 48);
+  EXPECT_LE(pages.layout.columns, 24);
+  EXPECT_EQ(pages.layout.place(48).x0, pages.layout.place(0).x0) << "the second variation begins at the left";
 }
 
 TEST(SheetPlaces, MomentsAreInColumnsOfVariations) {
