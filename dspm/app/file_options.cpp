@@ -14,7 +14,8 @@ namespace {
 
 void add(CLI::App& app, Options& o) {
   app.add_option("-o,--outfile", o.outfile,
-                 "the images' name; #### or %04d stands for the frame, {legs} for the choice along an axis")
+                 "the images' name, .exr, .png, .webp, .pfm or .hdr; #### or %04d stands for the frame, {legs} for the "
+                 "choice along an axis")
       ->check(kNamesAFile)
       ->type_name("FILE");
   app.add_flag("--png", o.png, "also write tone mapped PNGs");

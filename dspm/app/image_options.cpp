@@ -35,6 +35,8 @@ void replace(std::string& text, std::string_view from, std::string_view to) {
 }  // namespace
 
 void add_image_options(CLI::App& app, Options& o) {
+  app.add_flag("--transparent", o.transparent,
+               "images with alpha, without lights infinitely far away behind the scene: EXR, PNG, WebP");
   add_precision(app, "--half{all}", true, o.halves, o, "16-bit EXR (the default), or only these outputs");
   add_precision(app, "--float{all}", false, o.singles, o, "32-bit EXR, or only these outputs");
   app.add_option_function<std::string>(

@@ -14,13 +14,26 @@ namespace {
 constexpr double kMostStops = 64;
 constexpr int kMostPixels = 8192;
 
+Rgb background_of(const std::string& text) {
+  try {
+    return parse_background(text);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("--background {}: {}", text, error.what()));
+  }
+}
+
 void add(CLI::App& app, Options& o) {
-  app.add_option("--view", o.view.view,
-                 "how radiance is shown: agx (the default), filmic, standard, raw, or ocio:DISPLAY/VIEW of $OCIO")
+  app.add_option(
+         "--view", o.view.view,
+         "how radiance is shown: agx (the default), agx-punchy, agx-golden, neutral, aces, filmic, standard, raw, or "
+         "ocio:DISPLAY/VIEW of $OCIO")
       ->type_name("NAME");
   app.add_option("--exposure", o.view.stops, "show images brighter by so many stops, which may be negative")
       ->check(CLI::Range(-kMostStops, kMostStops).description(""))
       ->type_name("STOPS");
+  add_text(app, "--background", "COLOUR",
+           "put white, black or #rrggbb behind everything that is shown, with the same numbers under every view",
+           [&](const std::string& text) { o.view.background = background_of(text), o.transparent = true; });
   app.add_option("--png-bits", o.view.png_bits, "8 or 16 bits per channel of PNGs (default: 8)")
       ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("N");
@@ -30,6 +43,11 @@ void add(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"srgb", "display-p3"}).description(""))
       ->type_name("NAME");
   add_count(app, "--sheet-tile", o.sheet.tile_width, 1, kMostPixels, "width of each image on the contact sheet");
+  add_count(app, "--sheet-columns", o.sheet.columns, 1, kMostPixels,
+            "images in a line of the contact sheet (default: as suits the page)");
+  add_count(
+      app, "--sheet-rows", o.sheet.lines, 1, kMostPixels,
+      "lines on a page of the contact sheet; what does not fit goes to page.0002.png (default: about 150 images)");
   app.add_option("--sheet-title", o.sheet.title, "a title on the contact sheet")->type_name("TEXT");
   app.add_flag("--labels,!--no-labels", o.sheet.labels, "names under the images of a sheet (the default)");
   app.add_option("--display-server", o.display_server, "show images in tev as they get better, such as localhost:14158")
@@ -43,11 +61,6 @@ void add(CLI::App& app, Options& o) {
   app.add_flag_callback("--flicker", [&o] { o.task = Task::flicker; })
       ->description("do not render, print how much these images (a.####.exr) flicker; -o: in false colours");
   app.add_option("--fps", o.page_fps,
-  add_count(app, "--sheet-columns", o.sheet.columns, 1, kMostPixels,
-            "images in a line of the contact sheet (default: as suits the page)");
-  add_count(
-      app, "--sheet-rows", o.sheet.lines, 1, kMostPixels,
-      "lines on a page of the contact sheet; what does not fit goes to page.0002.png (default: about 150 images)");
                  "frames per second of a glTF file's animation (24), or of a --video or --sheet of images that exist")
       ->check(CLI::Range(1e-3, 1e3).description(""))
       ->type_name("RATE");

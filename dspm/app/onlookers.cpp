@@ -116,7 +116,7 @@ void Onlookers::send(const FrameList& interval, const Integrator& integrator) {
 void Onlookers::draw(const FrameList& interval, const Integrator& integrator) {
   for (std::size_t j = 0; j < interval.size(); ++j)
     terminal_->sheet.put(terminal_->places.of(interval[j]),
-                         view_.shown(developed(integrator.estimate(static_cast<Frame>(j)), job_)),
+                         view_.shown(to_be_shown(integrator, static_cast<Frame>(j), job_)),
                          job_.description->frames.label(interval[j]));
   const std::lock_guard lock(terminal_->mutex);
   terminal_->preview.fit_into(size_of_terminal(STDERR_FILENO));

@@ -78,7 +78,7 @@ void read_common(ParamReader& reader, FilmSettings& film) {
   film.width = reader.integer("xresolution", film.width, "pixels", "width of the full image");
   film.height = reader.integer("yresolution", film.height, "pixels", "height of the full image");
   film.filename =
-      reader.text("filename", film.filename, "the image file, .exr, .png, .pfm or .hdr; frames are numbered");
+      reader.text("filename", film.filename, "the image file, .exr, .png, .webp, .pfm or .hdr; frames are numbered");
   film.crop_window =
       four(reader, "cropwindow", reader.numbers("cropwindow", "x0 x1 y0 y1 in 0..1: the region to render"));
   film.pixel_bounds =
@@ -141,7 +141,8 @@ PluginTable<Plugin<MakeFilm>>& film_plugins() {
 
 bool is_image_name(const std::string& filename) {
   const std::string extension = extension_of(filename);
-  return extension == ".exr" || extension == ".png" || extension == ".pfm" || extension == ".hdr";
+  return extension == ".exr" || extension == ".png" || extension == ".webp" || extension == ".pfm" ||
+         extension == ".hdr";
 }
 
 std::optional<ColourMatrix> white_balance(const FilmSettings& film) {

@@ -35,7 +35,7 @@ struct FilmSettings {
 };
 
 /// What image files may be, by their extensions, in words.
-inline constexpr std::string_view kImageNames = ".exr, .png, .pfm or .hdr";
+inline constexpr std::string_view kImageNames = ".exr, .png, .webp, .pfm or .hdr";
 bool is_image_name(const std::string& filename);
 
 /// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.

@@ -41,20 +41,21 @@ std::vector<float> decoding_table(ColorEncoding encoding, int levels) {
 
 std::string srgb_bytes(const Image& image) {
   std::string bytes;
-  bytes.reserve(image.pixels.size() * 3);
+  bytes.reserve(image.pixels.size() * channels_of(image));
   for (const std::uint16_t value : encoded(image, 256, true)) bytes.push_back(static_cast<char>(value));
   return bytes;
 }
 
 std::vector<std::uint16_t> encoded(const Image& image, int levels, bool srgb) {
   std::vector<std::uint16_t> values;
-  values.reserve(image.pixels.size() * 3);
-  const float highest = static_cast<float>(levels - 1);
-  for (const Rgb& pixel : image.pixels) {
-    for (int c = 0; c < 3; ++c) {
-      const float shown = pixel[c] > 0 ? std::min(srgb ? linear_to_srgb(pixel[c]) : pixel[c], 1.f) : 0.f;
-      values.push_back(static_cast<std::uint16_t>(std::lround(shown * highest)));
-    }
+  values.reserve(image.pixels.size() * channels_of(image));
+  const auto add = [&](float value) {
+    const float clamped = value > 0 ? std::min(value, 1.f) : 0.f;
+    values.push_back(static_cast<std::uint16_t>(std::lround(clamped * static_cast<float>(levels - 1))));
+  };
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) add(srgb ? linear_to_srgb(image.pixels[i][c]) : image.pixels[i][c]);
+    if (!image.alpha.empty()) add(image.alpha[i]);
   }
   return values;
 }

@@ -1,6 +1,7 @@
 // Conversion between the numbers of image files and linear light.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,11 +20,15 @@ float decode(ColorEncoding encoding, float encoded);
 /// Linear values of the integers 0 .. levels - 1, where levels - 1 stands for 1; automatic is sRGB here.
 std::vector<float> decoding_table(ColorEncoding encoding, int levels);
 
-/// Bytes for a screen, eight bits per channel in the order of the pixels: linear 0..1 as sRGB, other values are
-/// clamped; NaN is black.
+/// Red, green, blue and, if the image has it, alpha.
+inline std::size_t channels_of(const Image& image) { return image.alpha.empty() ? 3 : 4; }
+
+/// Bytes for a screen, eight bits for each of channels_of(image) in the order of the pixels: linear 0..1 as sRGB, other
+/// values are clamped; NaN is black.
 std::string srgb_bytes(const Image& image);
 
-/// One integer of 0 .. levels - 1 per channel: linear 0..1, encoded as sRGB or left linear; likewise clamped.
+/// One integer of 0 .. levels - 1 per channel: linear 0..1, encoded as sRGB or left linear; likewise clamped. Alpha is
+/// never encoded.
 std::vector<std::uint16_t> encoded(const Image& image, int levels, bool srgb);
 
 }  // namespace dspm

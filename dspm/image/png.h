@@ -26,6 +26,7 @@ struct PngFormat {
 };
 
 /// The image's values are linear, and already of the space's primaries; those outside 0..1 are clamped, NaN is black.
+/// If it has an alpha, so has the file, whose colours are not multiplied by it, as in the image.
 /// Throws std::runtime_error.
 std::string png_bytes(const Image& image, const PngFormat& format = {});
 void write_png(const std::filesystem::path& path, const Image& image, const PngFormat& format = {});

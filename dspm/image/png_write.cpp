@@ -27,6 +27,7 @@ struct PngWriter {
       : format(wanted),
         width(static_cast<png_uint_32>(image.width)),
         height(static_cast<png_uint_32>(image.height)),
+        channels(channels_of(image)),
         samples(encoded(image, 1 << wanted.bits, wanted.space != PngSpace::linear)) {
     if (format.space == PngSpace::display_p3) profile = icc_profile(ColourSpace::dci_p3, "Display P3");
     set_rows();
@@ -52,7 +53,7 @@ struct PngWriter {
   void set_rows() {
     if (format.bits == 8) narrow.assign(samples.begin(), samples.end());
     for (std::size_t y = 0; y < height; ++y) {
-      const std::size_t first = y * width * 3;
+      const std::size_t first = y * width * channels;
       rows.push_back(format.bits == 8 ? narrow.data() + first : reinterpret_cast<png_bytep>(samples.data() + first));
     }
   }
@@ -71,8 +72,8 @@ struct PngWriter {
   }
   bool write() {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    png_set_IHDR(png, info, width, height, format.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
+    png_set_IHDR(png, info, width, height, format.bits, channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
     say_space();
     png_write_info(png, info);
     if (std::endian::native == std::endian::little) png_set_swap(png);
@@ -83,6 +84,7 @@ struct PngWriter {
 
   PngFormat format;
   png_uint_32 width, height;
+  std::size_t channels;
   std::vector<std::uint16_t> samples;
   std::vector<png_byte> narrow;  // the samples of eight bits
   std::vector<png_bytep> rows;

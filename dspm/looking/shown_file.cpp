@@ -9,14 +9,17 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "dspm/image/exr.h"
 #include "dspm/image/png.h"
+#include "dspm/output/layer_settings.h"
 #include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
 
-constexpr const char* kRadiance[] = {".exr", ".hdr", ".pfm"};
-constexpr const char* kShown[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".qoi", ".bmp", ".ppm", ".tga"};
+constexpr const char* kRadianceKinds[] = {".exr", ".hdr", ".pfm"};
+constexpr const char* kShownKinds[] = {".png",  ".jpg", ".jpeg", ".tif", ".tiff",
+                                       ".webp", ".qoi", ".bmp",  ".ppm", ".tga"};
 
 template <class List>
 bool has_extension(const std::filesystem::path& path, const List& extensions) {
@@ -34,15 +37,20 @@ std::string expression_of(const std::string& name) {
 
 }  // namespace
 
-bool names_an_image(const std::string& name) { return has_extension(name, kRadiance) || has_extension(name, kShown); }
+bool names_an_image(const std::string& name) {
+  return has_extension(name, kRadianceKinds) || has_extension(name, kShownKinds);
+}
 
 Image shown_file(const std::filesystem::path& path, const View& view) {
   Image image = read_image(path);
-  return has_extension(path, kRadiance) ? view.shown(std::move(image)) : image;
+  return has_extension(path, kRadianceKinds) ? view.shown(std::move(image)) : view.flattened(std::move(image));
 }
 
 void write_shown(const std::filesystem::path& path, const View& view, const std::filesystem::path& png) {
-  write_png(png, shown_file(path, view), view.png());
+  const ExrHeader header = read_exr_header(path);
+  const auto number = header.integers.find(kTransparentNumber);
+  const bool is_transparent = number != header.integers.end() && number->second == 1;
+  write_png(png, is_transparent ? view.cut_out(read_image(path)) : shown_file(path, view), view.png());
 }
 
 std::vector<std::string> numbered_files(const std::string& pattern) {

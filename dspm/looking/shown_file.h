@@ -16,7 +16,7 @@ bool names_an_image(const std::string& name);
 /// OpenEXR, HDR and PFM hold radiance, which goes through the view; what others hold has been through one. Throws
 /// std::runtime_error.
 Image shown_file(const std::filesystem::path& path, const View& view);
-/// The same as a PNG. Throws std::runtime_error.
+/// An OpenEXR file as a PNG, which is transparent if the render was. Throws std::runtime_error.
 void write_shown(const std::filesystem::path& path, const View& view, const std::filesystem::path& png);
 
 /// The files that "a.####.exr" or "a.%04d.exr" stands for, by number; another name is itself. Throws std::runtime_error

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "dspm/image/image.h"
+#include "dspm/integrators/integrator.h"
+#include "dspm/math/frames.h"
 #include "dspm/world/job.h"
 
 namespace dspm {
@@ -10,5 +12,10 @@ namespace dspm {
 Image exposed(Image image, const Job& job);
 /// With that limit.
 Image developed(Image image, const Job& job);
+
+/// What views show: `radiance` developed, with this alpha, an output of the integrator.
+Image with_alpha(Image radiance, const Image& alpha, const Job& job);
+/// The same of a frame, without alpha if the film is not transparent.
+Image to_be_shown(const Integrator& integrator, Frame frame, const Job& job);
 
 }  // namespace dspm

@@ -14,6 +14,9 @@ namespace dspm {
 /// The header's text with all outputs of light groups, if the file has them.
 inline constexpr const char* kLightGroupsText = "light groups";
 
+/// The header's number that says, by 1, that colours are multiplied by the alpha and nothing else is behind it.
+inline constexpr const char* kTransparentNumber = "transparent";
+
 struct LayerSettings {
   bool aov_files = false;                         // a file for each output
   ExrFormat exr;                                  // of all EXR files

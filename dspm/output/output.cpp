@@ -122,9 +122,9 @@ std::uint64_t Output::bytes_on_disk() const {
   std::uint64_t a_pixel = 0;
   for (const std::filesystem::path& file : image_files(job_.frames.front())) {
     const std::string kind = extension_of(file);
-    a_pixel += kind == ".png" || kind == ".hdr"        ? kBytes + 1
-               : kind == ".exr" && job_.film.save_half ? 2 * kBytes
-                                                       : 4 * kBytes;
+    a_pixel += kind == ".png" || kind == ".webp" || kind == ".hdr" ? kBytes + 1
+               : kind == ".exr" && job_.film.save_half             ? 2 * kBytes
+                                                                   : 4 * kBytes;
   }
   if (job_.denoiser) a_pixel *= 2;
   a_pixel += kMostOfAnOutput * job_.outputs.size();
@@ -140,9 +140,10 @@ std::filesystem::path Output::name(FileFrame frame) const {
 
 std::size_t Output::bytes_while_writing() const {
   // The image, two copies, the last one in the file's format, and the growing file; of other outputs no copies.
-  constexpr std::size_t kImages = 6, kLayerImages = 5;
-  const std::size_t images =
-      kImages + kLayerImages * job_.outputs.size() + (job_.denoiser ? 1 + images_while_denoising(*job_.denoiser) : 0);
+  constexpr std::size_t kImages = 6, kLayerImages = 5, kOfTransparency = 3;
+  const std::size_t images = kImages + kLayerImages * job_.outputs.size() +
+                             (job_.denoiser ? 1 + images_while_denoising(*job_.denoiser) : 0) +
+                             (job_.film.transparent ? kOfTransparency : 0);
   return images * static_cast<std::size_t>(job_.settings.crop.count()) * sizeof(Rgb) + (sheet_ ? sheet_->bytes() : 0);
 }
 
@@ -153,6 +154,7 @@ ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
   header.integers = {{"frame", job_.moment(frame).number()}};
   if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
   for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {
+  if (job_.film.transparent) header.integers[kTransparentNumber] = 1;
     const VariationAxis& axis = job_.description->axes[i];
     const Variation& chosen = axis.variations[static_cast<std::size_t>(job_.description->frames.choice(frame, i))];
     if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;
@@ -183,7 +185,7 @@ std::vector<ExrLayer> Output::exr_layers(const std::vector<const OutputLayer*>& 
 
 void Output::write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
                    const FrameFigures& figures) {
-  const Image image = developed(std::move(radiance), job_);
+  const Image image = to_be_shown(std::move(radiance), layers);
   std::list<OutputLayer> parts;  // of radiance
   std::vector<const OutputLayer*> all;
   for (const OutputLayer& layer : layers)
@@ -204,7 +206,14 @@ void Output::write_denoised(FileFrame frame, Image radiance, const std::vector<O
   for (const OutputLayer& layer : layers)
     if (layer.info.name == kAlphaOutput && !layers_.aov_files) alpha.push_back(&layer);
   const std::vector<ExrLayer> more = exr_layers(alpha, header);
-  write_views(frame, denoised_name(frame), developed(std::move(radiance), job_), header, more);
+  write_views(frame, denoised_name(frame), to_be_shown(std::move(radiance), layers), header, more);
+}
+
+Image Output::to_be_shown(Image radiance, const std::vector<OutputLayer>& layers) const {
+  const auto alpha = std::find_if(layers.begin(), layers.end(),
+                                  [](const OutputLayer& layer) { return layer.info.name == kAlphaOutput; });
+  if (!job_.film.transparent || alpha == layers.end()) return developed(std::move(radiance), job_);
+  return with_alpha(std::move(radiance), alpha->image, job_);
 }
 
 void Output::write_views(FileFrame frame, const std::filesystem::path& name, const Image& image,
@@ -234,8 +243,8 @@ void Output::write_contact_sheet() const {
   if (sheet_) sheet_->write(view_.png());
 }
 
-void Output::add_to_video(Image radiance) {
-  if (video_) video_->add(view_.for_video().shown(developed(std::move(radiance), job_)));
+void Output::add_to_video(Image radiance, const std::vector<OutputLayer>& layers) {
+  if (video_) video_->add(view_.for_video().shown(to_be_shown(std::move(radiance), layers)));
 }
 
 void Output::finish_video() {

@@ -72,7 +72,7 @@ class Output {
   /// The sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.
-  void add_to_video(Image radiance);
+  void add_to_video(Image radiance, const std::vector<OutputLayer>& layers);
   /// Writes the video. Throws WriteError if it cannot be made.
   void finish_video();
 
@@ -88,7 +88,9 @@ class Output {
   std::vector<ExrLayer> exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const;
   /// A file and, if PNGs are wanted, its PNG.
   std::vector<std::filesystem::path> with_png(const std::filesystem::path& image) const;
-  /// As developed, to both; for the sheet, too.
+  /// As PNGs, the sheet and the video show it: developed, and with the alpha among the layers if the film is transparent.
+  Image to_be_shown(Image radiance, const std::vector<OutputLayer>& layers) const;
+  /// What is to be shown, to both; for the sheet, too.
   void write_views(FileFrame frame, const std::filesystem::path& name, const Image& image, const ExrHeader& header,
                    const std::vector<ExrLayer>& more);
   /// Each output in a file of its own.

@@ -77,11 +77,11 @@ void Results::write(const FrameList& interval, const Integrator& integrator, dou
         black_out_invalid(layers->back().image, output, frame, job_, messages_);
       }
       black_out_invalid(*image, radiance_output(), frame, job_, messages_);
-      if (images == Images::last && !job_.denoiser) output_.add_to_video(*image);
+      if (images == Images::last && !job_.denoiser) output_.add_to_video(*image, *layers);
     };
     const auto denoise = [&] {
       *clean = denoised(*job_.denoiser, *image, integrator, static_cast<Frame>(j), output_.denoised_name(frame));
-      if (images == Images::last) output_.add_to_video(*clean);
+      if (images == Images::last) output_.add_to_video(*clean, *layers);
     };
     FrameFigures figures{statistics.iterations,
                          statistics.photon.paths,

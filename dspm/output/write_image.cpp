@@ -7,6 +7,7 @@
 #include "dspm/colour/colour_space.h"
 #include "dspm/colour/rgb.h"
 #include "dspm/image/png.h"
+#include "dspm/image/webp.h"
 #include "dspm/image/write_floats.h"
 #include "dspm/system/atomic_file.h"
 #include "dspm/system/extension.h"
@@ -31,7 +32,8 @@ void write_layers(const std::filesystem::path& path, const std::vector<ExrLayer>
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const View& view, const std::vector<ExrLayer>& more, const ExrFormat& format) {
   const std::string kind = extension_of(path);
-  if (kind == ".png") return write_png(path, view.shown(std::move(image)), view.png());
+  if (kind == ".png") return write_png(path, view.cut_out(std::move(image)), view.png());
+  if (kind == ".webp") return write_webp(path, view.for_video().cut_out(std::move(image)));
   if (kind == ".pfm") return write_pfm(path, image);
   if (kind == ".hdr") return write_hdr(path, image);
   if (kind != ".exr") throw WriteError(path, fmt::format("images are {} files", kImageNames));

@@ -16,8 +16,8 @@ inline ExrPixels pixels_of(const FilmSettings& film) { return film.save_half ? E
 Image in_film_space(Image image, const FilmSettings& film);
 
 /// `image` holds the pixels of crop_of(film), in Rec. 709. The extension chooses OpenEXR, in the film's colour space,
-/// with the place of the crop added to `header` and `more` layers, PNG as `view` shows it, or PFM or HDR, which hold nothing
-/// but the pixels. Throws WriteError.
+/// with the place of the crop added to `header` and `more` layers, PNG or WebP as `view` shows it, transparent if the image has
+/// an alpha (by which its colours are multiplied), or PFM or HDR, which hold nothing but the pixels. Throws WriteError.
 void write_image(const std::filesystem::path& path, Image image, const FilmSettings& film, ExrHeader header,
                  const View& view = View(), const std::vector<ExrLayer>& more = {}, const ExrFormat& format = {});
 /// The layers alone, in an OpenEXR file.

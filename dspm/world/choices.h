@@ -39,6 +39,7 @@ struct Choices {
 
   std::string outfile;               // empty: the Film's filename
   std::optional<bool> half;          // none: as the Film says
+  bool transparent = false;          // whatever the Film says
   std::vector<std::string> outputs;  // to be written next to radiance, besides those of the Film
   std::optional<Denoiser> denoiser;  // none: no second images
 

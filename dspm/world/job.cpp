@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "dspm/integrators/caught_light.h"
@@ -17,7 +16,6 @@
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/shadow_catcher.h"
-#include "dspm/system/extension.h"
 #include "dspm/system/readable.h"
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/integrator_choice.h"
@@ -249,7 +247,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.numbered = description.frames_where.file != nullptr;
   job.fps = description.fps.value_or(0);
   job.film = make_film(description, choices, diagnostics);
-  job.film.transparent |= asks_for_shadow_catchers(description);
+  job.film.transparent |= choices.transparent || asks_for_shadow_catchers(description);
   job.exposure = imaging_ratio(job.film, shutter_seconds(description, diagnostics));
 
   IntegratorChoice choice = choose_integrator(description, choices, diagnostics);
@@ -271,13 +269,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   job.outputs = outputs_of(job.film, choices, description), job.denoiser = choices.denoiser;
   settings.outputs = with_denoiser_inputs(job.outputs, job.denoiser);
   settings.in_camera_space = job.film.in_camera_space;
-  if (!job.outputs.empty() && extension_of(job.film.filename) != ".exr")
-    throw UsageError(fmt::format(
-        "{} cannot hold {}: images with outputs besides radiance are .exr; -o {} gives them, and with --png, "
-        "PNGs of the radiance as well{}",
-        job.film.filename, job.outputs.front(),
-        std::filesystem::path(job.film.filename).replace_extension(".exr").string(),
-        description.film && description.film->type == "gbuffer" ? "; Film \"rgb\" has no other outputs" : ""));
+  expect_room(job.film, job.outputs, description);
   settings.transparent = job.film.transparent;
   settings.jitter = !description.options.disable_pixel_jitter;
   settings.filter_textures = !description.options.disable_texture_filtering;

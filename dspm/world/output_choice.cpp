@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "dspm/integrators/variance_output.h"
 #include "dspm/lights/light_group.h"
 #include "dspm/params/params.h"
+#include "dspm/system/extension.h"
 
 namespace dspm {
 namespace {
@@ -84,6 +86,20 @@ std::vector<std::string> light_group_outputs(const SceneDescription& description
   std::vector<std::string> outputs = {light_group_output(kOtherLights)};
   for (const std::string& group : groups) outputs.push_back(light_group_output(group));
   return outputs;
+}
+
+void expect_room(const FilmSettings& film, const std::vector<std::string>& outputs,
+                 const SceneDescription& description) {
+  const std::string kind = extension_of(film.filename);
+  const bool holds_alpha = film.transparent && (kind == ".png" || kind == ".webp");
+  const auto lacks_room = [&](const std::string& output) { return !(holds_alpha && output == kAlphaOutput); };
+  const auto found = std::find_if(outputs.begin(), outputs.end(), lacks_room);
+  if (kind == ".exr" || found == outputs.end()) return;
+  throw UsageError(fmt::format(
+      "{} cannot hold {}: images with outputs besides radiance are .exr; -o {} gives them, and with --png, "
+      "PNGs of the radiance as well{}",
+      film.filename, *found, std::filesystem::path(film.filename).replace_extension(".exr").string(),
+      description.film && description.film->type == "gbuffer" ? "; Film \"rgb\" has no other outputs" : ""));
 }
 
 void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,

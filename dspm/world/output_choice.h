@@ -21,6 +21,10 @@ std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, 
 /// The outputs of all light groups that the text names, in the order of Scene::light_groups.
 std::vector<std::string> light_group_outputs(const SceneDescription& description);
 
+/// PNG and WebP hold the alpha of a transparent film, EXR all outputs, the others none. Throws UsageError.
+void expect_room(const FilmSettings& film, const std::vector<std::string>& outputs,
+                 const SceneDescription& description);
+
 /// What an integrator declares must suit a file.
 void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
                    const std::string& integrator, Diagnostics& diagnostics);

@@ -113,6 +113,25 @@ TEST(Png, RoundTripIsExactToHalfAStep) {
   EXPECT_EQ(test::contents(directory / "a.png"), test::contents(directory / "b.png"));
 }
 
+TEST(Png, TransparencyIsWrittenAndNeverEncoded) {
+  Image image(3, 2);
+  for (std::size_t i = 0; i < 6; ++i) {
+    image.pixels[i] = Rgb(0.1f * static_cast<float>(i), 0.5f, 1);
+    image.alpha.push_back(0.2f * static_cast<float>(i));
+  }
+  for (const int bits : {8, 16}) {
+    const Image back = decode_png(png_bytes(image, {bits}), {});
+    ASSERT_EQ(back.alpha.size(), 6u) << bits;
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_NEAR(back.alpha[i], image.alpha[i], 1e-4) << bits;
+      EXPECT_NEAR(back.pixels[i].r, image.pixels[i].r, 0.005) << bits;
+    }
+  }
+  // Even if all is opaque: the images of a sequence are alike.
+  image.alpha.assign(6, 1);
+  EXPECT_EQ(png_bytes(image)[25], PNG_COLOR_TYPE_RGB_ALPHA);
+}
+
 TEST(Png, WhatCannotBeShownIsClamped) {
   const TemporaryDirectory directory;
   Image image(2, 1);

@@ -1,4 +1,6 @@
 // WebP files, made by libwebp's encoder.
+#include "dspm/image/webp.h"
+
 #include <gtest/gtest.h>
 #include <webp/encode.h>
 
@@ -6,7 +8,9 @@
 #include <vector>
 
 #include "dspm/image/encoding.h"
+#include "dspm/system/atomic_file.h"
 #include "tests/image/image_bytes.h"
+#include "tests/support/temporary_directory.h"
 
 namespace dspm {
 namespace {
@@ -15,6 +19,20 @@ std::string file_of(std::uint8_t* data, std::size_t size) {
   std::string file(reinterpret_cast<const char*>(data), size);
   WebPFree(data);
   return file;
+}
+
+TEST(Webp, StillPicturesAreWrittenWithoutLoss) {
+  const test::TemporaryDirectory directory;
+  Image image(16, 8);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = {srgb_to_linear(static_cast<float>(i) / 255), 0.5f, 0};
+  for (const bool transparent : {false, true}) {
+    if (transparent) image.alpha.assign(image.pixels.size(), 0.2f);
+    write_webp(directory / "x.webp", image);
+    const Image back = read_image(directory / "x.webp");
+    EXPECT_EQ(srgb_bytes(back), srgb_bytes(image)) << transparent;
+  }
+  EXPECT_THROW(write_webp(directory / "wide.webp", Image(16384, 1)), WriteError);
 }
 
 TEST(Webp, WithoutLossAndWithAlpha) {

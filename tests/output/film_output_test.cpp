@@ -85,6 +85,94 @@ void expect_in_all_files(const std::string& scene, const Rgb& first, const Rgb& 
   EXPECT_EQ(ffmpeg.input(), video);
 }
 
+/// A disc that glows and mirrors nothing, before this sky.
+std::string disc(const Rgb& sky) {
+  return fmt::format(R"(
+Integrator "path" "integer iterations" 8
+LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" {} "integer yresolution" {} "string filename" "disc.exr" "bool savefp16" false
+WorldBegin
+LightSource "infinite" "rgb L" [{} {} {}]
+AreaLightSource "diffuse" "rgb L" [.6 .3 .05] "bool twosided" true
+Material "diffuse" "rgb reflectance" [0 0 0]
+Shape "disk" "float radius" 1
+)",
+                     kWidth, kHeight, sky.r, sky.g, sky.b);
+}
+
+/// The largest difference between components.
+float difference(const Image& a, const Image& b) {
+  float largest = a.pixels.size() == b.pixels.size() ? 0 : kInfinity;
+  for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
+  return largest;
+}
+
+/// In linear light.
+Image over(const Image& image, const Rgb& background) {
+  Image result = image;
+  for (std::size_t i = 0; i < image.alpha.size(); ++i)
+    result.pixels[i] = image.alpha[i] * image.pixels[i] + (1 - image.alpha[i]) * background;
+  return result;
+}
+
+/// Each is transparent, and over white, black and red what a render before white, black and red is.
+TEST(FilmOutput, TransparentFilesHaveRightEdges) {
+  const TemporaryDirectory directory;
+  put_file(directory / "disc.dsc", disc(Rgb(0.3f)));
+  const Arguments usual = {"disc.dsc", "--view", "standard"}, cut = usual + Arguments{"--transparent"};
+  ASSERT_EQ(run(directory, cut + Arguments{"--png", "--denoise"}).code, 0);
+  ASSERT_EQ(run(directory, cut + Arguments{"-o", "alone.png", "--png-bits", "16"}).code, 0);
+  ASSERT_EQ(run(directory, cut + Arguments{"-o", "alone.webp"}).code, 0);
+  const Image radiance = read_image(directory / "disc.exr");
+  const auto edges =
+      std::count_if(radiance.alpha.begin(), radiance.alpha.end(), [](float a) { return a > 0 && a < 1; });
+  ASSERT_GT(edges, 4);
+  for (const auto& [name, background] :
+       {std::pair("white", Rgb(1)), std::pair("black", Rgb()), std::pair("#ff0000", Rgb(1, 0, 0))}) {
+    put_file(directory / "before.dsc", disc(background));
+    ASSERT_EQ(run(directory, {"before.dsc", "--view", "standard", "-o", "before.png"}).code, 0);
+    const Image before = read_image(directory / "before.png");
+    for (const char* const file : {"disc.png", "alone.png", "alone.webp"}) {
+      const Image image = read_image(directory / file);
+      EXPECT_EQ(image.alpha.size(), static_cast<std::size_t>(kPixels)) << file;
+      EXPECT_LT(difference(over(image, background), before), 0.009f) << file << " over " << name;
+    }
+    ASSERT_EQ(run(directory, usual + Arguments{"--background", name, "-o", "on.png", "--sheet", "sheet.png"}).code, 0);
+    const Image on = read_image(directory / "on.png");
+    EXPECT_TRUE(on.alpha.empty());
+    EXPECT_LT(difference(on, before), 0.006f) << name;
+    const PixelRect place = SheetLayout(1, kWidth, kHeight).place(0);
+    EXPECT_EQ(bytes_within(read_image(directory / "sheet.png"), place), bytes_within(on, {0, 0, kWidth, kHeight}));
+  }
+  EXPECT_FALSE(read_image(directory / "disc.denoised.png").alpha.empty());
+}
+
+/// The alpha of a shadow, and what has no room for alpha says so.
+TEST(FilmOutput, CatchersGoToTransparentFiles) {
+  const TemporaryDirectory directory;
+  put_file(directory / "catcher.dsc", disc(Rgb(0.8f)) + R"(
+Translate 0 -1.2 0 Rotate 90 1 0 0 Shape "disk" "float radius" 9 "bool shadowcatcher" true
+)");
+  ASSERT_EQ(run(directory, {"catcher.dsc", "--png"}).code, 0);
+  ASSERT_EQ(run(directory, {"catcher.dsc", "-o", "alone.webp"}).code, 0);
+  const Image radiance = read_image(directory / "disc.exr"), png = read_image(directory / "disc.png"),
+              webp = read_image(directory / "alone.webp");
+  ASSERT_EQ(png.alpha.size(), static_cast<std::size_t>(kPixels));
+  EXPECT_EQ(webp.alpha, png.alpha);
+  int shadows = 0;
+  for (std::size_t i = 0; i < png.alpha.size(); ++i) {
+    if (max_component(radiance.pixels[i]) > radiance.alpha[i]) continue;  // light beyond alpha is added
+    EXPECT_NEAR(png.alpha[i], std::max(radiance.alpha[i], 0.f), 0.004f) << i;
+    shadows += radiance.alpha[i] > 0.02f && radiance.alpha[i] < 0.5f ? 1 : 0;
+  }
+  EXPECT_GT(shadows, 2);
+  const Outcome outcome = run(directory, {"catcher.dsc", "-o", "alone.hdr"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("alone.hdr cannot hold alpha"), outcome.err.npos) << outcome.err;
+}
+
 const Rgb kFirst{0.4f, 0.2f, 0.1f}, kSecond{0.05f, 0.1f, 0.3f};
 
 TEST(FilmOutput, HoldsRadianceTimesExposure) {

@@ -15,8 +15,6 @@
 namespace dspm {
 namespace {
 
-constexpr ViewCurve kCurves[] = {ViewCurve::standard, ViewCurve::filmic, ViewCurve::agx, ViewCurve::raw};
-
 Rgb one_pixel(const View& view, const Rgb& radiance) {
   Image image(1, 1);
   image.at(0, 0) = radiance;
@@ -33,17 +31,17 @@ TEST(View, StandardClipsComponentsAlone) {
 }
 
 TEST(View, EverythingRisesAndStaysWithinOne) {
-  for (const ViewCurve curve : kCurves) {
+  for (const auto& [curve, name] : kViewNames) {
     float last = -1;
     for (float radiance = 0; radiance < 1e4f; radiance = radiance * 1.01f + 1e-4f) {
       const float value = curved(curve, Rgb(radiance)).r;
-      EXPECT_GE(value, last) << static_cast<int>(curve) << " at " << radiance;
+      EXPECT_GE(value, last) << name << " at " << radiance;
       EXPECT_LE(value, 1.f);
       last = value;
     }
     EXPECT_GT(last, 0.98f);
     for (const float bright : {1e30f, std::numeric_limits<float>::infinity()})
-      EXPECT_NEAR(curved(curve, Rgb(bright)).r, 1, 1e-2) << static_cast<int>(curve);
+      EXPECT_NEAR(curved(curve, Rgb(bright)).r, 1, 1e-2) << name;
     for (const float none : {-1.f, 0.f, std::numeric_limits<float>::quiet_NaN()})
       EXPECT_NEAR(curved(curve, Rgb(none)).r, 0, 1e-3);
   }
@@ -75,6 +73,68 @@ TEST(View, AgxLetsBrightColoursFade) {
   EXPECT_LT(saturation(6), 0.25f);
 }
 
+void expect_near(const Rgb& is, const Rgb& wanted, float most) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(is[c], wanted[c], most) << "component " << c;
+}
+
+/// Wrensch's polynomial for AgX's sigmoid (its mean squared error is 3.7e-6), a look, and Sobotka's matrices.
+Rgb agx_by_polynomial(const Rgb& colour, double slope_g, double slope_b, double power, double saturation) {
+  constexpr double kIn[3][3] = {{0.8424790623, 0.0784336, 0.0792237451},
+                                {0.0423282423, 0.8784686365, 0.0791661275},
+                                {0.0423756549, 0.0784336, 0.8791429738}},
+                   kOut[3][3] = {{1.1968790051, -0.0980208811, -0.0990297441},
+                                 {-0.0528968518, 1.1519031299, -0.0989611768},
+                                 {-0.0529716355, -0.0980434501, 1.1510736726}};
+  double v[3], grey = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double light = kIn[i][0] * colour.r + kIn[i][1] * colour.g + kIn[i][2] * colour.b;
+    const double x = std::clamp((std::log2(light) + 12.47393) / 16.5, 0., 1.);
+    const double bent = ((((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x + 0.1191) * x - 0.00232);
+    v[i] = std::pow(std::max(bent, 0.) * (i == 0 ? 1 : i == 1 ? slope_g : slope_b), power);
+    grey += v[i] * (i == 0 ? 0.2126 : i == 1 ? 0.7152 : 0.0722);
+  }
+  Rgb encoded;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) encoded[i] += static_cast<float>(kOut[i][j] * (grey + saturation * (v[j] - grey)));
+  for (int i = 0; i < 3; ++i) encoded[i] = std::clamp(encoded[i], 0.f, 1.f);
+  return encoded;
+}
+
+TEST(View, AgxAndItsLooksAreThePublishedOnes) {
+  const auto encoded = [](ViewCurve curve, const Rgb& colour) {
+    const Rgb c = curved(curve, colour);
+    return Rgb(linear_to_srgb(c.r), linear_to_srgb(c.g), linear_to_srgb(c.b));
+  };
+  for (const float strength : {0.02f, 0.18f, 0.7f, 3.f})
+    for (const Rgb& hue : {Rgb(1), Rgb(1, 0.5f, 0.2f), Rgb(0.1f, 0.4f, 1), Rgb(0.3f, 1, 0.2f)}) {
+      SCOPED_TRACE(strength);
+      const Rgb colour = strength * hue;
+      expect_near(encoded(ViewCurve::agx, colour), agx_by_polynomial(colour, 1, 1, 1, 1), 0.012f);
+      expect_near(encoded(ViewCurve::agx_punchy, colour), agx_by_polynomial(colour, 1, 1, 1.35, 1.4), 0.02f);
+      expect_near(encoded(ViewCurve::agx_golden, colour), agx_by_polynomial(colour, 0.9, 0.5, 0.8, 0.8), 0.02f);
+    }
+}
+
+/// By hand from its specification: 0.04 is taken off (less in the dark), and compression starts at 0.76.
+TEST(View, NeutralIsKhronosPbrNeutral) {
+  expect_near(curved(ViewCurve::neutral, Rgb(0.05f)), Rgb(0.015625f), 1e-6f);
+  expect_near(curved(ViewCurve::neutral, Rgb(0.5f, 0.3f, 0.2f)), Rgb(0.46f, 0.26f, 0.16f), 1e-6f);
+  expect_near(curved(ViewCurve::neutral, Rgb(1)), Rgb(0.869091f), 1e-5f);
+  expect_near(curved(ViewCurve::neutral, Rgb(4, 0.5f, 0.1f)), Rgb(0.983256f, 0.382473f, 0.313812f), 1e-5f);
+}
+
+/// What it is for: under white surroundings a plastic of a brand's colour sends that colour and mirrors 0.04.
+TEST(View, NeutralKeepsBrandColours) {
+  for (const Rgb& brand : {Rgb(0.7f, 0.05f, 0.04f), Rgb(0.04f, 0.2f, 0.6f), Rgb(0.75f, 0.4f, 0.06f)})
+    expect_near(curved(ViewCurve::neutral, brand + Rgb(0.04f)), brand, 1e-6f);
+}
+
+/// By hand from Hill's matrices and fit.
+TEST(View, AcesIsHillsFit) {
+  expect_near(curved(ViewCurve::aces, Rgb(0.18f)), Rgb(0.10559f), 1e-5f);
+  expect_near(curved(ViewCurve::aces, Rgb(1, 0, 0)), Rgb(0.688028f, 0, 0.002639f), 1e-5f);
+}
+
 TEST(View, RawIsNotEncoded) {
   EXPECT_EQ(one_pixel(named("raw"), Rgb(0.25f, 0.5f, 3)), Rgb(0.25f, 0.5f, 1));
   EXPECT_EQ(named("raw").png().space, PngSpace::linear);
@@ -101,7 +161,8 @@ TEST(View, UnknownOnesAreRefusedByName) {
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
-                 "there is no view \"agxx\"; there are standard, filmic, agx, raw, ocio and ocio:DISPLAY/VIEW");
+                 "there is no view \"agxx\"; there are standard, filmic, agx, agx-punchy, agx-golden, neutral, "
+                 "aces, raw, ocio and ocio:DISPLAY/VIEW");
   }
 }
 

@@ -182,7 +182,7 @@ def shows_scrubs_and_exposes(page):
     until(lambda: max(page.pixel("#large", .8, .3)) < max(before) - 8, "less exposure is darker")
     page.key("e")
     until(lambda: page.pixel("#large", .8, .3) == before, "and back")
-    for tone in (1, 2, 3, 4, 5):
+    for tone in range(1, 9):
         page.key("t")
         expect(page.js("document.getElementById('tone').value") == str(tone), "tone mapping by key")
     until(lambda: page.pixel("#large", .8, .3) != before, "false colour differs")
@@ -304,12 +304,14 @@ def png_pixels(page, file, places):
 def shows_what_pngs_show(page, folder):
     """The page starts with --view and --exposure, and its curves are those of the PNGs."""
     places = [(x, y) for x in (12, 47, 80) for y in (6, 30, 58)]
-    names = page.js("[...document.getElementById('tone').options].slice(0, 4).map(o => o.text.split(',')[0])")
+    names = page.js("[...document.getElementById('tone').options].slice(0, -1).map(o => o.text.split(',')[0])")
     chosen = page.js("[document.getElementById('tone').value, document.getElementById('exposure').value]")
     expect(chosen == [str(names.index("filmic")), "1"], f"it starts with the run's view: {names}, {chosen}")
     page.js("document.querySelector('#cells button').click()")
     lit(page, "#large", .5, .85)
-    for number, name in enumerate(names[:3]):  # viewers take the linear PNGs of "raw" for what they are
+    for number, name in enumerate(names):
+        if name == "raw":  # viewers take its linear PNGs for what they are
+            continue
         subprocess.run([dspm, "lit.dsc", "--quiet", "--frames", "1", "--png", "--view", name, "--exposure", "1",
                         "-o", f"{name}.####.exr"], cwd=folder, check=True)
         wanted = png_pixels(page, pathlib.Path(folder) / f"{name}.0001.png", places)
