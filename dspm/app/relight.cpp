@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "dspm/looking/shown_file.h"
-#include "dspm/math/frames.h"
 #include "dspm/output/group_factor.h"
-#include "dspm/output/image_name.h"
+#include "dspm/output/name_template.h"
 #include "dspm/output/relight.h"
+#include "dspm/output/relit_names.h"
 #include "dspm/output/view.h"
 #include "dspm/params/errors.h"
 #include "dspm/session/distinct_files.h"
@@ -39,12 +38,11 @@ int relight_images(const Options& options) {
     throw UsageError("--relight: how? \"key 0.5 [1 .8 .6]\" makes the lights of the group key darker");
   if (!is_image(options.outfile)) throw UsageError("--relight: -o names the new images, which end with .exr");
 
-  const std::filesystem::path pattern = options.outfile;
+  const std::vector<std::filesystem::path> names = relit_names(images, options.outfile);
   std::vector<NamedFile> read, written, shown;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const auto number = images.size() > 1 ? std::optional(Moment::numbered(static_cast<int>(i) + 1)) : std::nullopt;
     read.push_back({images[i], "an image"});
-    written.push_back({image_name(pattern, number), "its new mix"});
+    written.push_back({names[i], "its new mix"});
     if (options.png) shown.push_back({png_of(written.back().path), "its PNG"});
   }
   std::vector<NamedFile> all = written;
@@ -53,6 +51,7 @@ int relight_images(const Options& options) {
   const View view(options.view);
   Messages messages(options.quiet);
   for (std::size_t i = 0; i < images.size(); ++i) {
+    make_folders_of_template(options.outfile, names[i]);
     relight(images[i], factors, written[i].path);
     messages.say("{}", written[i].path.string());
     if (shown.empty()) continue;

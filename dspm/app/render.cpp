@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dspm/app/render_live.h"
+#include "dspm/checkpoint/changes.h"
 #include "dspm/checkpoint/guide_file.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
@@ -14,6 +15,7 @@
 #include "dspm/system/parallel.h"
 #include "dspm/system/standard_streams.h"
 #include "dspm/system/work.h"
+#include "dspm/world/frame_choice.h"
 
 namespace dspm {
 namespace {
@@ -32,6 +34,24 @@ void go_as_far(const CheckpointFile& resumed, Job& job) {
   int most = 0;
   for (const IntervalState& state : resumed.intervals()) most = std::max(most, state.iterations);
   if (most > 0 && !job.chosen_iterations && job.until_error == 0) job.chosen_iterations = most;
+}
+
+/// A scene that was edited since may be why somebody asks for what is new: the error says what was edited.
+[[noreturn]] void say_what_changed(const Options& options, const CheckpointFile& resumed, const Surroundings& around,
+                                   const NothingNew& nothing) {
+  Choices all = choices_of(options, &resumed);
+  all.only_new = false, all.frames.clear(), all.variations.clear();
+  LoadedScene loaded(options.scenes, all, around.messages, std::nullopt, around.kept);
+  prepare(options, &resumed, around.leader != nullptr, loaded.job);
+  const Changes changes(loaded.job, resumed.render(), loaded.world->sampling());
+  if (changes.any()) changes.refuse_only_new(around.messages);
+  throw nothing;
+}
+
+LoadedScene scene_to_render(const Options& options, const CheckpointFile* resumed, const Surroundings& around) try {
+  return LoadedScene(options.scenes, choices_of(options, resumed), around.messages, std::nullopt, around.kept);
+} catch (const NothingNew& nothing) {
+  say_what_changed(options, *resumed, around, nothing);
 }
 
 /// The same, with surroundings of its own.
@@ -96,7 +116,7 @@ int load_and(const Options& options, const Surroundings& around, const std::func
              const std::function<int(Render&, const LoadedScene&)>& task) {
   std::unique_ptr<const CheckpointFile> resumed = file_to_resume(options);
   if (!options.stats.empty()) count_work();
-  LoadedScene loaded(options.scenes, choices_of(options, resumed.get()), around.messages, std::nullopt, around.kept);
+  LoadedScene loaded = scene_to_render(options, resumed.get(), around);
   prepare(options, resumed.get(), around.leader != nullptr, loaded.job);
   before();
   Render render(loaded, options, around, std::move(resumed));

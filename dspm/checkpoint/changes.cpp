@@ -97,6 +97,11 @@ Changes::Changes(const Job& job, const CheckpointFile::Render& then, const std::
   errors.throw_if_errors();
 }
 
+void Changes::refuse_only_new(Messages& messages) const {
+  messages.show(diagnostics_);
+  throw UsageError("--only-new: what has changed is not new; resume without --only-new, which renders it anew");
+}
+
 Places Changes::after(const Places& then) const {
   Places now = then;
   std::optional<FileFrame> stand_in;

@@ -7,6 +7,7 @@
 
 #include "dspm/checkpoint/checkpoint_file.h"
 #include "dspm/math/frames.h"
+#include "dspm/session/messages.h"
 #include "dspm/world/frame_choice.h"
 #include "dspm/world/job.h"
 
@@ -21,6 +22,8 @@ class Changes {
   bool any() const { return !diagnostics_.all().empty(); }
   /// What starts anew and why, and what is not there any more.
   const Diagnostics& warnings() const { return diagnostics_; }
+  /// For a run that would not render what starts anew: shows the warnings and throws UsageError.
+  [[noreturn]] void refuse_only_new(Messages& messages) const;
   /// An interval's, in the file as it is now. Frames that do not go on are given up.
   Places after(const Places& then) const;
   /// Of an interval, those that start anew, in their places now.

@@ -92,8 +92,7 @@ Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const Chec
   const Changes changes(job, last_->render(), sampling);
   has_changed_ = changes.any();
   for (const IntervalState& state : last_->intervals())
-    if (!is_among(changes.anew(state.places), job.frames))
-      throw UsageError("--only-new: some frames have changed and start anew; resume without it first");
+    if (!is_among(changes.anew(state.places), job.frames)) changes.refuse_only_new(messages);
   messages_.show(changes.warnings());
   for (const IntervalState& state : last_->intervals())
     if (Places now = changes.after(state.places); !now.going_on().empty()) {

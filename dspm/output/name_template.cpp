@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "dspm/system/atomic_file.h"
+
 namespace dspm {
 namespace {
 
@@ -50,6 +52,10 @@ std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& pa
     }
   }
   return name;
+}
+
+void make_folders_of_template(std::string_view pattern, const std::filesystem::path& filled_in) {
+  if (is_template(pattern) && filled_in.has_parent_path()) make_folder(filled_in.parent_path());
 }
 
 std::vector<NamedPart> parts_of(const Job& job, FileFrame frame) {

@@ -1,6 +1,7 @@
 // Names of images by a template: "{legs}_{seat}_{frame}.exr" becomes "oak_red_0001.exr".
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,8 @@ std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& pa
 
 /// The frame's choices, by axis, after the whole "variation".
 std::vector<NamedPart> parts_of(const Job& job, FileFrame frame);
+
+/// The folders of a name that was filled in: whoever names folders after variations cannot make them all. Throws WriteError.
+void make_folders_of_template(std::string_view pattern, const std::filesystem::path& filled_in);
 
 }  // namespace dspm

@@ -59,6 +59,8 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
   if (!settings.contact_sheet.empty()) sheet_.emplace(settings.contact_sheet, job, settings.sheet);
   const std::vector<NamedFile> written = files(settings, others);
   expect_all_distinct(written, settings, others);
+  for (const FileFrame frame : settings.images ? job.frames : std::vector<FileFrame>())
+    make_folders_of_template(job.film.filename, name(frame));
   try_writes(paths_of(written));
   if (settings.images) {
     if (job.denoiser == Denoiser::oidn) try_oidn(denoised_name(job.frames.front()));
@@ -152,9 +154,9 @@ ExrHeader Output::header(FileFrame frame, const FrameFigures& figures) const {
   header.texts = {
       {"scene", job_.scene_file}, {"integrator", job_.integrator}, {"software", fmt::format("dspm {}", kVersion)}};
   header.integers = {{"frame", job_.moment(frame).number()}};
+  if (job_.film.transparent) header.integers[kTransparentNumber] = 1;
   if (!job_.variation(frame).empty()) header.texts["variation"] = job_.variation(frame);
   for (std::size_t i = 0; i < job_.description->axes.size(); ++i) {
-  if (job_.film.transparent) header.integers[kTransparentNumber] = 1;
     const VariationAxis& axis = job_.description->axes[i];
     const Variation& chosen = axis.variations[static_cast<std::size_t>(job_.description->frames.choice(frame, i))];
     if (!axis.name.empty()) header.texts["variation " + axis.name] = chosen.name;

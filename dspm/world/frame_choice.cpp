@@ -106,7 +106,7 @@ std::vector<FileFrame> chosen_frames(const SceneDescription& description, const 
                     "or render them on their own, without --resume",
                     choices.frames.empty() ? "--variation" : "--frames"));
   if (frames.empty() && choices.only_new)
-    throw UsageError("--only-new: the checkpoint holds all chosen frames already");
+    throw NothingNew("--only-new: the checkpoint holds all chosen frames already");
   return frames;
 }
 

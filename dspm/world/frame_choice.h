@@ -6,6 +6,7 @@
 
 #include "dspm/lang/description.h"
 #include "dspm/math/frames.h"
+#include "dspm/params/errors.h"
 #include "dspm/world/choices.h"
 
 namespace dspm {
@@ -26,6 +27,11 @@ class MovedFrames {
   const FileFrames& now_;
   const FileFrames then_;
   std::vector<std::optional<int>> combinations_;
+};
+
+/// With only_new, but all chosen frames were rendered already.
+class NothingNew : public UsageError {
+  using UsageError::UsageError;
 };
 
 /// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.

@@ -133,9 +133,9 @@ IntegratorChoice choose_integrator(const SceneDescription& description, const Ch
       throw UsageError(fmt::format("--maxdepth: \"{}\" has none", choice.plugin->name));
     set_integer(choice.params, "maxdepth", *choices.max_depth);
   }
-  if (choices.photons) {
-    if (!knows(described, "photons"))
-      throw UsageError(fmt::format("--photons: \"{}\" emits none", choice.plugin->name));
+  if (choices.photons && !knows(described, "photons")) {
+    diagnostics.note({}, fmt::format("--photons has no effect: integrator \"{}\" emits none", choice.plugin->name));
+  } else if (choices.photons) {
     std::erase_if(choice.params.params, [](const Param& param) { return param.name == kPhotonsAlias; });
     set_integer(choice.params, "photons", *choices.photons);
   } else if (choices.quick) {

@@ -177,7 +177,6 @@ TEST(CommandLine, WrongUseIsTwo) {
                                              {"tiny.dsc", "--frames", "4"},
                                              {"tiny.dsc", "--integrator", "dspm"},
                                              {"tiny.dsc", "--accel", "kdtree"},
-                                             {"tiny.dsc", "--integrator", "path", "--photons", "10"},
                                              {"tiny.dsc", "--pixelbounds", "20,30,0,4"},
                                              {"--describe", "material:wood"}}) {
     const Outcome outcome = run(directory, words);
@@ -185,6 +184,15 @@ TEST(CommandLine, WrongUseIsTwo) {
     EXPECT_NE(outcome.err, "");
     EXPECT_EQ(outcome.out, "");
   }
+}
+
+/// Scripts pass one set of options to all integrators.
+TEST(CommandLine, PhotonsThatNobodyEmitsAreANote) {
+  const TinyDirectory directory;
+  const Outcome outcome = run(directory, {"tiny.dsc", "--integrator", "path", "--photons", "10"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.err.find("note: --photons has no effect: integrator \"path\" emits none\n"), outcome.err.npos)
+      << outcome.err;
 }
 
 TEST(CommandLine, AllErrorsOfASceneComeInOneGo) {

@@ -290,6 +290,23 @@ TEST(Variations, HaveNamesByATemplateAndATable) {
             "legs, seat, frame\n");
 }
 
+/// All kinds of files of an image are in its folder.
+TEST(Variations, HaveFoldersByATemplate) {
+  const ProductDirectory directory;
+  directory.render(
+      {"--variation", "oak-*s", "--png", "--denoise", "--aov", "N", "--aov-files", "-o", "out/{legs}/a/{seat}.exr"});
+  for (const char* file : {"dots.exr", "dots.png", "dots.N.exr", "dots.denoised.exr", "glass.denoised.png"})
+    EXPECT_TRUE(directory.has(std::string("out/oak/a/") + file)) << file;
+  EXPECT_FALSE(directory.has("out/steel")) << "not chosen";
+  const Outcome plain = run(directory, {"finishes.dsc", "-o", "uot/a.exr"});
+  EXPECT_NE(plain.code, 0) << "a name without variations may be a slip of the pen";
+  EXPECT_FALSE(directory.has("uot"));
+  std::filesystem::create_directory(directory / "box");
+  std::filesystem::copy_file(directory / "finishes.dsc", directory / "box/finishes.dsc");
+  run(directory, {"box/finishes.dsc", "--sandbox", "box", "-o", "outside/{legs}/{seat}.exr"});
+  EXPECT_FALSE(directory.has("outside"));
+}
+
 TEST(Variations, AreToldInHeadersReportsAndMessages) {
   const ProductDirectory directory;
   const Outcome outcome = run(directory, {"finishes.dsc", "--variation", "steel-*", "--stats=stats.json"});

@@ -76,8 +76,29 @@ TEST_F(ChangedVariations, AreNotLeftToOnlyNew) {
   put(product.text());
   const Outcome outcome = dspm({"--resume", "a", "--only-new"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.err, "dspm: --only-new: some frames have changed and start anew; resume without it first\n");
+  EXPECT_NE(outcome.err.find("material \"legs\" of variation \"oak\" has changed since the checkpoint"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("dspm: --only-new: what has changed is not new; resume without --only-new"),
+            std::string::npos)
+      << outcome.err;
   EXPECT_EQ(contents(directory / "a"), before);
+}
+
+// Whoever edits a variation and asks for what is new learns what was edited, not that there is nothing to do.
+TEST_F(ChangedVariations, AreNamedIfNothingIsNew) {
+  Product product;
+  begin(product, {"--iterations", "1"});
+  const Outcome same = dspm({"--resume", "a", "--only-new"});
+  EXPECT_EQ(same.err, "dspm: --only-new: the checkpoint holds all chosen frames already\n");
+  product.oak = ".2 .3 .8";
+  put(product.text());
+  const Outcome outcome = dspm({"--resume", "a", "--only-new"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("material \"legs\" of variation \"oak\" has changed since the checkpoint"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("these start anew: oak-plain, oak-dim"), std::string::npos) << outcome.err;
 }
 
 TEST_F(ChangedVariations, MayBeTakenAwayAndComeBack) {

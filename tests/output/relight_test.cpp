@@ -121,6 +121,36 @@ TEST(Relight, OfSeveralImagesNumbersThem) {
   EXPECT_NE(colours(directory, "mix.0001.exr"), colours(directory, "mix.0002.exr"));
 }
 
+/// As the renders were named: by variation and moment, or by a template of their choices.
+TEST(Relight, NamesVariationsAsTheyWereNamed) {
+  const TemporaryDirectory directory;
+  put_file(directory / "a.dsc", scene("[20 20 20]", "[20 20 20]") + R"(
+AxisBegin "coat" VariationBegin "red" Show "ball" VariationEnd VariationBegin "none" Hide "ball" VariationEnd AxisEnd
+AxisBegin "key" VariationBegin "on" Show "ball" VariationEnd VariationBegin "off" Hide "ball" VariationEnd AxisEnd
+)");
+  ASSERT_EQ(run(directory, {"a.dsc", "--aov", "lights", "--iterations", "1"}).code, 0);
+  const auto mixed = [&](const Arguments& images, const std::string& name) {
+    return run(directory, Arguments{"--relight"} + images + Arguments{"key 2", "-o", name}).err;
+  };
+  EXPECT_EQ(mixed({"a.none-on.0001.exr", "a.red-off.0001.exr"}, "b.exr"), "dspm: b.none-on.exr\ndspm: b.red-off.exr\n");
+  EXPECT_EQ(mixed({"a.none-on.0002.exr"}, "b.exr"), "dspm: b.none-on.exr\n");
+  EXPECT_EQ(mixed({"a.none-on.0001.exr", "a.none-on.0002.exr"}, "b.exr"),
+            "dspm: b.none-on.0001.exr\ndspm: b.none-on.0002.exr\n");
+  EXPECT_EQ(mixed({"a.none-on.0002.exr"}, "b/{coat}/{key}-{frame:1}.exr"), "dspm: b/none/on-2.exr\n");
+}
+
+TEST(Relight, KeepsTransparency) {
+  const TemporaryDirectory directory;
+  put_file(directory / "a.dsc", scene("[20 20 20]", "[20 20 20]"));
+  ASSERT_EQ(
+      run(directory, {"a.dsc", "--frames", "1", "--iterations", "1", "--aov", "lights", "--transparent", "--png"}).code,
+      0);
+  ASSERT_EQ(run(directory, {"--relight", "a.0001.exr", "key 1", "-o", "b.exr", "--png"}).code, 0);
+  const Image before = read_image(directory / "a.0001.png"), after = read_image(directory / "b.png");
+  ASSERT_FALSE(before.alpha.empty());
+  EXPECT_EQ(after.alpha, before.alpha);
+}
+
 TEST(Relight, RefusesWhatItCannotMix) {
   TemporaryDirectory& directory = rendered();
   const auto refused = [&](const Arguments& arguments, const char* why) {
