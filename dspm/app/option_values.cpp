@@ -77,7 +77,7 @@ std::optional<FrameRange> frame_range(std::string_view text) {
   const auto first = number<int>(text.substr(0, dash));
   const auto last = dash == text.npos ? first : number<int>(text.substr(dash + 1, colon - dash - 1));
   const auto step = colon == text.npos ? 1 : number<int>(text.substr(colon + 1));
-  if (!first || !last || !step || *first < 1 || *last < *first || *last > kMaxFrameNumber || *step < 1)
+  if (!first || !last || !step || *first < 0 || *last < *first || *last > kMaxFrameNumber || *step < 1)
     return std::nullopt;
   return FrameRange{*first, *last, *step};
 }
@@ -96,14 +96,14 @@ std::vector<Moment> parse_frames(std::string_view text) {
   std::vector<bool> wanted;  // a flag per frame: a list would grow with each repeated range
   for (const std::string_view part : split(text, ',')) {
     const auto range = frame_range(part);
-    if (!range) throw UsageError(fmt::format("--frames {}: expected frames from 1 on, such as 1-8,12 or 1-32:4", text));
-    wanted.resize(std::max(wanted.size(), static_cast<std::size_t>(range->last)));
+    if (!range) throw UsageError(fmt::format("--frames {}: expected frames, such as 1-8,12 or 1-32:4", text));
+    wanted.resize(std::max(wanted.size(), static_cast<std::size_t>(range->last) + 1));
     for (std::int64_t frame = range->first; frame <= range->last; frame += range->step)
-      wanted[static_cast<std::size_t>(frame - 1)] = true;
+      wanted[static_cast<std::size_t>(frame)] = true;
   }
   std::vector<Moment> moments;
   for (std::size_t frame = 0; frame < wanted.size(); ++frame)
-    if (wanted[frame]) moments.emplace_back(static_cast<double>(frame));
+    if (wanted[frame]) moments.push_back(Moment::numbered(static_cast<int>(frame)));
   return moments;
 }
 

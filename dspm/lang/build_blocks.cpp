@@ -34,6 +34,8 @@ void SceneBuilder::open_block(Block::Kind kind, const Directive& directive, std:
 }
 
 void SceneBuilder::close_block(Block::Kind kind, const Directive& directive) {
+  if (kind == Block::Kind::dynamic && blocks_.innermost_is(kind) && variation_in_force() == nullptr)
+    ends_of_blocks_[blocks_.innermost().name].push_back(state_.ctm);
   state_ = blocks_.close(kind, directive.where, state_);
 }
 
@@ -49,7 +51,7 @@ void SceneBuilder::dynamic_begin(const Directive& directive) {
 void SceneBuilder::open_dynamic(const Directive& directive, const DynamicPlace* place) {
   const std::string& name = directive.words[0].text;
   open_block(Block::Kind::dynamic, directive, name);
-  MomentInterval moments{Moment(), Moment(scene_.moments)};
+  MomentInterval moments = scene_.all_moments();
   if (place != nullptr) {
     state_ = place->state;
     moments = scene_.dynamic_blocks[static_cast<std::size_t>(place->block)].moments;
@@ -58,11 +60,13 @@ void SceneBuilder::open_dynamic(const Directive& directive, const DynamicPlace* 
   const std::vector<int> limits = reader.integers("frames", "the first and the last frame in which its shapes exist");
   reader.finish();
   if (reader.has("frames")) {
-    if (limits.size() != 2 || limits[0] < 1 || limits[1] < limits[0])
-      reader.error("frames", "expected the first and the last frame, counted from 1");
+    const int lowest = scene_.clock().lowest();
+    if (limits.size() != 2 || limits[0] < lowest || limits[1] < limits[0])
+      reader.error("frames", fmt::format("expected the first and the last frame, counted from {}", lowest));
     else {
       check_key(Moment::numbered(limits[1]), reader.where("frames"));
-      moments = {std::min(Moment::numbered(limits[0]), moments.end), std::min(Moment(limits[1]), moments.end)};
+      moments = {std::clamp(Moment::numbered(limits[0]), moments.first, moments.end),
+                 std::clamp(Moment(limits[1]), moments.first, moments.end)};
     }
   }
   if (state_.dynamic_block >= 0) {

@@ -96,7 +96,7 @@ void SceneBuilder::set_plugin(std::optional<PluginUse>& slot, Directive& directi
 
 void SceneBuilder::camera(Directive& directive) {
   warn_of_second(directive, scene_.camera ? &*scene_.camera : nullptr);
-  const Motion place = scene_is_whole_ ? place_of_replacing_camera() : state_.ctm;
+  const Motion place = (scene_is_whole_ ? place_of_replacing_camera() : state_.ctm).of_camera();
   scene_.camera = CameraUse{plugin_use(directive), place};
   scene_.coordinate_systems["camera"] = place.inverse();
   if (scene_is_whole_) state_.ctm = {};
@@ -121,7 +121,12 @@ void SceneBuilder::frames(const Directive& directive) {
     diagnostics_.error(directive.where, fmt::format("expected a number of frames from 1 to {}", kMostFrames));
   ParamReader reader(directive.params, "Frames", directive.where, diagnostics_);
   const float fps = reader.number("fps", 0, "1/s", "frames per second");
+  const int first = reader.integer("first", 1, "", "the number of the first frame");
   reader.finish();
+  if (first >= 0 && first <= kLastFrame - scene_.moments + 1)
+    scene_.first_moment = Moment::numbered(first);
+  else
+    reader.error("first", fmt::format("frames have numbers from 0 to {}", kLastFrame));
   if (!reader.has("fps")) return;
   if (!(fps > 0)) reader.error("fps", "the frames per second must be greater than 0");
   scene_.fps = fps;

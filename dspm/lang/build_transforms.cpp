@@ -20,6 +20,31 @@ TransformOp op_of(TransformOp::Kind kind, const Directive& directive) {
   return op;
 }
 
+KeyDirective key_of(ParamReader& reader) {
+  KeyDirective key{{}, reader.where()};
+  const std::string ease =
+      reader.choice("ease", "linear", {"linear", "smooth", "step", "cubic"}, "easing from this key to the next");
+  if (reader.has("ease"))
+    key.ease = ease == "smooth"  ? Ease::smooth
+               : ease == "step"  ? Ease::step
+               : ease == "cubic" ? Ease::cubic
+                                 : Ease::linear;
+  key.turns = reader.integer("turns", 0, "", "full turns more on the way to the next key");
+  key.turns_where = reader.where("turns");
+  const auto tangent = [&](const char* name, const char* sentence) {
+    const std::vector<float> numbers = reader.numbers(name, sentence);
+    if (reader.has(name)) key.tangent_where = reader.where(name);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  };
+  const std::vector<double> both = tangent("tangent", "how the numbers of the transforms change per frame here");
+  key.tangent_in = tangent("tangentin", "the same before this key");
+  key.tangent_out = tangent("tangentout", "the same after this key");
+  if (key.tangent_in.empty()) key.tangent_in = both;
+  if (key.tangent_out.empty()) key.tangent_out = both;
+  reader.finish();
+  return key;
+}
+
 std::string_view reason_singular(const Directive& directive) {
   switch (directive.info->kind) {
     case DirectiveKind::scale: return "none of its factors may be 0";
@@ -36,7 +61,7 @@ bool SceneBuilder::apply_transform(const Directive& directive) {
     case translate: multiply(directive, op_of(TransformOp::Kind::translate, directive)); return true;
     case rotate: multiply(directive, op_of(TransformOp::Kind::rotate, directive)); return true;
     case DirectiveKind::scale: multiply(directive, op_of(TransformOp::Kind::scale, directive)); return true;
-    case look_at: multiply(directive, op_of(TransformOp::Kind::look_at, directive)); return true;
+    case look_at: multiply(directive, view_op(directive)); return true;
     case concat_transform: multiply(directive, op_of(TransformOp::Kind::matrix, directive)); return true;
     case transform: replace(directive, op_of(TransformOp::Kind::matrix, directive)); return true;
     case identity: replace(directive, matrix_op({})); return true;
@@ -72,6 +97,13 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
   const Matrix4 matrix = op.matrix();
   if (!is_usable(directive, matrix)) return;
   if (group_) return group_->multiply(op);
+  if (op.is_aimed()) {
+    KeyframeGroup alone(directive.where);
+    alone.begin_key({scene_.first_moment, directive.where}, diagnostics_);
+    alone.multiply(op);
+    state_.ctm = alone.finish(state_.ctm, After::hold, {}, diagnostics_);
+    return;
+  }
   Motion motion = state_.ctm;
   motion.multiply(matrix);
   if (const Matrix4 at_first = motion.at(Moment()); is_regular(at_first) || (motion.is_keyed() && vanishes(at_first)))
@@ -79,6 +111,19 @@ void SceneBuilder::multiply(const Directive& directive, const TransformOp& op) {
   else
     diagnostics_.error(directive.where,
                        fmt::format("this {} makes the current transform singular", directive.info->name));
+}
+
+TransformOp SceneBuilder::view_op(const Directive& directive) {
+  TransformOp op = op_of(TransformOp::Kind::look_at, directive);
+  for (std::size_t i = 0; i < op.places.size() && i < directive.words.size(); ++i) {
+    const Argument& name = directive.words[i];
+    if (name.text.empty()) continue;
+    std::shared_ptr<NamedPlace>& place = named_places_[name.text];
+    if (!place) place = std::make_shared<NamedPlace>(NamedPlace{name.text, name.where});
+    op.places[i] = place;
+  }
+  op.places_things = op.is_aimed();
+  return op;
 }
 
 void SceneBuilder::replace(const Directive& directive, const TransformOp& op) {
@@ -135,10 +180,7 @@ bool SceneBuilder::may_begin_keys() const {
 }
 
 void SceneBuilder::keyframe(const Directive& directive) {
-  const double key = directive.numbers[0];
-  if (!(key >= 1 && key <= kMostFrames && key == std::floor(key))) {
-    diagnostics_.error(directive.where, fmt::format("expected a frame from 1 to {}", kMostFrames));
-  } else if (!group_ && !may_begin_keys()) {
+  if (!group_ && !may_begin_keys()) {
     diagnostics_.error(directive.where, "Keyframe must be in a Dynamic block or before Camera");
   }
   if (!group_) {
@@ -148,28 +190,28 @@ void SceneBuilder::keyframe(const Directive& directive) {
     has_keys = true;
     group_.emplace(directive.where);
   }
-  ParamReader reader(directive.params, "Keyframe", directive.where, diagnostics_);
-  const std::string ease =
-      reader.choice("ease", "linear", {"linear", "smooth", "step"}, "easing from this key to the next");
-  reader.finish();
-  const Moment moment = Moment::numbered(static_cast<int>(std::clamp(key, 1.0, static_cast<double>(kMostFrames))));
+  const Moment moment(directive.numbers[0] - 1);
   check_key(moment, directive.where);
-  group_->begin_key(moment,
-                    ease == "smooth" ? Ease::smooth
-                    : ease == "step" ? Ease::step
-                                     : Ease::linear,
-                    directive.where, diagnostics_);
+  ParamReader reader(directive.params, "Keyframe", directive.where, diagnostics_);
+  KeyDirective key = key_of(reader);
+  key.moment = moment;
+  group_->begin_key(std::move(key), diagnostics_);
 }
 
 void SceneBuilder::keyframe_end(const Directive& directive) {
+  ParamReader reader(directive.params, "KeyframeEnd", directive.where, diagnostics_);
+  const std::string after = reader.choice("after", "hold", {"hold", "repeat", "offset"}, "what follows the last key");
+  reader.finish();
   if (group_)
-    finish_group();
+    finish_group(after == "repeat" ? After::repeat : after == "offset" ? After::offset : After::hold);
   else
     diagnostics_.error(directive.where, "KeyframeEnd without Keyframe");
 }
 
-void SceneBuilder::finish_group() {
-  state_.ctm = group_->finish(state_.ctm, diagnostics_);
+void SceneBuilder::finish_group(After after) {
+  const bool frames_are_known = world_where_ || scene_.frames_where.file != nullptr;
+  const MomentInterval all{scene_.first_moment, Moment(scene_.first_moment.frames() + kMostFrames)};
+  state_.ctm = group_->finish(state_.ctm, after, frames_are_known ? scene_.all_moments() : all, diagnostics_);
   group_.reset();
 }
 

@@ -5,6 +5,7 @@
 
 #include "dspm/lang/scene_builder.h"
 #include "dspm/math/frames.h"
+#include "dspm/params/numbered_files.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -93,12 +94,13 @@ PluginUse SceneBuilder::plugin_use(Directive& directive, AttributeTarget target)
   PluginUse use = plugin_use(directive);
   const std::size_t given = use.params.params.size();
   const std::shared_ptr<const ParamList>& defaults = state_.attributes[static_cast<std::size_t>(target)];
-  if (defaults == nullptr) return use;
-  for (const Param& param : defaults->params) {
-    const auto end = use.params.params.begin() + static_cast<std::ptrdiff_t>(given);
-    if (std::none_of(use.params.params.begin(), end, [&](const Param& p) { return p.name == param.name; }))
-      use.params.params.push_back(param);
-  }
+  if (defaults != nullptr)
+    for (const Param& param : defaults->params) {
+      const auto end = use.params.params.begin() + static_cast<std::ptrdiff_t>(given);
+      if (std::none_of(use.params.params.begin(), end, [&](const Param& p) { return p.name == param.name; }))
+        use.params.params.push_back(param);
+    }
+  count_files_from(scene_.first_moment, use.params);
   return use;
 }
 

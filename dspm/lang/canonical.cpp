@@ -27,9 +27,11 @@ class Canonical {
       for (const double value : row) number(value);
     return *this;
   }
-  Canonical& motion(const Motion& motion, int moments) {
-    const int states = motion.is_keyed() ? moments : 1;
-    for (int number = 1; number <= states; ++number) matrix(motion.at(Moment::numbered(number)));
+  Canonical& motion(const Motion& motion, const MomentInterval& moments) {
+    for (Moment moment = moments.first; moment < moments.end; moment = Moment(moment.frames() + 1)) {
+      matrix(motion.at(moment));
+      if (!motion.is_keyed()) break;
+    }
     return *this;
   }
   Canonical& use(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {}) {
@@ -70,18 +72,19 @@ class Digests {
  public:
   using Kind = ElementDigest::Kind;
 
-  Digests(const SceneDescription& scene, const FramesPart& part) : scene_(scene), part_(part) {}
+  Digests(const SceneDescription& scene, const FramesPart& part)
+      : scene_(scene), moments_{scene.first_moment, Moment(scene.first_moment.frames() + part.moments)} {}
 
   std::vector<ElementDigest> all() {
     add_frames();
     if (scene_.camera)
       add(named("camera", scene_.camera->type), scene_.camera->where,
-          Canonical().use(*scene_.camera).motion(scene_.camera->camera_from_world, part_.moments));
+          Canonical().use(*scene_.camera).motion(scene_.camera->camera_from_world, moments_));
     for (const TextureUse& use : scene_.textures) add_texture(use);
     for (const MaterialUse& use : scene_.materials) add_material(use);
     for (const LightUse& use : scene_.lights)
       add(named("light", use.type), use.where,
-          Canonical().use(use).text(use.name).motion(use.world_from_light, part_.moments).number(use.dynamic_block),
+          Canonical().use(use).text(use.name).motion(use.world_from_light, moments_).number(use.dynamic_block),
           Kind::light, use.dynamic_block);
     for (const AreaLightUse& use : scene_.area_lights)
       add(named("area light", use.type), use.where, Canonical().use(use).text(use.name), Kind::look);
@@ -106,12 +109,13 @@ class Digests {
   /// Not which variations there are: a run may go on with more or fewer.
   void add_frames() {
     Canonical frames;
-    frames.number(part_.moments);
+    frames.number(moments_.end.frames() - moments_.first.frames());
+    if (moments_.first != Moment()) frames.number(moments_.first.frames());
     add("the number of frames", scene_.frames_where, frames);
   }
   void add_texture(const TextureUse& use, const std::string& where = {}) {
     add(named("texture", use.name) + where, use.where,
-        Canonical().use(use).number(use.is_spectrum).motion(use.world_from_texture, part_.moments), Kind::look);
+        Canonical().use(use).number(use.is_spectrum).motion(use.world_from_texture, moments_), Kind::look);
   }
   void add_material(const MaterialUse& use, const std::string& where = {}) {
     add(named("material", use.name.empty() ? use.type : use.name) + where, use.where,
@@ -120,7 +124,7 @@ class Digests {
   void add_blocks() {
     for (std::size_t i = 0; i < scene_.dynamic_blocks.size(); ++i) {
       const DynamicBlock& block = scene_.dynamic_blocks[i];
-      const double end = std::min(block.moments.end.frames(), static_cast<double>(part_.moments));
+      const double end = std::min(block.moments.end, moments_.end).frames();
       add(named("dynamic", block.name), block.where,
           Canonical().number(block.moments.first.frames()).number(end).number(block.outer), Kind::block,
           static_cast<int>(i));
@@ -130,7 +134,7 @@ class Digests {
     return Canonical()
         .use(use)
         .text(use.name)
-        .motion(use.world_from_object, part_.moments)
+        .motion(use.world_from_object, moments_)
         .number(use.reverse_orientation)
         .number(use.material.index)
         .text(use.material.name)
@@ -151,7 +155,7 @@ class Digests {
     for (const ObjectUse& use : scene_.instances) {
       add(named("instance of", use.name), use.where,
           Canonical()
-              .motion(use.world_from_instance, part_.moments)
+              .motion(use.world_from_instance, moments_)
               .number(use.reverse_orientation)
               .number(use.dynamic_block),
           Kind::instance, use.dynamic_block);
@@ -170,13 +174,13 @@ class Digests {
     add(name, variation.where, own);
     if (variation.camera)
       add(named("camera", variation.camera->type) + " of " + name, variation.camera->where,
-          Canonical().use(*variation.camera).motion(variation.camera->camera_from_world, part_.moments));
+          Canonical().use(*variation.camera).motion(variation.camera->camera_from_world, moments_));
     if (const std::optional<PluginUse>& use = variation.integrator)
       add(named("integrator", use->type) + " of " + name, use->where,
           Canonical().use(use->type, use->params, {"iterations"}));
     for (const LightUse& use : variation.light_sources)
       add(named("light", use.name) + " of " + name, use.where,
-          Canonical().use(use).text(use.name).motion(use.world_from_light, part_.moments));
+          Canonical().use(use).text(use.name).motion(use.world_from_light, moments_));
     for (const AreaLightUse& use : variation.area_lights)
       add(named("area light", use.name) + " of " + name, use.where, Canonical().use(use).text(use.name));
     for (const TextureUse& use : variation.textures) add_texture(use, " of " + name);
@@ -188,7 +192,7 @@ class Digests {
   }
 
   const SceneDescription& scene_;
-  const FramesPart part_;
+  const MomentInterval moments_;
   std::vector<ElementDigest> digests_;
 };
 

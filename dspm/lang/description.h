@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/lang/clock.h"
 #include "dspm/lang/file_frames.h"
 #include "dspm/lang/motion.h"
 #include "dspm/math/frames.h"
@@ -190,7 +191,8 @@ struct SceneDescription {
     return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
   }
 
-  int moments = 1;              // from `Frames`
+  Moment first_moment;          // from `Frames`
+  int moments = 1;              // likewise
   FileFrames frames;            // to be rendered: the product of moments and variations
   std::optional<double> fps;    // frames per second, if given
   SourceLocation frames_where;  // of the Frames directive; null file: none
@@ -213,6 +215,9 @@ struct SceneDescription {
   std::vector<VariationAxis> axes;
   std::vector<CombinationRule> rules;  // which combinations are left
 
+  /// From the first frame to before the one after the last.
+  MomentInterval all_moments() const { return {first_moment, Moment(first_moment.frames() + moments)}; }
+  Clock clock() const { return {first_moment, fps}; }
   const std::vector<int>& choices(FileFrame frame) const {
     return frames.combinations()[frames.combination_of(frame)].choices;
   }

@@ -26,16 +26,47 @@ std::string shortened(std::string_view word) {
   lexer.fail(token.text, message, did_you_mean(token.text, directive_names()));
 }
 
-void read_number(Lexer& lexer, const Token& word, Directive& directive) {
+void expect_number(Lexer& lexer, const Token& word, const Directive& directive) {
   const Token& next = lexer.peek();
   const bool is_bare = next.kind == Kind::number || next.kind == Kind::word;
   if (!is_bare || find_directive(next.text) != nullptr) {
-    const auto expected = std::count(directive.info->arguments.begin(), directive.info->arguments.end(), 'n');
+    const auto count = [&](char kind) {
+      return std::count(directive.info->arguments.begin(), directive.info->arguments.end(), kind);
+    };
+    const auto expected = count('n') + count('k') + 3 * count('a');
     lexer.fail(word.text,
                fmt::format("{} takes {} number{}, but {} follow{}", word.text, expected, expected == 1 ? "" : "s",
                            directive.numbers.size(), directive.numbers.size() == 1 ? "s" : ""));
   }
+}
+
+void read_number(Lexer& lexer, const Token& word, Directive& directive) {
+  expect_number(lexer, word, directive);
   directive.numbers.push_back(lexer.number<double>());
+}
+
+/// The time of a key, as a number of a frame.
+void read_key(Lexer& lexer, const Token& word, const Clock& clock, Directive& directive) {
+  expect_number(lexer, word, directive);
+  const Token token = lexer.next();
+  const std::optional<Moment> moment = clock.moment_of(lexer, token.text, token.text);
+  if (!moment)
+    lexer.fail(token.text,
+               fmt::format("expected a frame from {} to {}, or seconds, such as 1.5s", clock.lowest(), kLastFrame));
+  directive.numbers.push_back(moment->frames() + 1);
+}
+
+/// Three numbers, or the name of something that moves.
+void read_point(Lexer& lexer, const Token& word, Directive& directive) {
+  const bool is_named = lexer.peek().kind == Kind::string;
+  const Token token = lexer.peek();
+  directive.words.push_back({is_named ? lexer.unquoted(lexer.next()) : "", lexer.locate(token.text)});
+  for (int i = 0; i < 3; ++i)
+    if (is_named)
+      directive.numbers.push_back(0);
+    else
+      read_number(lexer, word, directive);
+  if (is_named && directive.words.back().text.empty()) lexer.fail(token.text, "a name is missing between the quotes");
 }
 
 void read_matrix(Lexer& lexer, const Token& word, Directive& directive) {
@@ -70,7 +101,7 @@ void expect_end(Lexer& lexer, const Directive& directive) {
 
 }  // namespace
 
-std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types) {
+std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types, const Clock& clock) {
   const Token word = lexer.next();
   if (word.kind == Kind::end) return std::nullopt;
   Directive directive;
@@ -80,8 +111,10 @@ std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types) {
   for (const char argument : directive.info->arguments) {
     switch (argument) {
       case 'n': read_number(lexer, word, directive); break;
+      case 'k': read_key(lexer, word, clock, directive); break;
+      case 'a': read_point(lexer, word, directive); break;
       case 'm': read_matrix(lexer, word, directive); break;
-      case 'P': directive.params = read_params(lexer, old_types); break;
+      case 'P': directive.params = read_params(lexer, old_types, clock); break;
       default: read_word(lexer, word, argument, directive); break;
     }
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/lang/clock.h"
 #include "dspm/lang/directives.h"
 #include "dspm/lang/lexer.h"
 #include "dspm/lang/param_grammar.h"
@@ -22,12 +23,12 @@ struct Argument {
 struct Directive {
   const DirectiveInfo* info = nullptr;
   SourceLocation where;
-  std::vector<Argument> words;
+  std::vector<Argument> words;  // of a LookAt that names its eye or target, both; empty: given by numbers
   std::vector<double> numbers;
   ParamList params;
 };
 
 /// The next directive; nullopt at the end of the text. After a SyntaxError, call Lexer::skip_to_directive to continue.
-std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types);
+std::optional<Directive> read_directive(Lexer& lexer, OldTypes old_types, const Clock& clock = {});
 
 }  // namespace dspm

@@ -27,8 +27,9 @@ struct DirectiveInfo {
   std::string_view name;
   DirectiveKind kind;
   Section section;
-  /// One letter per argument: s quoted string, S optional string, w bare word, v bare or quoted value, n number, m 16
-  /// numbers in brackets, P parameter list (always last).
+  /// One letter per argument: s quoted string, S optional string, w bare word, v bare or quoted value, n number, k time
+  /// of a key, a three numbers or the quoted name of what is there, m 16 numbers in brackets, P parameter list (always
+  /// last).
   std::string_view arguments;
   int indentation = 0;  // +1: opens a block, -1: closes one
 };

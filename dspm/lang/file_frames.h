@@ -39,10 +39,10 @@ struct KnownFrames {
 class FileFrames {
  public:
   FileFrames() : FileFrames(1, {{}}) {}
-  FileFrames(int moments, std::vector<Combination> combinations)
-      : FileFrames(moments, std::move(combinations), std::nullopt) {}
-  FileFrames(int moments, std::vector<Combination> combinations, std::optional<FramesPart> base)
-      : moments_(moments),
+  FileFrames(int moments, std::vector<Combination> combinations, std::optional<FramesPart> base = std::nullopt,
+             Moment first = Moment())
+      : first_moment_(first),
+        moments_(moments),
         combinations_(std::move(combinations)),
         base_(base.value_or(FramesPart{moments, static_cast<int>(combinations_.size())})) {}
   /// With the places of that time; combinations have only names.
@@ -52,6 +52,8 @@ class FileFrames {
 
   int count() const { return moments_ * static_cast<int>(combinations_.size()); }
   int moments() const { return moments_; }
+  Moment first_moment() const { return first_moment_; }
+  Moment last_moment() const { return Moment(first_moment_.frames() + moments_ - 1); }
   const std::vector<Combination>& combinations() const { return combinations_; }
   /// Whatever sampling derives from the file, it derives from these frames: all, unless frames were added to a render.
   const FramesPart& base() const { return base_; }

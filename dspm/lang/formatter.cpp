@@ -103,6 +103,8 @@ class DirectiveTokens {
         take();  // a bare word may look like a directive
       else
         take_value();
+      for (int more = argument == 'a' && groups_.back().back().kind != Kind::string ? 2 : 0; more > 0; --more)
+        take_value();
     }
     take_trailing_comment();
   }

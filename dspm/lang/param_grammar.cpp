@@ -88,13 +88,13 @@ Declaration split(std::string_view inside, OldTypes old_types) {
   lexer.fail(string.text, fmt::format("unknown parameter type \"{}\"", word), hint);
 }
 
-std::optional<Moment> read_key(const Lexer& lexer, const Token& string, std::string_view key) {
+std::optional<Moment> read_key(const Lexer& lexer, const Token& string, std::string_view key, const Clock& clock) {
   if (key.empty()) return std::nullopt;
-  int frame = 0;
-  const auto [stop, error] = std::from_chars(key.data() + 1, key.data() + key.size(), frame);
-  if (error != std::errc() || stop != key.data() + key.size() || frame < 1)
-    lexer.fail(string.text, fmt::format("expected a frame after @, counted from 1, but found \"{}\"", key.substr(1)));
-  return Moment::numbered(frame);
+  const std::optional<Moment> moment = clock.moment_of(lexer, string.text, key.substr(1));
+  if (!moment)
+    lexer.fail(string.text, fmt::format("expected a frame after @, counted from {}, but found \"{}\"", clock.lowest(),
+                                        key.substr(1)));
+  return moment;
 }
 
 template <class Value, class ReadOne>
@@ -197,7 +197,7 @@ void xyz_to_rgb(std::vector<float>& values) {
   }
 }
 
-Param read_param(Lexer& lexer, OldTypes old_types) {
+Param read_param(Lexer& lexer, OldTypes old_types, const Clock& clock) {
   const Token string = lexer.next();
   const std::string_view inside = string.text.substr(1, string.text.size() - 2);
   const Declaration declared = split(inside, old_types);
@@ -206,7 +206,7 @@ Param read_param(Lexer& lexer, OldTypes old_types) {
   Param param;
   param.type = declared.type->type;
   param.name = declared.name;
-  param.key = read_key(lexer, string, declared.key);
+  param.key = read_key(lexer, string, declared.key, clock);
   param.where = lexer.locate(string.text);
   const Token& next = lexer.peek();
   const bool is_directive = next.kind == Token::Kind::word && find_directive(next.text) != nullptr;
@@ -225,7 +225,7 @@ void check_pair(const Param& a, const Param& b) {
     throw SyntaxError(b.where, fmt::format("parameter \"{}\" {}", b.name, what),
                       fmt::format("first on line {}", a.where.line));
   };
-  if (a.key == b.key) fail(a.key ? fmt::format("has two values for frame {}", a.key->number()) : "is given twice");
+  if (a.key == b.key) fail(a.key ? fmt::format("has two values for frame {}", number_of(*a.key)) : "is given twice");
   if (!a.key || !b.key) fail("is given both with and without a frame");
 }
 
@@ -265,11 +265,11 @@ bool declares_param(std::string_view quoted) {
   return declared.type != nullptr && !declared.name.empty();
 }
 
-ParamList read_params(Lexer& lexer, OldTypes old_types) {
+ParamList read_params(Lexer& lexer, OldTypes old_types, const Clock& clock) {
   // Hair may have a million lists: none takes more memory than it needs, nor more than one allocation.
   static thread_local std::vector<Param> params;
   params.clear();
-  while (lexer.peek().kind == Token::Kind::string) params.push_back(read_param(lexer, old_types));
+  while (lexer.peek().kind == Token::Kind::string) params.push_back(read_param(lexer, old_types, clock));
   ParamList list;
   list.params.assign(std::make_move_iterator(params.begin()), std::make_move_iterator(params.end()));
   if (list.params.size() < 2) return list;

@@ -1,6 +1,7 @@
 // The grammar of parameter lists: `"rgb reflectance@12" [1 0 0] "bool twosided" true ...`.
 #pragma once
 
+#include "dspm/lang/clock.h"
 #include "dspm/lang/lexer.h"
 #include "dspm/params/params.h"
 
@@ -12,7 +13,7 @@ namespace dspm {
 enum class OldTypes { errors, synonyms, v3 };
 
 /// Reads parameters as long as quoted strings follow. Throws SyntaxError.
-ParamList read_params(Lexer& lexer, OldTypes old_types);
+ParamList read_params(Lexer& lexer, OldTypes old_types, const Clock& clock);
 
 /// Whether the string (with its quotes) is a known type, a blank and a name.
 bool declares_param(std::string_view quoted);

@@ -103,7 +103,7 @@ class SceneReader {
     while (!is_full()) {
       try {
         const char* const begin = lexer.rest().data();
-        auto directive = read_directive(lexer, old_types());
+        auto directive = read_directive(lexer, old_types(), scene_.clock());
         if (!directive) break;
         carry_out(*std::move(directive), whole.file());
         if (ShapeUse* first = builder_.repeatable()) read_run(*first, source, begin, lexer);

@@ -23,6 +23,12 @@ bool may_stand_between_keys(DirectiveKind kind) {
   }
 }
 
+std::string frames_in_words(const SceneDescription& scene) {
+  const int first = scene.first_moment.number(), last = first + scene.moments - 1;
+  if (first != 1) return first == last ? fmt::format("frame {}", first) : fmt::format("frames {} to {}", first, last);
+  return fmt::format("{} frame{}", last, last == 1 ? "" : "s");
+}
+
 bool takes_keys(DirectiveKind kind) {
   switch (kind) {
     case camera:
@@ -87,9 +93,9 @@ void SceneBuilder::check_keys(const Directive& directive) {
 void SceneBuilder::check_key(Moment key, const SourceLocation& where) {
   if (!world_where_)
     keys_before_world_.emplace_back(key, where);
-  else if (key >= Moment(scene_.moments))
-    diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {} frame{}",
-                                            key.number(), scene_.moments, scene_.moments == 1 ? "" : "s"));
+  else if (!scene_.all_moments().contains(key))
+    diagnostics_.warning(where, fmt::format("this key for frame {} is out of range: the scene has {}", number_of(key),
+                                            frames_in_words(scene_)));
 }
 
 void SceneBuilder::world_begin(const SourceLocation& where) {
@@ -149,6 +155,7 @@ void SceneBuilder::finish() {
   blocks_.check_all_closed();
   check_replacements();
   check_rules();
+  find_named_places();
   if (!world_where_ && diagnostics_.error_count() == 0)
     diagnostics_.error({scene_.files.front().get()}, "there is no WorldBegin, so there is nothing to render");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,6 +73,8 @@ class SceneBuilder {
   void expect_still(const Directive& directive);
 
   void multiply(const Directive& directive, const TransformOp& op);
+  TransformOp view_op(const Directive& directive);
+  void find_named_places();
   void replace(const Directive& directive, const TransformOp& op);
   bool is_usable(const Directive& directive, const Matrix4& matrix);
   bool is_blurred(const Directive& directive);
@@ -80,7 +83,7 @@ class SceneBuilder {
   bool may_begin_keys() const;
   void keyframe(const Directive& directive);
   void keyframe_end(const Directive& directive);
-  void finish_group();
+  void finish_group(After after = After::hold);
 
   bool is_out_of_place(const Directive& directive);
   void expect_top_level(const Directive& directive);
@@ -141,10 +144,12 @@ class SceneBuilder {
   Places float_textures_, spectrum_textures_, materials_, media_, objects_, axes_;
   struct {
     Places float_textures, spectrum_textures, materials, lights, switches, light_sources, area_lights, blocks;
-  } replaced_;                                          // by the current variation
-  std::vector<Places> variations_;                      // by axis
-  std::map<std::string, DynamicPlace> dynamic_states_;  // by name, the first of each
-  Motion around_variation_;                             // the current transform when it began
+  } replaced_;                                                       // by the current variation
+  std::vector<Places> variations_;                                   // by axis
+  std::map<std::string, DynamicPlace> dynamic_states_;               // by name, the first of each
+  std::map<std::string, std::shared_ptr<NamedPlace>> named_places_;  // of LookAts
+  std::map<std::string, std::vector<Motion>> ends_of_blocks_;        // the transforms with which Dynamic blocks end
+  Motion around_variation_;                                          // the current transform when it began
   std::size_t axis_of_variation_ = 0;
 };
 

@@ -121,9 +121,13 @@ void refuse_equal_names(const SceneDescription& scene, const std::vector<Combina
   }
 }
 
+FileFrames all_frames(const SceneDescription& scene, std::vector<Combination> combinations) {
+  return {scene.moments, std::move(combinations), std::nullopt, scene.first_moment};
+}
+
 /// The known ones first, in their order. Some may not be there any more: the base is smaller then.
-FileFrames in_known_order(int moments, std::vector<Combination> combinations, const KnownFrames& known,
-                          Diagnostics& diagnostics) {
+FileFrames in_known_order(const SceneDescription& scene, std::vector<Combination> combinations,
+                          const KnownFrames& known, Diagnostics& diagnostics) {
   std::map<std::string_view, std::size_t> places;
   for (std::size_t i = 0; i < combinations.size(); ++i) places.emplace(combinations[i].name, i);
   std::vector<Combination> ordered;
@@ -144,9 +148,9 @@ FileFrames in_known_order(int moments, std::vector<Combination> combinations, co
                                                   : "no variation that the checkpoint was begun with is there any more",
                       "variations can be added to a render, and some may be taken away; to start over, use another "
                       "checkpoint");
-    return {moments, std::move(ordered)};
+    return all_frames(scene, std::move(ordered));
   }
-  return {moments, std::move(ordered), base};
+  return {scene.moments, std::move(ordered), base, scene.first_moment};
 }
 
 }  // namespace
@@ -181,17 +185,17 @@ FileFrames frames_of(const SceneDescription& scene, const std::vector<std::strin
     combinations.clear();
   }
   if (diagnostics.error_count() == 0) refuse_equal_names(scene, combinations, diagnostics);
-  if (!known || diagnostics.error_count() > 0) return {scene.moments, std::move(combinations)};
+  if (!known || diagnostics.error_count() > 0) return all_frames(scene, std::move(combinations));
   if (scene.moments < known->moments)
     diagnostics.error(scene.frames_where, fmt::format("the checkpoint has {} frames", known->moments),
                       "frames can be added to a render, but not taken away");
-  if (diagnostics.error_count() > 0) return {scene.moments, std::move(combinations)};
-  return in_known_order(scene.moments, std::move(combinations), *known, diagnostics);
+  if (diagnostics.error_count() > 0) return all_frames(scene, std::move(combinations));
+  return in_known_order(scene, std::move(combinations), *known, diagnostics);
 } catch (const TooManyTried&) {
   diagnostics.error(scene.rules.front().where,
                     fmt::format("AxisExclude and AxisOnly leave too few: {} combinations were tried", kMostTried),
                     "put the axes that they name first");
-  return {scene.moments, {}};
+  return all_frames(scene, {});
 }
 
 }  // namespace dspm

@@ -34,16 +34,30 @@ std::string list_of(const std::vector<Value>& values) {
 }
 
 std::string text_of(const Param& param) {
-  const std::string key = param.key ? fmt::format("@{}", param.key->number()) : "";
+  const std::string key = param.key ? fmt::format("@{}", number_of(*param.key)) : "";
   const std::string values = std::visit([](const auto& list) { return list_of(list); }, param.values);
   const std::size_t count = std::visit([](const auto& list) { return list.size(); }, param.values);
   return fmt::format("\"{} {}{}\" {}{}{}", word_of(param.type), param.name, key, count == 1 ? "" : "[", values,
                      count == 1 ? "" : "]");
 }
 
+/// Of a LookAt: its eye and target may be names.
+std::string text_of_view(const Directive& directive) {
+  std::string text(directive.info->name);
+  for (std::size_t i = 0; i < directive.numbers.size(); i += 3) {
+    const bool is_named = i / 3 < directive.words.size() && !directive.words[i / 3].text.empty();
+    if (is_named)
+      text += ' ' + quoted(directive.words[i / 3].text);
+    else
+      for (std::size_t k = i; k < i + 3; ++k) text += ' ' + word_of_value(directive.numbers[k]);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string text_of(const Directive& directive) {
+  if (directive.info->kind == DirectiveKind::look_at) return text_of_view(directive);
   std::string text(directive.info->name);
   auto word = directive.words.begin();
   for (const char argument : directive.info->arguments)

@@ -13,4 +13,7 @@ bool has_numbered_file(const ParamList& list);
 /// next, the first also before.
 ParamList holding_files_of(const ParamList& list, const std::vector<Moment>& moments);
 
+/// Counts the numbered files from that frame on: it has the "first" of them, by default the one of its own number.
+void count_files_from(Moment first, ParamList& list);
+
 }  // namespace dspm

@@ -164,6 +164,15 @@ ParamList holding_files_of(const ParamList& list, const std::vector<Moment>& mom
   return result;
 }
 
+void count_files_from(Moment first, ParamList& list) {
+  if (first == Moment() || !has_numbered_file(list)) return;
+  const std::int64_t own = take_integer(list.params, "first", first.number());
+  std::vector<Param> rest = list.params;
+  const std::int64_t step = take_integer(rest, "step", 1), before = first.number() - 1;
+  const auto of_frame_1 = static_cast<int>(std::clamp<std::int64_t>(own - before * step, INT32_MIN, INT32_MAX));
+  list.params.push_back(param_of(ParamType::integer, "first", std::vector<int>{of_frame_1}, {}));
+}
+
 ParamList ParamList::at(Moment moment) const {
   ParamList result{{}, space};
   for (const Param& param : params) {

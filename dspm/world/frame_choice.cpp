@@ -85,9 +85,12 @@ std::vector<FileFrame> MovedFrames::of(const std::vector<FileFrame>& frames) con
 
 std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices) {
   const FileFrames& file = description.frames;
-  if (!choices.frames.empty() && choices.frames.back() >= Moment(file.moments()))
+  if (!choices.frames.empty() && choices.frames.back() > file.last_moment())
     throw UsageError(fmt::format("--frames: there is no frame {}, the last one is {}", choices.frames.back().number(),
-                                 file.moments()));
+                                 file.last_moment().number()));
+  if (!choices.frames.empty() && choices.frames.front() < file.first_moment())
+    throw UsageError(fmt::format("--frames: there is no frame {}, the first one is {}", choices.frames.front().number(),
+                                 file.first_moment().number()));
   const std::vector<bool> chosen = chosen_variations(description, choices.variations);
   const std::vector<bool> rendered = rendered_before(file, choices);
   std::vector<FileFrame> frames;

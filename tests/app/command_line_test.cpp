@@ -46,6 +46,29 @@ TEST(CommandLine, QuietSaysNothing) {
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+TEST(CommandLine, FramesMayHaveAFirstNumber) {
+  const TinyDirectory directory;
+  std::string shot = kTinyScene;
+  for (std::size_t at = 0; (at = shot.find("Keyframe ", at)) != shot.npos;) shot.insert(at += 9, "100");
+  shot.insert(shot.find("Frames 3") + 8, " \"integer first\" 1001");
+  put_file(directory / "shot.dsc", shot);
+  EXPECT_EQ(run(directory, {"shot.dsc", "--float", "-o", "shot.exr"}).code, 0);
+  EXPECT_EQ(run(directory, {"shot.dsc", "--float", "--frames", "1002", "-o", "some.exr"}).code, 0);
+  EXPECT_EQ(run(directory, {"tiny.dsc", "--float", "--frames", "2", "-o", "tiny.exr"}).code, 0);
+  EXPECT_EQ(read_exr_header(directory / "shot.1002.exr").integers.at("frame"), 1002);
+  const Image all = read_image(directory / "shot.1002.exr"), some = read_image(directory / "some.1002.exr"),
+              tiny = read_image(directory / "tiny.0002.exr");
+  ASSERT_EQ(all.pixels.size(), some.pixels.size());
+  for (std::size_t p = 0; p < all.pixels.size(); ++p) {
+    expect_close(all.pixels[p], some.pixels[p]);
+    expect_close(tiny.pixels[p], some.pixels[p]);
+  }
+  EXPECT_FALSE(directory.has("some.1001.exr"));
+  const Outcome outside = run(directory, {"shot.dsc", "--frames", "1-3"});
+  EXPECT_EQ(outside.code, 2);
+  EXPECT_NE(outside.err.find("there is no frame 1, the first one is 1001"), std::string::npos) << outside.err;
+}
+
 TEST(CommandLine, FramesKeepTheirNumbersAndTheirPixels) {
   const TinyDirectory directory;
   EXPECT_EQ(run(directory, {"tiny.dsc", "--float"}).code, 0);

@@ -330,7 +330,7 @@ const Mistake kAnimation[] = {
      "scene.dsc:1:10: error: unknown parameter \"fsp\" of Frames\n"
      "    1 | Frames 4 \"float fsp\" 25\n"
      "      |          ^~~~~~~~~~~\n"
-     "  did you mean \"fps\"? (known parameters: fps)\n"},
+     "  did you mean \"fps\"? (known parameters: fps, first)\n"},
     {"Frames 4\nFrames 5\nWorldBegin",
      "scene.dsc:2:1: error: a second Frames directive\n"
      "    2 | Frames 5\n"
@@ -364,10 +364,63 @@ const Mistake kAnimation[] = {
      "    2 | Keyframe 3 Keyframe 3 KeyframeEnd\n"
      "      |            ^~~~~~~~\n"
      "  keys must be in ascending order\n"},
-    {"Frames 9\nKeyframe 1.5 KeyframeEnd\nWorldBegin",
-     "scene.dsc:2:1: error: expected a frame from 1 to 100000\n"
-     "    2 | Keyframe 1.5 KeyframeEnd\n"
-     "      | ^~~~~~~~\n"},
+    {"Frames 9\nKeyframe 0.5\nWorldBegin",
+     "scene.dsc:2:10: error: expected a frame from 1 to 1000000, or seconds, such as 1.5s\n"
+     "    2 | Keyframe 0.5\n"
+     "      |          ^~~\n"},
+    {"Frames 9 Keyframe nan Translate 1 0 0\nWorldBegin",
+     "scene.dsc:1:19: error: expected a frame from 1 to 1000000, or seconds, such as 1.5s\n"
+     "    1 | Frames 9 Keyframe nan Translate 1 0 0\n"
+     "      |                   ^~~\n"},
+    {"Frames 9\nKeyframe 1s Translate 1 0 0\nWorldBegin",
+     "scene.dsc:2:10: error: seconds need the number of frames per second\n"
+     "    2 | Keyframe 1s Translate 1 0 0\n"
+     "      |          ^~\n"
+     "  give it before the first key: Frames 48 \"float fps\" 24\n"},
+    {"Frames 9 \"integer first\" 999999\nWorldBegin",
+     "scene.dsc:1:10: error: frames have numbers from 0 to 1000000\n"
+     "    1 | Frames 9 \"integer first\" 999999\n"
+     "      |          ^~~~~~~~~~~~~~~\n"},
+    {"Frames 9\nKeyframe 1.5 Keyframe 1.5 KeyframeEnd\nWorldBegin",
+     "scene.dsc:2:14: error: Keyframe 1.5 comes after Keyframe 1.5\n"
+     "    2 | Keyframe 1.5 Keyframe 1.5 KeyframeEnd\n"
+     "      |              ^~~~~~~~\n"
+     "  keys must be in ascending order\n"},
+    {"Frames 9\nKeyframe 1 Translate 1 0 0 KeyframeEnd \"string after\" \"repeat\"\nWorldBegin",
+     "scene.dsc:2:1: error: one key makes no cycle\n"
+     "    2 | Keyframe 1 Translate 1 0 0 KeyframeEnd \"string after\" \"repeat\"\n"
+     "      | ^~~~~~~~\n"
+     "  the way from the first key to the last is repeated\n"},
+    {"Frames 9\nKeyframe 1 \"integer turns\" 2 Rotate 0 0 1 0 Keyframe 5 Rotate 9 0 1 0 KeyframeEnd\nWorldBegin",
+     "scene.dsc:2:12: error: turns are for matrices, and for keys whose transforms differ\n"
+     "    2 | Keyframe 1 \"integer turns\" 2 Rotate 0 0 1 0 Keyframe 5 Rotate 9 0 1 0 KeyframeEnd\n"
+     "      |            ^~~~~~~~~~~~~~~\n"
+     "  the angle of Rotate says how often it turns: Rotate 720 0 1 0 is two full turns\n"},
+    {"Frames 9\nKeyframe 1 \"integer turns\" 2 Identity Keyframe 5 Identity KeyframeEnd\nWorldBegin",
+     "scene.dsc:2:12: error: the rotation is the same at this key and the next, so there is no axis for turns\n"
+     "    2 | Keyframe 1 \"integer turns\" 2 Identity Keyframe 5 Identity KeyframeEnd\n"
+     "      |            ^~~~~~~~~~~~~~~\n"
+     "  write it as Rotate: Rotate 720 0 1 0 is two full turns\n"},
+    {"Frames 9\nKeyframe 1 \"float tangent\" [1 0] Translate 0 0 0 Keyframe 5 Translate 1 0 0 KeyframeEnd\nWorldBegin",
+     "scene.dsc:2:12: error: the tangent has 2 numbers, but the transforms of this key have 3\n"
+     "    2 | Keyframe 1 \"float tangent\" [1 0] Translate 0 0 0 Keyframe 5 Translate 1 0 0 KeyframeEnd\n"
+     "      |            ^~~~~~~~~~~~~~~\n"
+     "  it says for each of their numbers how it changes per frame, in their order\n"},
+    {"LookAt 0 1 -5 \"bal\" 0 1 0\nCamera \"perspective\"\nWorldBegin DynamicBegin \"ball\" DynamicEnd",
+     "scene.dsc:1:15: error: nothing to look at is named \"bal\"\n"
+     "    1 | LookAt 0 1 -5 \"bal\" 0 1 0\n"
+     "      |               ^~~~~\n"
+     "  did you mean \"ball\"?\n"},
+    {"WorldBegin\nDynamicBegin \"a\" LookAt 0 0 0 \"b\" 0 1 0 DynamicEnd DynamicBegin \"b\"\n"
+     "LookAt 0 0 5 \"a\" 0 1 0 DynamicEnd",
+     "scene.dsc:3:14: error: the place of \"a\" depends on LookAts that lead back to it, or on more than 3\n"
+     "    3 | LookAt 0 0 5 \"a\" 0 1 0 DynamicEnd\n"
+     "      |              ^~~\n"
+     "  give one of them its eye and target in numbers\n"
+     "scene.dsc:2:31: error: the place of \"b\" depends on LookAts that lead back to it, or on more than 3\n"
+     "    2 | DynamicBegin \"a\" LookAt 0 0 0 \"b\" 0 1 0 DynamicEnd DynamicBegin \"b\"\n"
+     "      |                               ^~~\n"
+     "  give one of them its eye and target in numbers\n"},
     {"Frames 9\nKeyframe 1 KeyframeEnd\nKeyframe 2 KeyframeEnd\nWorldBegin",
      "scene.dsc:3:1: error: a second group of keys in this block\n"
      "    3 | Keyframe 2 KeyframeEnd\n"
@@ -382,7 +435,7 @@ const Mistake kAnimation[] = {
      "scene.dsc:2:26: error: parameter \"ease\" of Keyframe cannot be \"bouncy\"\n"
      "    2 | Keyframe 1 \"string ease\" \"bouncy\" KeyframeEnd\n"
      "      |                          ^~~~~~~~\n"
-     "  choices: linear, smooth, step\n"},
+     "  choices: linear, smooth, step, cubic\n"},
     {"KeyframeEnd\nWorldBegin",
      "scene.dsc:1:1: error: KeyframeEnd without Keyframe\n"
      "    1 | KeyframeEnd\n"
