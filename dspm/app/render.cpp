@@ -10,6 +10,7 @@
 #include "dspm/checkpoint/guide_file.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/scene/scene.h"
+#include "dspm/session/explain_intervals.h"
 #include "dspm/session/explain_photons.h"
 #include "dspm/session/out_of_memory.h"
 #include "dspm/system/parallel.h"
@@ -24,7 +25,7 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
   const auto print = [](const std::vector<std::string>& lines) {
     for (const std::string& line : lines) print_message(fmt::format("{}\n", line));
   };
-  for (const FrameList& interval : render.intervals()) print(loaded.world->explain(interval));
+  print(explain_intervals(*loaded.world, render.intervals()));
   render.step_begins("learning where photons start", in_words("integrator", loaded.job.integrator));
   print(explain_photons(loaded, render.intervals().front(), messages));
 }

@@ -47,6 +47,27 @@ Summary summary(const std::vector<const WorldShape*>& shapes, std::span<const Fi
   return s;
 }
 
+/// As the scene names it, else by its type or its shape.
+std::string name_of(const WorldLight& light) {
+  const std::string kind = light.name.substr(0, light.name.find(" \""));
+  return fmt::format("{} \"{}\"", kind, light.short_name);
+}
+
+/// The lights of a Dynamic block without shapes.
+std::string explain_lights(const DynamicBlock& block, const std::vector<const WorldLight*>& lights,
+                           std::span<const FileFrame> frames) {
+  std::vector<std::string> names;
+  std::size_t most = 0, there = 0;
+  for (const WorldLight* light : lights) {
+    names.push_back(name_of(*light));
+    most = std::max(most, states_in(light->states.state_of, frames));
+    there += std::any_of(frames.begin(), frames.end(), [&](FileFrame f) { return light->states.at(f) >= 0; });
+  }
+  if (there == 0) return fmt::format("dynamic \"{}\": absent from these frames.", block.name);
+  return fmt::format("dynamic \"{}\": no shapes, but {}{}.", block.name, fmt::join(names, ", "),
+                     most == 1 ? ", the same in all frames" : "");
+}
+
 std::string explain_block(const DynamicBlock& block, const Summary& s, std::size_t frames) {
   const std::string stored = fmt::format("{} stored", counted(s.primitives, "primitive"));
   if (s.frames_present == 0) return fmt::format("dynamic \"{}\": absent from these frames.", block.name);
@@ -60,6 +81,19 @@ std::string explain_block(const DynamicBlock& block, const Summary& s, std::size
           ? fmt::format("moves rigidly, {}; its geometry is stored once", counted(s.states, "state"))
           : fmt::format("{} of its geometry over the frames", counted(s.states, "state"));
   return fmt::format("dynamic \"{}\": {}{} ({}). Paths that meet it split.", block.name, where, how, stored);
+}
+
+/// -1: none, as of lights that shapes emit.
+int block_of(const WorldLight& light, const SceneDescription& description) {
+  const auto use = std::find_if(description.lights.begin(), description.lights.end(), [&](const LightUse& each) {
+    return &each == light.use || (!each.name.empty() && each.name == light.short_name);  // of a variation in its place
+  });
+  return use == description.lights.end() ? -1 : use->dynamic_block;
+}
+
+bool has_inner_blocks(const SceneDescription& description, int block) {
+  return std::any_of(description.dynamic_blocks.begin(), description.dynamic_blocks.end(),
+                     [&](const DynamicBlock& inner) { return inner.outer == block; });
 }
 
 /// The names of what these shapes are parts of: all of them, or the first few.
@@ -82,9 +116,10 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
                                          std::span<const FileFrame> frames) {
   std::vector<std::string> lines;
   const FileFrames& file = description.frames;
-  const std::string names = description.axes.empty() || frames.empty()
-                                ? ""
-                                : fmt::format(": {} to {}", file.label(frames.front()), file.label(frames.back()));
+  const std::string names =
+      frames.empty() || (description.axes.empty() && frames.size() == static_cast<std::size_t>(file.count()))
+          ? ""
+          : fmt::format(": {} to {}", file.label(frames.front()), file.label(frames.back()));
   lines.push_back(fmt::format("{} rendered together{}.", counted(frames.size(), "frame"), names));
 
   std::vector<const WorldShape*> still;
@@ -104,8 +139,20 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
   if (changing.states > 1)
     lines.push_back(fmt::format("shapes whose holes or displacement differ: {}. Paths that meet them split.",
                                 counted(changing.states, "state")));
-  for (std::size_t b = 0; b < moving.size(); ++b)
-    lines.push_back(explain_block(description.dynamic_blocks[b], summary(moving[b], frames), frames.size()));
+  for (std::size_t b = 0; b < moving.size(); ++b) {
+    const DynamicBlock& block = description.dynamic_blocks[b];
+    std::vector<const WorldLight*> own;
+    for (const WorldLight& light : lights)
+      if (block_of(light, description) == static_cast<int>(b)) own.push_back(&light);
+    if (!moving[b].empty())
+      lines.push_back(explain_block(block, summary(moving[b], frames), frames.size()));
+    else if (!own.empty())
+      lines.push_back(explain_lights(block, own, frames));
+    else if (has_inner_blocks(description, static_cast<int>(b)))
+      lines.push_back(fmt::format("dynamic \"{}\": nothing but the Dynamic blocks in it.", block.name));
+    else
+      lines.push_back(explain_block(block, {}, frames.size()));
+  }
 
   for (int m = 0; m < looks.material_count(); ++m)
     if (const std::size_t n = states_in(looks.states_of(m), frames); n > 1)
@@ -120,7 +167,7 @@ std::vector<std::string> explain_sharing(const SceneDescription& description, co
           fmt::format("{}: {} over the frames. Photon paths are traced once for states that differ in strength or "
                       "colour only, else "
                       "once per state; those of other lights once.",
-                      light.name, counted(n, "state")));
+                      name_of(light), counted(n, "state")));
   }
   const std::size_t camera_states = states_in(camera.state_of, frames);
   lines.push_back(camera_states > 1

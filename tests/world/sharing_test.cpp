@@ -54,6 +54,39 @@ TEST(Sharing, IsToldOfTheFramesThatAreRendered) {
   EXPECT_NE(explained(test, {2}).find("dynamic \"growing\": the same in all frames"), std::string::npos);
 }
 
+TEST(Sharing, NamesTheLightsOfBlocksWithoutShapes) {
+  TestScene test(test::box("Frames 6\n", R"(
+DynamicBegin "sun" Keyframe 1 Translate 0 0 0 Keyframe 6 Translate 1 0 0 KeyframeEnd
+LightSource "point" "string name" "key" DynamicEnd
+DynamicBegin "lamp" LightSource "point" DynamicEnd
+DynamicBegin "flash" "integer frames" [5 6] LightSource "point" "string name" "bulb" DynamicEnd
+DynamicBegin "cart" DynamicBegin "wheel" Shape "sphere" "float radius" 0.1 DynamicEnd DynamicEnd
+AreaLightSource "diffuse" "string name" "panel" "rgb L@1" [1 1 1] "rgb L@6" [2 2 2]
+Shape "disk" "float radius" 0.1)"));
+  const std::string all = explained(test, {0, 1, 2, 3, 4, 5});
+  const auto says = [&](const std::string& text) { return all.find(text) != std::string::npos; };
+  EXPECT_TRUE(says("dynamic \"sun\": no shapes, but light \"key\".\n")) << all;
+  EXPECT_TRUE(says("dynamic \"lamp\": no shapes, but light \"point\", the same in all frames.\n")) << all;
+  EXPECT_TRUE(says("dynamic \"cart\": nothing but the Dynamic blocks in it.\n")) << all;
+  EXPECT_TRUE(says("\nlight \"key\": 6 states")) << all;
+  EXPECT_TRUE(says("\narea light \"panel\": 6 states")) << all;
+  EXPECT_FALSE(says("absent")) << all;
+  EXPECT_NE(explained(test, {0, 1}).find("dynamic \"flash\": absent"), std::string::npos);
+}
+
+// A spline through equal poses, and the rounds of a cycle, are shared as what stands still is.
+TEST(Sharing, CountsNoStateTwice) {
+  TestScene test(test::box("Frames 12\n", R"(
+DynamicBegin "still" Keyframe 1 "string ease" "cubic" Rotate 33 1 2 3 Keyframe 5 "string ease" "cubic" Rotate 33 1 2 3
+Keyframe 9 Rotate 33 1 2 3 KeyframeEnd Shape "sphere" "float radius" 0.1 DynamicEnd
+DynamicBegin "swings" Keyframe 1 "string ease" "cubic" Rotate 0 0 0 1 Keyframe 3 "string ease" "cubic" Rotate 33 0 0 1
+Keyframe 5 Rotate 0 0 0 1 KeyframeEnd "string after" "repeat" Shape "disk" "float radius" 0.1 DynamicEnd
+)"));
+  const std::string all = explained(test, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+  EXPECT_NE(all.find("dynamic \"still\": the same in all frames"), std::string::npos) << all;
+  EXPECT_NE(all.find("dynamic \"swings\": moves rigidly, 4 states"), std::string::npos) << all;
+}
+
 std::string lamp(const std::string& name) {
   return "LightSource \"point\" \"rgb I\" [1 1 1] \"string name\" \"" + name + "\"\n";
 }
