@@ -154,6 +154,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     if (estimated_ > 0)
       for (const double square : squares_) statistics.errors.push_back(std::sqrt(square) / estimated_);
     if (lone_ > 0) statistics.counters.add(kLonePaths, lone_);
+    statistics.steps.push_back(step_);
     statistics.bytes += kept_.size() * sizeof(float);
     return statistics;
   }
@@ -162,6 +163,7 @@ class ErrorEstimate final : public WrappingIntegrator {
     if (!inner_->persist(state)) return false;
     state.sum(squares_);
     state.sum(estimated_);
+    state.sum(step_.seconds);
     state.largest(lone_);
     state.value(kept_);
     state.value(kept_after_);
@@ -173,6 +175,7 @@ class ErrorEstimate final : public WrappingIntegrator {
  private:
   /// With the image after half of the iterations, which the present one replaces.
   void compare(std::size_t slot, int done) {
+    const StepTimer timer(step_);
     const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;
     const std::size_t size = sample_.size();
     if (has_half) lone_ = 0;
@@ -200,6 +203,7 @@ class ErrorEstimate final : public WrappingIntegrator {
   std::vector<double> squares_;
   int estimated_ = 0;
   std::uint64_t lone_ = 0;  // as of the last estimate
+  StepTime step_{"error estimate"};
 };
 
 }  // namespace

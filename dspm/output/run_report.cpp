@@ -41,7 +41,7 @@ void add_steps(std::vector<StepTime>& sum, const std::vector<StepTime>& more) {
     if (same == sum.end()) {
       sum.push_back(step);
     } else {
-      same->seconds += step.seconds;
+      same->seconds += step.seconds, same->work += step.work;
     }
   }
 }

@@ -137,6 +137,8 @@ std::uint64_t lone_paths(const std::vector<int>& iterations, float speck) {
   for (int i = 0; i < kIterations; ++i) integrator->iterate(i, scene);
   const Statistics statistics = integrator->statistics();
   EXPECT_LT(statistics.errors.at(0), 0.03);
+  EXPECT_EQ(statistics.steps.back().name, "error estimate");
+  EXPECT_GT(statistics.steps.back().seconds, 0);
   for (const Counters::Entry& counter : statistics.counters)
     if (counter.name == kLonePaths) return counter.value;
   return 0;

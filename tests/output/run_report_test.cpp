@@ -14,7 +14,7 @@ namespace {
 Statistics interval(int iterations, double seconds) {
   Statistics s;
   s.iterations = iterations;
-  s.steps = {{"hit points", seconds}, {"photons", 2 * seconds}};
+  s.steps = {{"hit points", seconds, {seconds, seconds / 8}}, {"photons", 2 * seconds, {2 * seconds, seconds / 4}}};
   s.camera.segments = {10, 40};
   s.camera.paths = 4;
   s.camera.dynamic_paths = 1;
@@ -37,6 +37,8 @@ TEST(RunReport, AddsIntervals) {
   ASSERT_EQ(s.steps.size(), 2u);
   EXPECT_EQ(s.steps[0].seconds, 11);
   EXPECT_EQ(s.steps[1].seconds, 22);
+  EXPECT_EQ(s.steps[1].work.all, 22);
+  EXPECT_EQ(s.steps[1].work.span, 2.75);
   EXPECT_EQ(s.camera.segments.separate, 80u);
   EXPECT_EQ(s.energy.size(), 2u);
   EXPECT_EQ(s.bytes, 5u);
