@@ -38,7 +38,7 @@ struct FrameHit {
 };
 
 /// The frames of a ray partitioned by its first hit: parts are disjoint, their union is the query's frames, a miss is a
-/// part, and no two parts have the same (shape, primitive). Ordered by the parts' lowest frames.
+/// part, and no two parts have the same (shape, primitive). Parts are sorted by their lowest frames.
 class HitPartition {
  public:
   void add(FrameSet frames, const RayHit& hit) { parts_.add({frames, hit}); }
@@ -59,7 +59,7 @@ class Accel {
   virtual HitPartition partition(const Ray& ray, FrameSet frames) const = 0;
   /// The frames in which something lies in (0, ray.t_max).
   virtual FrameSet occluded(const Ray& ray, FrameSet frames) const = 0;
-  /// Bytes held, for the report before rendering.
+  /// The bytes that the tree holds, for the report before rendering.
   virtual std::size_t memory() const = 0;
 };
 
@@ -67,7 +67,7 @@ class Accel {
 /// exists in all of them is static.
 using MakeAccel = std::unique_ptr<Accel>(ParamReader&, std::span<const PlacedShape> shapes, FrameSet all);
 struct AccelPlugin : Plugin<MakeAccel> {
-  /// An upper estimate of its peak size during the build, made beforehand.
+  /// Returns an upper estimate of the tree's peak size while it is built, without building it.
   std::size_t (*bytes_at_most)(std::span<const PlacedShape> shapes, FrameSet all);
 };
 PluginTable<AccelPlugin>& accel_plugins();

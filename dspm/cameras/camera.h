@@ -23,17 +23,18 @@ struct Sighting {
 class Camera {
  public:
   virtual ~Camera() = default;
-  /// `film` in pixels of the full image from its upper left corner; `lens` in [0,1)^2. Direction of unit length.
+  /// The ray through `film`, in pixels of the full image from its upper left corner, and through `lens`, in [0, 1)^2.
+  /// Its direction has unit length.
   virtual Ray ray(Vec2 film, Vec2 lens) const = 0;
-  /// By how much what that ray sees counts: 0 if it does not get through the lens.
+  /// The factor to the radiance that this ray sees; 0 if the ray does not get through the lens.
   virtual float weight(Vec2 /*film*/, Vec2 /*lens*/) const { return 1; }
-  /// The distance between neighbouring pixels' rays, in world units, at a path length from the camera.
+  /// The distance between the rays of neighbouring pixels, in world units, after this path length from the camera.
   virtual float pixel_spacing(float path_length) const = 0;
-  /// The film position whose ray(film, lens) passes through p. Nullopt if no ray does, or if the camera cannot compute
-  /// it: light that is traced towards such a camera does not reach it.
+  /// Returns the film position whose ray(film, lens) passes through p; nullopt if no ray does, or if the camera cannot
+  /// compute it. Light that is traced towards a camera that returns nullopt does not reach it.
   virtual std::optional<Sighting> sight(const Vec3& /*p*/, Vec2 /*lens*/) const { return std::nullopt; }
-  /// From camera space (x to the right, y up, z forward) to the full image: its x / w and y / w reach from -1 to 1, to
-  /// the right and up. Nullopt if no matrix does that.
+  /// Returns the matrix from camera space (x to the right, y up, z forward) to the full image: its x / w and y / w
+  /// reach from -1 to 1, to the right and up. Nullopt if no matrix does that.
   virtual std::optional<Matrix4> image_from_camera() const { return std::nullopt; }
 };
 

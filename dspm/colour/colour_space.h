@@ -14,7 +14,7 @@ namespace dspm {
 
 enum class ColourSpace { srgb, rec2020, aces2065_1, dci_p3 };
 
-/// pbrt's words: srgb, rec2020, aces2065-1, dci-p3 (whose white is D65), and back.
+/// Converts pbrt's words (srgb, rec2020, aces2065-1, dci-p3) and back; the white of dci-p3 is D65.
 std::optional<ColourSpace> colour_space(std::string_view word);
 std::string_view word_of(ColourSpace space);
 std::vector<std::string> colour_space_words();
@@ -28,23 +28,23 @@ struct Chromaticities {
 };
 const Chromaticities& chromaticities(ColourSpace space);
 
-/// Takes linear colours, as columns, to others.
+/// Maps linear colours, as columns, from one space to another.
 using ColourMatrix = std::array<std::array<double, 3>, 3>;
 ColourMatrix operator*(const ColourMatrix& a, const ColourMatrix& b);
 Rgb operator*(const ColourMatrix& m, const Rgb& c);
 
-/// Y of white is 1.
+/// Returns the matrix that gives the space's white a Y of 1.
 ColourMatrix xyz_from_rgb(const Chromaticities& space);
 ColourMatrix rgb_from_xyz(const Chromaticities& space);
-/// In XYZ: colours under one white look as they did under the other. [Bradford's variant of von Kries's adaptation, ICC
-/// specification, annex E]
+/// Returns the matrix in XYZ that makes colours look under one white as they did under the other. [Bradford's variant
+/// of von Kries's adaptation, ICC specification, annex E]
 ColourMatrix adaptation(const Chromaticity& from, const Chromaticity& to);
 
-/// Daylight of that correlated colour temperature in kelvin, [CIE 15] which below 4000 is that of a black body; as in
+/// Returns daylight of this correlated colour temperature in kelvin [CIE 15], or black-body light below 4000. As in
 /// pbrt, the names of daylights are of 1931, when the second radiation constant was 1.438.
 Chromaticity white_of(double kelvin);
 
-/// A colour of `space` in Rec. 709, never negative: colours outside are clamped to it. An albedo of 1 stays 1, as white
+/// Converts a colour of `space` to Rec. 709 and clamps it to what is never negative. An albedo of 1 stays 1, as white
 /// as the light; light keeps its chromaticity and luminance, so the white of aces2065-1 is a little yellow.
 Rgb to_rec709(const Rgb& c, ColourSpace space, SpectrumRole role);
 

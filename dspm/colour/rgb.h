@@ -37,7 +37,7 @@ inline Rgb operator*(Rgb a, float s) { return a *= s; }
 inline Rgb operator*(float s, Rgb a) { return a *= s; }
 inline Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b / s}; }
 
-/// a / b per component, with 0 / 0 = 0; nullopt if a component is not finite.
+/// Divides each component, with 0 / 0 = 0; returns nullopt if a component is not finite.
 inline std::optional<Rgb> ratio(const Rgb& a, const Rgb& b) {
   Rgb result;
   for (int c = 0; c < 3; ++c) {

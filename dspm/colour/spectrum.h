@@ -28,12 +28,12 @@ struct Spectrum {
 /// pbrt's named spectra: glass-BK7, metal-Cu-eta, stdillum-D65, ...
 std::optional<Spectrum> named_spectrum(std::string_view name);
 std::vector<std::string> spectrum_names();
-/// Radiance of a black body over wavelength, its peak scaled to 1.
+/// The radiance of a black body over wavelength, its peak scaled to 1.
 Spectrum blackbody(float kelvin);
 
-/// CIE XYZ of light, by the observer of 1931.
+/// The CIE XYZ of light, by the observer of 1931.
 std::array<double, 3> to_xyz(const Spectrum& spectrum);
-/// Finite, and never negative: colours outside Rec. 709 are clamped to it.
+/// The result is finite and never negative: colours outside Rec. 709 are clamped to it.
 Rgb to_rgb(const Spectrum& spectrum, SpectrumRole role);
 
 }  // namespace dspm

@@ -17,10 +17,10 @@ namespace dspm {
 /// An even density on [-radius, radius], linear between equidistant nodes, sampled by inversion.
 class FilterProfile {
  public:
-  /// `weights` at the nodes from -radius to radius: not negative, not all 0; at least two.
+  /// Takes the `weights` at the nodes from -radius to radius: at least two, none of them negative and not all 0.
   FilterProfile(float radius, std::vector<float> weights);
   float sample(float u) const;
-  /// Of sample().
+  /// The density with which sample() returns this offset.
   float density(float offset) const;
   float radius() const { return radius_; }
 
@@ -35,7 +35,7 @@ class PixelFilter {
   PixelFilter(FilterProfile x, FilterProfile y) : x_(std::move(x)), y_(std::move(y)) {}
   /// The offset from the pixel's centre, in pixels, for two numbers in [0, 1).
   Vec2 sample(Vec2 u) const { return {x_.sample(u.x), y_.sample(u.y)}; }
-  /// Of sample(), by area in pixels.
+  /// The density with which sample() returns this offset, by area in pixels.
   float density(Vec2 offset) const { return x_.density(offset.x) * y_.density(offset.y); }
   Vec2 radius() const { return {x_.radius(), y_.radius()}; }
 

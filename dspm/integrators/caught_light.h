@@ -1,5 +1,5 @@
-// The light of camera paths whose first surface is a shadow catcher: no part of the image, but what shadow_catcher.h makes
-// its alpha of.
+// The light of camera paths whose first surface is a shadow catcher. It is no part of the image; shadow_catcher.h makes
+// the image's alpha of it.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace dspm {
 
-/// Of integrators that know catchers.
+/// The output of integrators that know shadow catchers.
 inline constexpr const char* kCaughtLight = "caught";
 
 inline bool has_catchers(const Scene& scene) { return scene.without_objects != nullptr || scene.is_without_objects; }
 
-/// `outputs`, and that of caught light if the scene has catchers.
+/// Appends caught light to `outputs` if the scene has catchers.
 inline std::vector<OutputInfo> with_caught_light(std::vector<OutputInfo> outputs, bool has_catchers) {
   if (has_catchers) outputs.push_back({kCaughtLight, {"caught.R", "caught.G", "caught.B"}, "light on shadow catchers"});
   return outputs;

@@ -1,4 +1,4 @@
-// Counts that a plugin's integrator has of its own, by name, for --stats.
+// Counts of a plugin's integrator, by name, for --stats.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ class Counters {
   };
   static constexpr std::size_t kMost = 64, kLongestName = sizeof(Entry::name) - 1;
 
-  /// Searches for the name, so it is for the sum of a chunk of work rather than for each ray. Throws std::length_error
-  /// beyond kMost names, or if the name is longer than kLongestName.
+  /// Searches for the name, so call it for the sum of a chunk of work rather than for each ray. Throws
+  /// std::length_error beyond kMost names, or if the name is longer than kLongestName.
   void add(std::string_view name, std::uint64_t count);
-  /// Adds those of the same name; new names beyond kMost are left out.
+  /// Adds the counts of equal names; new names beyond kMost are left out.
   Counters& operator+=(const Counters& other);
-  /// Names, too: loading replaces all counters.
+  /// Saves names as well: loading replaces all counters.
   void persist(StateStream& state);
 
   auto begin() const { return entries_.begin(); }

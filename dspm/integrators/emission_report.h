@@ -1,4 +1,4 @@
-// Where photon paths start, and how many of them hit points find: what pilot paths told, for --stats and --explain.
+// Where photon paths start, and how many of them hit points find: what pilot paths learned, for --stats and --explain.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace dspm {
 struct EmissionGuides;
 class Scene;
 
-/// Of one kind of an integrator's photons. What is found is a sample: of the pilot paths, by pilot pixels of the whole
-/// image, in a few frames of the file.
+/// Reports on one kind of an integrator's photons. What was found is a sample of the pilot paths, by pilot pixels of
+/// the whole image, in a few frames of the file.
 struct EmissionReport {
   enum class Start : std::uint8_t { asked_by_power, guided, guide_would_not_pay };
-  /// A light, or all that are not listed.
+  /// One light, or all lights that are not listed.
   struct OfLight {
     std::string name;
     double by_power = 0, share = 0;        // of the paths: without "photons" and guide; as they start in this run
@@ -34,16 +34,16 @@ struct EmissionReport {
 
   double share_found() const { return paths > 0 ? static_cast<double>(found) / static_cast<double>(paths) : 0; }
 
-  /// `started`, `found`: pilot paths by light. The guides are those that the run has.
+  /// Adds the lights with their pilot paths, `started` and `found`, and the guides that the run uses.
   void add_lights(const Scene& scene, const EmissionGuides& guides, const std::vector<std::uint64_t>& started,
                   const std::vector<std::uint64_t>& found);
   void persist(StateStream& state);
 };
 
-/// The reports of an integrator: one of each kind of photons.
+/// The reports of an integrator, one for each kind of photons.
 class EmissionReports {
  public:
-  /// Replaces that of the same photons.
+  /// Replaces the report of the same kind of photons.
   void put(const EmissionReport& report);
   void persist(StateStream& state);
   auto begin() const { return reports_.begin(); }
@@ -53,9 +53,9 @@ class EmissionReports {
   std::vector<EmissionReport> reports_;
 };
 
-/// For the log: how many paths are found, by light.
+/// Returns the line of the log that says how many paths are found, by light.
 std::string summary_of(const EmissionReport& report);
-/// For --explain, one sentence each: what was learned, or why nothing was; then light by light.
+/// Returns the sentences of --explain: what was learned, or why nothing was, then one for each light.
 std::vector<std::string> in_words(const EmissionReport& report);
 
 }  // namespace dspm

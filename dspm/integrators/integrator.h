@@ -22,7 +22,7 @@ namespace dspm {
 
 class FileSample;
 
-/// Settings of the job that do not depend on the integrator.
+/// The settings of the job that do not depend on the integrator.
 struct RenderSettings {
   int width = 0, height = 0;  // of the full image
   PixelRect crop;             // the rendered area
@@ -44,28 +44,28 @@ struct RenderSettings {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Requested iterations; 0: until stopped.
+  /// The number of iterations that the scene asks for; 0 if it runs until it is stopped.
   virtual int iterations() const = 0;
   /// The settings that matter to the user, in words, for the log: "300000 photons, ...".
   virtual std::string settings() const = 0;
-  /// Advances all frames by one iteration; iterations count from 0 and come in order, without gaps but for those that
-  /// other machines do (why_not_in_parts). `scene`: the one that the
-  /// integrator was made for, or its state in that iteration, with the same frames, shapes, materials and lights (what
-  /// an integrator makes once, such as photonmap's maps, it makes from the first). May
-  /// throw; persist() can then load the state saved before, which is also how a session undoes a cancelled iteration.
+  /// Advances all frames by one iteration; iterations count from 0 and come in order, without gaps except for those
+  /// that other machines do (why_not_in_parts). `scene` is the one that the integrator was made for, or its state in
+  /// that iteration, with the same frames, shapes, materials and lights. What an integrator makes once, such as
+  /// photonmap's maps, it makes from the first scene. May throw; persist() can then load the state saved before, which
+  /// is also how a session undoes a cancelled iteration.
   virtual void iterate(int iteration, const Scene& scene) = 0;
-  /// What it gives of every frame: radiance first.
+  /// The images that it gives of every frame, radiance first.
   virtual std::vector<OutputInfo> outputs() const { return {radiance_output()}; }
-  /// One of its outputs over the crop, in one frame of the interval, after the completed iterations. Those other than
-  /// radiance are only asked for if RenderSettings::outputs names them.
+  /// Returns one of its outputs over the crop, in one frame of the interval, after the completed iterations. Outputs
+  /// other than radiance are only asked for if RenderSettings::outputs names them.
   virtual Image estimate(Frame frame, const std::string& output = kRadiance) const = 0;
   /// Work and time so far.
   virtual Statistics statistics() const = 0;
-  /// Called between iterations: counts, saves or loads the state, so that another integrator of the same scene and
-  /// settings continues from there, bit for bit. False: it does not support checkpoints.
+  /// Counts, saves or loads the state between iterations, so that another integrator of the same scene and settings
+  /// continues from there, bit for bit. Returns false if it does not support checkpoints.
   virtual bool persist(StateStream&) { return false; }
-  /// Empty if machines can share out its iterations: each is a function of its number and not of what others left, and
-  /// persist() names what adds up over them (StateStream::sum). Else the reason.
+  /// Returns an empty string if machines can share out its iterations: if each is a function of its number and not of
+  /// what others left, and persist() names what adds up over them (StateStream::sum). Otherwise returns the reason.
   virtual std::string why_not_in_parts() const {
     return "it does not say that they add up (Integrator::why_not_in_parts)";
   }

@@ -1,6 +1,6 @@
-// The light that each group of lights brings, as outputs of their own: "light_key" is that of all lights with
+// The light that each group of lights brings, as outputs of their own: "light_key" is the light of all sources with
 //   LightSource "spot" "string group" "key"
-// and "light_other" that of lights without a group. Together they are the radiance, up to rounding.
+// and "light_other" the light of those without a group. Together they are the radiance, up to rounding.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace dspm {
 /// The outputs of all groups of the scene.
 std::vector<OutputInfo> light_group_outputs(const Scene& scene);
 
-/// Those groups of a scene whose outputs a run gives; they count from 0.
+/// The groups of a scene whose outputs a run gives; they count from 0.
 class LightGroups {
  public:
   static constexpr int kNone = -1;
@@ -23,9 +23,9 @@ class LightGroups {
   LightGroups(const Scene& scene, const std::vector<std::string>& asked_outputs);
 
   int count() const { return static_cast<int>(outputs_.size()); }
-  /// Of a light of the scene; kNone: its group was not asked for. Lights below 0 have none.
+  /// Returns the group of a light of the scene; kNone if no output asks for that group, or if `light` is negative.
   int of_light(int light) const { return light < 0 ? kNone : of_light_[static_cast<std::size_t>(light)]; }
-  /// The one whose output that is, or kNone.
+  /// Returns the group whose output has that name, or kNone.
   int of_output(const std::string& name) const;
 
  private:

@@ -22,7 +22,7 @@ struct OutputInfo {
 };
 
 inline OutputInfo radiance_output() { return {kRadiance, {"R", "G", "B"}, "radiance in W/(m^2 sr)"}; }
-/// Radiance first.
+/// Puts radiance before the others.
 inline std::vector<OutputInfo> with_radiance(std::vector<OutputInfo> others) {
   others.insert(others.begin(), radiance_output());
   return others;

@@ -25,10 +25,10 @@ class Rejections {
   }
   Rejections& operator+=(const Rejections& other);
 
-  /// Only the count: the elements they came from have been reported by then.
+  /// Saves only the count: the elements that the contributions came from have been reported by then.
   void persist(StateStream& state);
 
-  /// Of all elements; `entries` lists only the first few.
+  /// The number of contributions of all elements; `entries` lists only the first few.
   std::uint64_t count() const { return count_; }
   const std::vector<Entry>& entries() const { return entries_; }
 

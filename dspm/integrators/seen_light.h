@@ -1,4 +1,4 @@
-// Sums of the light that camera paths saw, by pixel and frame; and of its parts by groups of lights.
+// Sums of the light that camera paths saw, by pixel and frame, and of its parts by group of lights.
 #pragma once
 
 #include <utility>
@@ -28,7 +28,7 @@ class SeenLightSums {
         caught_(has_catchers ? sums_.size() : 0),
         groups_(std::move(groups)),
         parts_(static_cast<std::size_t>(groups_.count()) * sums_.size()) {}
-  /// `groups`: how many.
+  /// The bytes of the sums for that many pixels, frames and groups.
   static std::size_t bytes(int pixels, int frames, int groups = 0) {
     return static_cast<std::size_t>(pixels) * static_cast<std::size_t>(frames) * sizeof(Rgb) *
            static_cast<std::size_t>(1 + groups);
@@ -40,14 +40,15 @@ class SeenLightSums {
     if (has_parts() && !light.caught) add_to_part(light);
   }
   bool has_parts() const { return !parts_.empty(); }
-  /// Only to the light's group.
+  /// Adds the light to the sum of its group, not to the whole.
   void add_to_part(const SeenLight& light) { add_to_part(light, groups_.of_light(light.light)); }
   void add_to_part(const SeenLight& light, int group) {
     if (group == LightGroups::kNone) return;
     const std::size_t first = static_cast<std::size_t>(group) * sums_.size();
     light.frames.for_each([&](Frame f) { parts_[first + index(light.pixel, f)] += light.radiance; });
   }
-  /// Over all iterations, including those whose path saw nothing. `group`: of that part only.
+  /// The mean over all iterations, including those whose path saw nothing; with a `group`, the mean of that group's
+  /// light.
   Rgb mean(int pixel, Frame frame, int iterations, int group = LightGroups::kNone) const {
     if (iterations == 0) return {};
     const std::size_t at = index(pixel, frame);

@@ -65,8 +65,8 @@ struct EnergyBalance {
   friend bool operator==(const EnergyBalance&, const EnergyBalance&) = default;
 };
 
-/// Sums of luminance that a sample of camera paths finds in one region of the picture (cut_light.h): within the maximum
-/// depth, and beyond it. Each for two halves of the sample, so that chance is not taken for a loss.
+/// Sums of luminance that a sample of camera paths finds in one region of the picture (cut_light.h), within the maximum
+/// depth and beyond it. Each sum is kept for two halves of the sample, so that chance is not taken for a loss.
 struct CutLight {
   std::array<float, 2> arrived{}, cut{};
 
@@ -76,12 +76,12 @@ struct CutLight {
   }
 };
 
-/// The median over tiles of pixels, of those where photons were found.
+/// Medians over the tiles of pixels in which photons were found.
 struct TypicalHitPoint {
   double photons = 0;           // found so far
   double radius_in_pixels = 0;  // of the last search, in pixel spacings; 0: none
 
-  /// Radii shrink, so the last search is that of the smaller one.
+  /// Adds the photons and keeps the smaller radius: radii shrink, so it is the one of the last search.
   TypicalHitPoint& operator+=(const TypicalHitPoint& o) {
     photons += o.photons;
     if (radius_in_pixels == 0 || (o.radius_in_pixels > 0 && o.radius_in_pixels < radius_in_pixels))
@@ -116,7 +116,7 @@ struct Statistics {
   Counters counters;         // of a plugin's own
   EmissionReports emission;  // where photon paths start; empty if nothing was learned or counted
 
-  /// The members that accumulate over iterations.
+  /// Saves or loads the members that accumulate over iterations.
   void persist(StateStream& state);
 };
 

@@ -16,7 +16,7 @@ namespace dspm {
 
 class SummedIterations {
  public:
-  /// `begin`: the statistics before the first iteration, except bytes.
+  /// Takes the statistics before the first iteration, `begin`, without bytes.
   SummedIterations(const PixelRect& crop, int frames, Statistics begin, LightGroups groups = {},
                    bool has_catchers = false)
       : crop_(crop),
@@ -39,7 +39,7 @@ class SummedIterations {
   }
 
   const Statistics& statistics() const { return done_.statistics; }
-  /// Radiance, the output of a group of lights, or caught light.
+  /// Returns the mean of radiance, of the light of a group, or of caught light, as `output` says.
   Image mean(Frame frame, const std::string& output = kRadiance) const {
     const int group = done_.sums.groups().of_output(output);
     Image image(crop_.width(), crop_.height());

@@ -28,10 +28,10 @@ class SummingIntegrator : public Integrator {
   std::string why_not_in_parts() const override { return {}; }
 
  protected:
-  /// `begin`: the statistics before the first iteration, except bytes.
+  /// Takes the statistics before the first iteration, `begin`, without bytes.
   SummingIntegrator(int frames, const RenderSettings& render, Statistics begin)
       : done_(render.crop, frames, std::move(begin)) {}
-  /// With caught light, and with the light of each group as an output if it `has_groups`.
+  /// Also sums caught light and, if it `has_groups`, the light of each group as an output.
   SummingIntegrator(const Scene& scene, const RenderSettings& render, Statistics begin, bool has_groups = true)
       : groups_(has_groups ? light_group_outputs(scene) : std::vector<OutputInfo>()),
         has_catchers_(has_catchers(scene)),

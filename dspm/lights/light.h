@@ -18,24 +18,24 @@
 
 namespace dspm {
 
-/// The densities with which emit() draws the start and the direction of a path. What is a delta counts as 1: all paths
-/// start in one point, or all go in one direction.
+/// The densities with which emit() draws the start and the direction of a path. A delta counts as 1: all paths start at
+/// one point, or all go in one direction.
 struct EmissionPdf {
-  /// By area: of the light's surface in the world, or, if the light is infinitely far away, of the disk across the
-  /// direction on which photons start. It includes the choice of the primitive.
+  /// The density by area, including the choice of the primitive: by area of the light's surface in the world or, if the
+  /// light is infinitely far away, of the disk across the direction on which photons start.
   float position = 0;
   float direction = 0;  // by solid angle; if the light is infinitely far away, whatever the position
   bool delta_position = false, delta_direction = false;
 };
 
-/// The numbers that Light::emit takes: position x and y, direction x and y; each in [0, 1).
+/// The numbers that Light::emit takes: position x and y, direction x and y, each in [0, 1).
 using EmissionNumbers = std::array<float, 4>;
-/// In place of one: it may be any, because emit() does not use it, or it is not known.
+/// Stands for a number that may be any, because emit() does not use it, or that is not known.
 inline constexpr float kAnyNumber = -1;
 
 /// A photon as it leaves the light. The mean of `flux` over all random numbers is the light's power; `flux` times both
-/// densities is the radiance times |cos| to `normal`. Without a normal there is no cosine, and for a delta the radiance
-/// is what takes its place: the radiant intensity, or the irradiance across the direction.
+/// densities is the radiance times |cos| to `normal`. Without a normal there is no cosine; for a delta, the radiant
+/// intensity or the irradiance across the direction takes the place of radiance.
 struct Emission {
   Ray ray;
   Rgb flux;
@@ -60,45 +60,47 @@ struct Illumination {
 class Light {
  public:
   virtual ~Light() = default;
-  /// The total flux in W, or a good estimate of it: lights are chosen in proportion.
+  /// The total flux in W, or a good estimate of it: lights are chosen in proportion to it.
   virtual Rgb power() const = 0;
   /// Starts a photon path; nullopt if these numbers yield no light. Numbers that are close should give starts that are
   /// close: integrators learn which boxes of numbers are worth drawing from.
   virtual std::optional<Emission> emit(Vec2 u_position, Vec2 u_direction) const = 0;
   /// The densities with which emit() draws this start and direction, for paths that came to the light another way;
-  /// `normal` and `primitive` as in Emission. A delta is taken for granted. Zero: unknown, or never drawn.
+  /// `normal` and `primitive` are those of Emission. A delta counts as matched. A density is 0 if it is unknown or if
+  /// emit() never draws this.
   virtual EmissionPdf pdf_emit(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const { return {}; }
-  /// The numbers with which emit() draws this start and direction, but for rounding; kAnyNumber for those that do not
-  /// matter, or are not known: a method that learns which numbers to draw then weighs by the mean density over them.
+  /// The numbers with which emit() draws this start and direction, up to rounding. A number is kAnyNumber if it does
+  /// not matter or is not known: a method that learns which numbers to draw then weights by the mean density over it.
   virtual EmissionNumbers emission_numbers(const Ray& /*start*/, const Vec3& /*normal*/, int /*primitive*/) const {
     return {kAnyNumber, kAnyNumber, kAnyNumber, kAnyNumber};
   }
   /// Samples a direction from which p may be lit; nullopt if these numbers yield no light.
   virtual std::optional<Illumination> illuminate(const Vec3& p, Vec2 u) const = 0;
-  /// Tells that illuminate() will soon be called with this u, for lights that wait for memory then.
+  /// Announces that illuminate() will soon be called with this u, for lights that then wait for memory.
   virtual void prefetch(Vec2 /*u*/) const {}
 
-  /// This light over `other`, if they differ only by that colour, whatever the place and direction: photons of both
-  /// then start alike. Nullopt if they do not, or if it is not known.
+  /// Returns the colour by which this light differs from `other`, this one over the other, if they differ in nothing
+  /// else at any place and in any direction: photons of both then start alike. Returns nullopt if they differ
+  /// otherwise, or if it is not known.
   virtual std::optional<Rgb> ratio_to(const Light& other) const {
     return this == &other ? std::optional(Rgb(1)) : std::nullopt;
   }
 
-  /// Whether photons of this light may start as `other` samples them, with weights of at most kMostWeight times those
-  /// that this light itself would give.
+  /// Returns whether photons of this light may start as `other` samples them, with weights of at most kMostWeight times
+  /// those that this light itself would give.
   virtual bool starts_like(const Light& other) const { return ratio_to(other).has_value(); }
-  /// If so, the flux of this light for such a photon over that of `other`.
+  /// If starts_like(other), the flux of this light for such a photon over the flux of `other`.
   virtual Rgb ratio_along(const Light& other, const Ray& /*start*/) const { return ratio_to(other).value_or(Rgb()); }
   static constexpr float kMostWeight = 2;
 
-  /// Radiance that leaves the light's own surface at `point` in direction w (area lights).
+  /// The radiance that leaves the light's own surface at `point` in direction w (area lights).
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) samples that point of the light's primitive.
   virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
-  /// Whether rays that leave the scene see it; if so, it implements the next two.
+  /// Returns whether rays that leave the scene see the light; if so, it implements the next two functions.
   virtual bool is_infinite() const { return false; }
-  /// Radiance along a ray that leaves the scene (infinite lights), and the density with which illuminate() at its origin
-  /// draws its direction.
+  /// The radiance along a ray that leaves the scene (infinite lights). escaped_pdf_w() returns the density with which
+  /// illuminate() at the ray's origin draws its direction.
   virtual Rgb escaped(const Ray& /*ray*/) const { return {}; }
   virtual float escaped_pdf_w(const Ray& /*ray*/) const { return 0; }
 };

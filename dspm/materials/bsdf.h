@@ -45,20 +45,21 @@ class Bsdf {
   virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
-  /// Samples wi from `lobes`: u.z chooses the lobe, so that coupled frames choose alike. Nullopt: absorbed.
+  /// Samples wi from `lobes`; nullopt if the light is absorbed. u.z chooses the lobe, so that coupled frames choose
+  /// alike.
   virtual std::optional<BsdfSample> sample(const Vec3& wo, const Vec3& u, Transport transport, LobeSet lobes) const = 0;
   /// The probability that sampling all lobes would choose one of `lobes`, in [0, 1].
   virtual float lobe_probability(const Vec3& wo, LobeSet lobes) const = 0;
-  /// Whether some of `lobes` transmits light through the surface.
+  /// Returns whether any of `lobes` transmits light through the surface.
   virtual bool transmits(LobeSet) const { return false; }
-  /// Whether w leads into a body that scatters inside: nothing is seen in a straight line there.
+  /// Returns whether w leads into a body that scatters inside: nothing is seen in a straight line there.
   virtual bool enters(const Vec3& /*w*/) const { return false; }
-  /// f if it is the same for all pairs of directions on the outer (ng) or both sides, and black through the surface:
-  /// gathering then sums flux first and multiplies once (it handles light on the wrong side of ns itself). Else
-  /// nullopt.
+  /// Returns f if it is the same for all pairs of directions on the outer (ng) side or on both sides, and black through
+  /// the surface; otherwise nullopt. Gathering then sums flux first and multiplies once; it handles light on the wrong
+  /// side of ns itself.
   virtual std::optional<Rgb> lambertian(LobeSet) const { return std::nullopt; }
-  /// f over that of `other`, a Bsdf at the same point, if the ratio is one colour for all directions: Bsdfs that differ
-  /// only in colour are then evaluated once. Nullopt if it is not, or is not known.
+  /// Returns f over the f of `other`, a Bsdf at the same point, if the ratio is one colour for all directions: Bsdfs
+  /// that differ only in colour are then evaluated once. Returns nullopt if it is not, or if it is not known.
   virtual std::optional<Rgb> ratio_to(const Bsdf& /*other*/, LobeSet) const { return std::nullopt; }
 
  protected:
@@ -83,7 +84,7 @@ class BsdfSlot {
                   "not own memory");
     return *new (bytes_) T{std::forward<Args>(args)...};
   }
-  /// `bsdf` must live in another slot.
+  /// Copies `bsdf`, which must live in another slot.
   static BsdfSlot copy_of(const Bsdf& bsdf) { return *reinterpret_cast<const BsdfSlot*>(&bsdf); }
   const Bsdf& operator*() const { return *std::launder(reinterpret_cast<const Bsdf*>(bytes_)); }
   const Bsdf* operator->() const { return &**this; }

@@ -5,7 +5,7 @@
 
 namespace dspm {
 
-/// By colour; all 0 outside.
+/// The coefficients of a body by colour; all are 0 outside of bodies.
 struct Interior {
   Rgb sigma_t;            // light that is absorbed or scattered, per unit of length
   Rgb albedo;             // the share of it that is scattered

@@ -19,19 +19,19 @@ class TextureSet;
 class Material {
  public:
   virtual ~Material() = default;
-  /// The Bsdf at a point, built in `slot`.
+  /// Builds the Bsdf at a point in `slot`.
   virtual const Bsdf& bsdf(const SurfacePoint& point, BsdfSlot& slot) const = 0;
-  /// Whether light enters the body: its mesh should then be closed and its normals point outward.
+  /// Returns whether light enters the body: its mesh should then be closed and its normals should point outward.
   virtual bool bounds_a_body() const { return false; }
-  /// What the body absorbs: over a distance d in the world, exp(-absorption d) of the light is left.
+  /// The body's absorption coefficient: after a distance d in the world, exp(-absorption d) of the light is left.
   virtual Rgb absorption() const { return Rgb(0); }
-  /// The body's index of refraction, over that of what SurfacePoint::outside_eta is 1 for.
+  /// The body's index of refraction, relative to the medium for which SurfacePoint::outside_eta is 1.
   virtual float eta() const { return 1; }
-  /// Whether light that crosses the surface is scattered inside.
+  /// Returns whether light that crosses the surface is scattered inside.
   virtual bool scatters_inside() const { return false; }
-  /// False: light passes as if the surface were not there, so its shapes are left out of the scene.
+  /// Returns false if light passes as if the surface were not there; its shapes are then left out of the scene.
   virtual bool is_seen() const { return true; }
-  /// Of a mix, `depth` mixes deep: which of its materials the point is made of. Null: this one.
+  /// Returns which of its materials a mix, `depth` mixes deep, is made of at the point; null if the material is no mix.
   virtual const Material* chosen(const SurfacePoint& /*point*/, int /*depth*/) const { return nullptr; }
 
   /// The material that the point is made of: this one, unless it is a mix.
@@ -41,19 +41,19 @@ class Material {
     return *here;
   }
 
-  /// Whether f is linear in colours that average over a footprint (Texture::averages), and nothing else of it varies over
-  /// the surface.
+  /// Returns whether f is linear in colours that average over a footprint (Texture::averages), and nothing else in it
+  /// varies over the surface.
   virtual bool is_linear() const { return false; }
-  /// Whether lookups over a footprint scatter what lookups at its points scatter on average. bsdf() of others is never
-  /// given one: a rough or bumpy surface is another one than that of mean roughness and height.
+  /// Returns whether lookups over a footprint scatter what lookups at its points scatter on average. If not, bsdf() is
+  /// never given a footprint: a rough or bumpy surface differs from one of mean roughness and height.
   bool averages() const { return is_linear() && relief_ == nullptr; }
 
-  /// What bends its normals, whatever the plugin; null: nothing. Set once, when the material is made.
+  /// Returns what bends its normals, for any plugin; null if nothing does. Set once, when the material is made.
   const Relief* relief() const { return relief_.get(); }
   void set_relief(std::shared_ptr<const Relief> relief) { relief_ = std::move(relief); }
 
-  /// Of the body, whatever the plugin: where bodies overlap, the one of the highest priority is there. Set once, when the
-  /// material is made.
+  /// The priority of the body, for any plugin: where bodies overlap, the one of the highest priority is there. Set
+  /// once, when the material is made.
   int priority() const { return priority_; }
   void set_priority(int priority) { priority_ = priority; }
 

@@ -20,7 +20,7 @@ class MaterialSet {
   void add(std::string name, std::shared_ptr<const Material> material) {
     by_name_[std::move(name)] = std::move(material);
   }
-  /// Null if there is none.
+  /// Returns null if no material has that name.
   std::shared_ptr<const Material> find(std::string_view name) const {
     const auto found = by_name_.find(name);
     return found == by_name_.end() ? nullptr : found->second;

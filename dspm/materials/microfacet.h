@@ -12,7 +12,7 @@ namespace dspm {
 
 class Ggx {
  public:
-  /// Below this alpha along both axes a surface counts as smooth, as in pbrt; no axis is sharper than that.
+  /// A surface counts as smooth if alpha is below this along both axes, as in pbrt; no axis is sharper than that.
   static constexpr float kSmoothest = 1e-3f;
   static bool is_smooth(Vec2 alpha) { return std::max(alpha.x, alpha.y) < kSmoothest; }
 
@@ -37,7 +37,7 @@ class Ggx {
   /// G2: the fraction of facets visible from both, with correlated heights; the other direction may lie below,
   /// mirrored.
   float visible(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
-  /// Density of sample_visible() by the solid angle of m.
+  /// The density of sample_visible() by the solid angle of m.
   float visible_density(const Vec3& wo, const Vec3& m) const {
     return visible(wo) * density(m) * std::max(0.f, dot(wo, m)) / wo.z;
   }
@@ -45,7 +45,7 @@ class Ggx {
   float reflection(const Vec3& wo, const Vec3& wi, const Vec3& m) const {
     return density(m) * visible(wo, wi) / (4 * wo.z * wi.z);
   }
-  /// Density by the solid angle of the direction to which a facet from sample_visible() reflects wo.
+  /// The density by the solid angle of the direction to which a facet from sample_visible() reflects wo.
   float reflection_density(const Vec3& wo, const Vec3& m) const { return visible(wo) * density(m) / (4 * wo.z); }
   /// G2 / G1: the fraction of light from a facet visible from wo that escapes to wi.
   float visible_after(const Vec3& wo, const Vec3& wi) const {
@@ -59,7 +59,7 @@ class Ggx {
   float alpha_x_, alpha_y_;
 };
 
-/// pbrt's "remaproughness": perceived roughness to alpha.
+/// Converts perceived roughness to alpha, for pbrt's "remaproughness".
 inline float roughness_to_alpha(float roughness) { return std::sqrt(std::max(0.f, roughness)); }
 
 }  // namespace dspm

@@ -26,11 +26,11 @@ class ShadingFrame {
   const Vec3& x() const { return x_; }
   const Vec3& ns() const { return z_; }
   const Vec3& ng() const { return ng_; }
-  /// In the shading frame, which is mirrored if `side` is -1.
+  /// Converts w to the shading frame, which is mirrored if `side` is -1.
   Vec3 local(const Vec3& w, float side) const { return {dot(w, x_), dot(w, cross(z_, x_)), side * dot(w, z_)}; }
   Vec3 world(const Vec3& w, float side) const { return x_ * w.x + cross(z_, x_) * w.y + z_ * (side * w.z); }
 
-  /// wo in formulas, above; nullopt if light comes from where ns does not face it.
+  /// Returns wo as formulas see it, above; nullopt if light comes from where ns does not face it.
   std::optional<Vec3> arrive(const Vec3& wo, float side, Transport transport) const {
     Vec3 o = local(wo, side);
     if (transport == Transport::radiance) o.z = std::abs(o.z);
@@ -41,7 +41,8 @@ class ShadingFrame {
     Vec3 wi;      // in the world
     float share;  // of the local direction's density that is this one's
   };
-  /// The world direction of a sampled local one, of two for `u`; nullopt if ng puts it on the other side.
+  /// Returns the world direction of a sampled local one, chosen by `u` if there are two; nullopt if ng puts it on the
+  /// other side.
   std::optional<Leaving> leave(const Vec3& local_wi, float side, Transport transport, float u) const {
     if (local_wi.z == 0) return std::nullopt;
     const float to = local_wi.z > 0 ? side : -side;
@@ -59,9 +60,9 @@ class ShadingFrame {
 
  private:
   Vec3 twin(const Vec3& w) const { return w - z_ * (2 * dot(w, z_)); }
-  /// Whether wi is the camera's direction and may have a twin on its side.
+  /// Returns whether wi is the camera's direction, which may have a twin on its side.
   bool is_camera(Transport transport) const { return transport == Transport::flux && !(z_ == ng_); }
-  /// By the last digits of a number whose first ones chose the local direction.
+  /// Chooses by the last digits of a number whose first digits chose the local direction.
   static bool is_first(float u) { return u * 4096 - std::floor(u * 4096) < 0.5f; }
 
   Vec3 x_, z_;  // y is known from them: a Bsdf has little room
