@@ -35,7 +35,7 @@ struct KnownFrames {
   FramesPart all() const { return {moments, static_cast<int>(names.size())}; }
 };
 
-/// Frames count moment by moment, combination by combination; those of the base come first.
+/// Frames count moment by moment, combination by combination; the frames of the base come first.
 class FileFrames {
  public:
   FileFrames() : FileFrames(1, {{}}) {}
@@ -45,7 +45,7 @@ class FileFrames {
         moments_(moments),
         combinations_(std::move(combinations)),
         base_(base.value_or(FramesPart{moments, static_cast<int>(combinations_.size())})) {}
-  /// With the places of that time; combinations have only names.
+  /// The frames have the places that they had then; combinations have only names.
   explicit FileFrames(const KnownFrames& known) : FileFrames(known.moments, {}, known.base) {
     for (const std::string& name : known.names) combinations_.push_back({name, {}});
   }
@@ -55,15 +55,16 @@ class FileFrames {
   Moment first_moment() const { return first_moment_; }
   Moment last_moment() const { return Moment(first_moment_.frames() + moments_ - 1); }
   const std::vector<Combination>& combinations() const { return combinations_; }
-  /// Whatever sampling derives from the file, it derives from these frames: all, unless frames were added to a render.
+  /// The frames from which sampling derives whatever it derives from the file: all, unless frames were added to a
+  /// render.
   const FramesPart& base() const { return base_; }
   bool is_in_base(FileFrame f) const { return f.index() < base_.count(); }
 
-  /// Which of the moments, counted from the first.
+  /// Returns the index of the frame's moment, counted from the first.
   int moment_index(FileFrame f) const { return place(f).moment; }
   Moment moment(FileFrame f) const { return Moment(first_moment_.frames() + moment_index(f)); }
   std::size_t combination_of(FileFrame f) const { return static_cast<std::size_t>(place(f).combination); }
-  /// Undoes both.
+  /// Returns the frame with this combination_of() and moment_index().
   FileFrame frame(int combination, int moment) const {
     const int more = moments_ - base_.moments;
     if (combination >= base_.combinations) return FileFrame(combination * moments_ + moment);
@@ -74,18 +75,18 @@ class FileFrames {
     return place(f).moment < part.moments && place(f).combination < part.combinations;
   }
   const std::string& variation(FileFrame f) const { return combinations_[combination_of(f)].name; }
-  /// "12", "oak-red" or "oak-red 12".
+  /// Returns "12", "oak-red" or "oak-red 12".
   std::string label(FileFrame f) const {
     const std::string number = std::to_string(moment(f).number());
     return variation(f).empty() ? number : moments_ == 1 ? variation(f) : variation(f) + " " + number;
   }
-  /// As if the file had only that frame; its moment keeps its number.
+  /// Returns a file that has only this frame; its moment keeps its number.
   FileFrames only(FileFrame f) const {
     FileFrames one(1, {combinations_[combination_of(f)]});
     one.first_moment_ = moment(f);
     return one;
   }
-  /// Which of the axis's variations frame f has.
+  /// Returns which of the axis's variations frame f has.
   int choice(FileFrame f, std::size_t axis) const { return combinations_[combination_of(f)].choices[axis]; }
 
  private:

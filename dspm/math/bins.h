@@ -1,6 +1,6 @@
-// Bins that cover [0, 1), of any widths, which are their probabilities: which one holds a number? A few steps from a
-// place that is looked up find it: "cutpoints" [Chen and Asau 1974, On Generating Random Variates from an Empirical
-// Distribution]. There is one for several bins, so that they stay in the cache where the bins do not.
+// Bins that cover [0, 1), of any widths, which are their probabilities: which one holds a number? A table of
+// "cutpoints" leads to within a few steps of it [Chen and Asau 1974, On Generating Random Variates from an Empirical
+// Distribution]. There is one cutpoint for several bins, so that the table stays in the cache even if the bins do not.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace dspm {
 
-/// Bins come in ascending order from 0, and then one more, which begins at 1. T below: a Bin, perhaps with more in it.
+/// Bins are stored in ascending order from 0, followed by one more that begins at 1. T below is a Bin or derives from
+/// it.
 struct Bin {
   float begin = 0;
 };
@@ -21,13 +22,13 @@ inline std::size_t cutpoint_count(std::size_t bins) {
   return (bins + kBinsOfOne - 1) / kBinsOfOne;
 }
 
-/// The cutpoint for u, of so many.
+/// Returns the cutpoint to look up for u, of `count`.
 inline std::size_t cutpoint_of(float u, std::size_t count) {
   return std::min(static_cast<std::size_t>(u * static_cast<float>(count)), count - 1);
 }
 
-/// Cutpoint i of n is where to begin the search for numbers near i / n: the last bin that begins before all of them, or
-/// an earlier one if Index counts no further.
+/// Adds the cutpoints. Cutpoint i of n is where to begin the search for numbers near i / n: the last bin that begins
+/// before all of them, or an earlier one if Index counts no further.
 template <class Index, class T>
 void add_cutpoints(std::span<const T> bins, std::vector<Index>& cutpoints) {
   const std::size_t last = bins.size() - 2, count = cutpoint_count(bins.size() - 1);
@@ -44,7 +45,8 @@ struct BinChoice {
   float rest;         // in [0, 1): uniform again, for further use
 };
 
-/// The last bin that begins at or below u. An empty bin begins where the next one does, so it is never the last.
+/// Returns the last bin that begins at or below u. An empty bin begins where the next one does, so it is never the
+/// last.
 template <class T, class Index>
 BinChoice choose_bin(std::span<const T> bins, std::span<const Index> cutpoints, float u) {
   constexpr float kBelowOne = 0x1.fffffep-1f;  // the largest float below 1

@@ -23,7 +23,7 @@ class FileFrame {
   constexpr explicit FileFrame(int index) : index_(index) {}
 
   constexpr int index() const { return index_; }
-  /// The same, for lists by frame of the file.
+  /// The same number, as an index into lists by frame of the file.
   constexpr std::size_t slot() const { return static_cast<std::size_t>(index_); }
 
   constexpr FileFrame& operator++() {
@@ -41,11 +41,11 @@ class Moment {
  public:
   constexpr Moment() = default;
   constexpr explicit Moment(double frames) : frames_(frames) {}
-  /// The whole moment that texts call `number`: they count from 1.
+  /// Returns the whole moment that texts call `number`; texts count from 1.
   static constexpr Moment numbered(int number) { return Moment(static_cast<double>(number) - 1); }
 
   constexpr double frames() const { return frames_; }
-  /// What texts call it; between whole frames, the number of the one before.
+  /// Returns the number that texts use; between whole frames, the number of the one before.
   int number() const { return static_cast<int>(std::floor(frames_)) + 1; }
 
   friend constexpr auto operator<=>(Moment, Moment) = default;
@@ -54,7 +54,7 @@ class Moment {
   double frames_ = 0;
 };
 
-/// Where `at` lies between two others: 0 at `from`, 1 at `to`.
+/// Returns where `at` lies between two others: 0 at `from`, 1 at `to`.
 constexpr double fraction(Moment from, Moment to, Moment at) {
   return (at.frames() - from.frames()) / (to.frames() - from.frames());
 }

@@ -28,7 +28,7 @@ class PathRandom {
   constexpr PathRandom(std::uint64_t seed, Stream stream, std::uint64_t path_index, std::uint64_t iteration)
       : key_(absorb(absorb(absorb(seed, static_cast<std::uint64_t>(stream)), iteration), path_index)) {}
 
-  /// In [0, 1): a multiple of 2^-24.
+  /// Returns a number in [0, 1), a multiple of 2^-24.
   constexpr float number(int bounce, int dimension) const { return to_unit(hash(bounce, dimension)); }
   /// Two independent numbers for the price of one.
   constexpr Vec2 pair(int bounce, int dimension) const {

@@ -13,7 +13,7 @@ namespace dspm {
 
 /// Uniform on the unit disk; neighbours stay neighbours. Density 1 / pi. [Shirley and Chiu 1997]
 Vec2 concentric_disk(Vec2 u);
-/// The u with concentric_disk(u) = p.
+/// Returns the u with concentric_disk(u) = p.
 Vec2 concentric_disk_numbers(Vec2 p);
 
 /// Density cos / pi per solid angle.
@@ -21,7 +21,7 @@ Vec3 cosine_hemisphere(Vec2 u);
 inline float cosine_hemisphere_pdf_w(float cos_theta) { return std::max(cos_theta, 0.f) / kPi; }
 
 Vec3 uniform_sphere(Vec2 u);
-/// The u with uniform_sphere(u) = w.
+/// Returns the u with uniform_sphere(u) = w.
 Vec2 uniform_sphere_numbers(const Vec3& w);
 inline constexpr float kUniformSpherePdfW = 1 / (4 * kPi);
 
@@ -38,7 +38,7 @@ inline float uniform_cone_pdf_w(float one_minus_cos_max) { return 1 / (2 * kPi *
 
 /// Barycentric coordinates (b1, b2) of a point uniform on a triangle's area; b0 = 1 - b1 - b2. [Heitz 2019]
 Vec2 uniform_triangle(Vec2 u);
-/// The u with uniform_triangle(u) = b.
+/// Returns the u with uniform_triangle(u) = b.
 Vec2 uniform_triangle_numbers(Vec2 b);
 
 /// n weights as a density over [0, 1) that is constant on each of n equal bins, and as a choice among n items.
@@ -46,16 +46,16 @@ class Distribution1D {
  public:
   using Choice = BinChoice;
 
-  /// At least one weight, all finite and non-negative. If all are zero, they count as equal.
+  /// Needs at least one weight; all must be finite and non-negative. If all are zero, they count as equal.
   explicit Distribution1D(std::span<const float> weights);
 
   Choice choose(float u) const { return choose_bin(bins(), std::span<const std::uint32_t>(cutpoints_), u); }
   float probability(int index) const { return probability_of(bins(), index); }
-  /// The u for which choose(u) returns that index and rest.
+  /// Returns the u for which choose(u) returns that index and rest.
   float number(int index, float rest) const { return bin_number(bins(), index, rest); }
   int size() const { return static_cast<int>(bins_.size()) - 1; }
   float total() const { return total_; }  // the sum of the weights
-  /// One more than weights.
+  /// Returns one bin more than there are weights; the last begins at 1.
   std::span<const Bin> bins() const { return bins_; }
 
  private:

@@ -16,15 +16,15 @@ struct Matrix4 {
 
   static Matrix4 translate(double x, double y, double z);
   static Matrix4 scale(double x, double y, double z);
-  /// Angle in degrees around the axis; the axis need not be of unit length but must not be zero.
+  /// Rotates by an angle in degrees around the axis, which need not be of unit length but must not be zero.
   static Matrix4 rotate(double degrees, double x, double y, double z);
-  /// World to camera, left-handed, as in pbrt's LookAt; nullopt if the three do not span a view.
+  /// Maps the world to the camera, left-handed, as in pbrt's LookAt; nullopt if the three do not span a view.
   static std::optional<Matrix4> look_at(const std::array<double, 3>& eye, const std::array<double, 3>& look,
                                         const std::array<double, 3>& up);
-  /// pbrt writes matrices column by column.
+  /// Reads the matrix column by column, as pbrt writes it.
   static Matrix4 from_columns(const std::array<double, 16>& values);
 
-  /// Nullopt if the matrix is singular, or so nearly singular that the inverse is not finite.
+  /// Returns nullopt if the matrix is singular, or so nearly singular that the inverse is not finite.
   std::optional<Matrix4> inverse() const;
   bool is_affine() const { return m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1; }
   friend Matrix4 operator*(const Matrix4& a, const Matrix4& b);
@@ -40,7 +40,7 @@ class Transform {
 
   Vec3 point(const Vec3& p) const { return apply(forward_, p, 1); }
   Vec3 vector(const Vec3& v) const { return apply(forward_, v, 0); }
-  /// Not normalised; stays on the same side of the surface.
+  /// The result is not normalised and stays on the same side of the surface.
   Vec3 normal(const Vec3& n) const { return apply_transposed(backward_, n); }
   Vec3 inverse_point(const Vec3& p) const { return apply(backward_, p, 1); }
   Vec3 inverse_normal(const Vec3& n) const { return apply_transposed(forward_, n); }
@@ -53,7 +53,7 @@ class Transform {
   /// An upper bound on the rounding error of point(p), per coordinate.
   Vec3 point_error(const Vec3& p) const;
   bool is_identity() const;
-  /// Whether it mirrors: turns a right-handed frame into a left-handed one.
+  /// Returns whether it mirrors: whether it turns a right-handed frame into a left-handed one.
   bool swaps_handedness() const;
   friend bool operator==(const Transform&, const Transform&) = default;
 

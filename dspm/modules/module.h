@@ -20,17 +20,17 @@ class ModuleError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where a module's plugins go.
+/// Collects a module's plugins.
 class ModuleRegistry {
  public:
   /// `module` must outlive the tables: plugins keep it as their origin.
   explicit ModuleRegistry(std::string_view module) : module_(module) {}
 
-  /// Of the dspm that loads the module: "0.2.0".
+  /// The version of the dspm that loads the module: "0.2.0".
   static std::string_view host_version();
 
-  /// `table` is that of the plugin's kind: shape_plugins(), material_plugins(), texture_plugins<float>(), ... Throws
-  /// ModuleError if the name is taken.
+  /// Adds the plugin to the `table` of its kind: shape_plugins(), material_plugins(), texture_plugins<float>(), ...
+  /// Throws ModuleError if the name is taken.
   template <class AnyPlugin>
   void add(PluginTable<AnyPlugin>& table, std::type_identity_t<AnyPlugin> plugin) {
     if (const AnyPlugin* other = table.find(plugin.name)) refuse(table.kind(), plugin.name, other->origin);
@@ -38,7 +38,7 @@ class ModuleRegistry {
     table.add(plugin);
     ++count_;
   }
-  /// How many plugins were added.
+  /// The number of plugins that were added.
   int count() const { return count_; }
 
  private:

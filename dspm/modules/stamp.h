@@ -83,7 +83,7 @@ struct ModuleStamp {
   std::uint32_t sizes[std::size(kStampedTypes)] = {};
 };
 
-/// Of the code that includes this.
+/// Returns the stamp of the code that includes this header.
 constexpr ModuleStamp current_stamp() {
   ModuleStamp stamp;
   stamp.content_bytes = sizeof(ModuleStamp) - offsetof(ModuleStamp, version);
@@ -94,7 +94,7 @@ constexpr ModuleStamp current_stamp() {
   return stamp;
 }
 
-/// Why a module whose note holds these bytes cannot be loaded, and what to do; empty if it can.
+/// Returns why a module whose note holds these bytes cannot be loaded, and what to do; empty if it can.
 std::string why_unfit(std::string_view note);
 
 }  // namespace dspm

@@ -21,28 +21,29 @@ namespace dspm {
 
 struct LoadedScene;
 
-/// Is shown each warning, as the program prints it.
+/// Receives each warning, as the program prints it.
 using Warn = std::function<void(const std::string& text)>;
 inline const Warn kIgnoreWarnings = [](const std::string&) {};
 
-/// Reads a scene from files, as the command line takes them; for other choices, read it again. Throws SceneError with all
-/// of its errors, and UsageError if a choice does not fit it.
+/// Reads a scene from files, as the command line does; for other choices, read it again. Throws SceneError with all of
+/// its errors, and UsageError if a choice does not fit it.
 std::shared_ptr<const LoadedScene> load_scene(const std::vector<std::string>& files, const Choices& choices = {},
                                               const Warn& warn = kIgnoreWarnings);
 
-/// Frames count from 0, in the order in which the program writes them. More than 64 are rendered in intervals, all of
-/// which stay in memory.
+/// Frames count from 0, in the order in which the program writes them. More than 64 are rendered in intervals, which
+/// all stay in memory.
 class Renderer {
  public:
   /// Throws SceneError if the integrator cannot be made.
   explicit Renderer(std::shared_ptr<const LoadedScene> scene, const Warn& warn = kIgnoreWarnings);
   ~Renderer();
 
-  /// What the frames are called: "12", "oak-red" or "oak-red 12".
+  /// The names of the frames: "12", "oak-red" or "oak-red 12".
   const std::vector<std::string>& labels() const;
-  /// One more, of all frames. Throws whatever an iteration throws; the renderer is of no use then.
+  /// Runs one more iteration of all frames. Throws whatever an iteration throws; the renderer cannot be used after
+  /// that.
   void iterate();
-  /// That were done; and how many the scene or a choice asks for, 0: no end.
+  /// The iterations that were done. wanted() is how many the scene or a choice asks for; 0 if there is no end.
   int iterations() const;
   int wanted() const;
   /// The names of all outputs; radiance first.
@@ -50,10 +51,11 @@ class Renderer {
   /// The estimate so far, with the bits that the program writes as 32-bit floats. Throws std::out_of_range if there is
   /// no such frame or output.
   Image image(int frame, const std::string& output = kRadiance) const;
-  /// By interval.
+  /// The statistics of each interval.
   std::vector<Statistics> statistics() const;
-  /// What the iterations so far have come to; load_state() takes it back, in a renderer of the same scene and choices, for
-  /// which the caller answers. They throw std::runtime_error if the integrator has no such state, or the bytes are none.
+  /// The state after the iterations so far. load_state() continues from it in a renderer of the same scene and choices;
+  /// that they are the same is the caller's responsibility. Both throw std::runtime_error if the integrator has no such
+  /// state; load_state() also if the bytes are not one.
   std::string state() const;
   void load_state(std::string_view state);
 

@@ -61,10 +61,10 @@ class Diagnostics {
   void error(const SourceLocation& where, std::string message, std::string hint = {});
   void warning(const SourceLocation& where, std::string message, std::string hint = {});
   void note(const SourceLocation& where, std::string message, std::string hint = {});
-  /// Something valid that dspm does not support: an error, or a warning with --lenient.
+  /// Reports something valid that dspm does not support: an error, or a warning with --lenient.
   void unsupported(const SourceLocation& where, std::string message, std::string hint = {});
 
-  /// What was said of a part, after what was said before.
+  /// Appends the diagnostics of a part to those that are already here.
   void append(Diagnostics part);
 
   int error_count() const { return errors_; }

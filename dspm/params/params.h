@@ -36,7 +36,8 @@ enum class ParamType {
   texture
 };
 
-/// The word for a type in scene text ("float" for number), and back; nullopt if the word is unknown.
+/// Returns the word for a type in scene text ("float" for number). param_type() reads it back; nullopt if the word is
+/// unknown.
 std::string_view word_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view word);
 
@@ -54,7 +55,7 @@ struct Param {
   ColourSpace space = ColourSpace::srgb;  // of an rgb value
 };
 
-/// One that no text holds: `where` stands for it in messages.
+/// Makes a parameter that no text holds; messages name `where` instead.
 Param param_of(ParamType type, std::string name, Param::Values values, const SourceLocation& where);
 
 /// The numbers of a numeric parameter, integers as floats.
@@ -66,13 +67,13 @@ struct ParamList {
   ColourSpace space = ColourSpace::srgb;  // in force where it was written: that of lights which give no colour
 
   const Param* find(std::string_view name) const;  // the first of that name, keyed or not
-  /// Has keyed parameters, or a file name with a frame number in it.
+  /// Returns whether it has keyed parameters, or a file name with a frame number in it.
   bool is_keyed() const;
-  /// The list without keys: its values at that moment. Numbers, points and colours are interpolated linearly,
-  /// everything else holds until the next key; `%03d` in a "filename" becomes the file's number ("first" + frame *
+  /// Returns the list without keys: its values at that moment. Numbers, points and colours are interpolated linearly;
+  /// everything else holds until the next key. `%03d` in a "filename" becomes the file's number ("first" + frame *
   /// "step", both 1 by default), which holds until the next whole frame.
   ParamList at(Moment moment) const;
-  /// Equal types, names, keys, values and colour spaces, in any order.
+  /// Compares types, names, keys, values and colour spaces, in any order of the parameters.
   bool same_values(const ParamList& other) const;
 };
 
@@ -95,8 +96,8 @@ struct DescribedEnough {};
 
 class ParamReader {
  public:
-  /// `subject` as messages name it: `material "diffuse"`. `list` must not be keyed: see ParamList::at. Files that are
-  /// not next to the scene file that names them are looked for in `main_directory`, the main file's.
+  /// `subject` is how messages name the object: `material "diffuse"`. `list` must not be keyed: see ParamList::at.
+  /// Files that are not next to the scene file that names them are looked for in `main_directory`, the main file's.
   ParamReader(const ParamList& list, std::string subject, SourceLocation where, Diagnostics& diagnostics,
               std::filesystem::path main_directory = {});
   /// Only describes: every read appends to `described` and returns its default; finish() throws DescribedEnough.
@@ -105,21 +106,22 @@ class ParamReader {
   /// From here on, finish() throws DescribedEnough after its checks: the parameters are checked, but no object is made.
   void only_check() { only_checks_ = true; }
 
-  /// Whether the scene gives it, by this name or an alias. Call it in addition to reading, not instead: a factory reads
-  /// every parameter in every case, or --describe would miss some.
+  /// Returns whether the scene gives the parameter, by this name or an alias. Call it in addition to reading, not
+  /// instead: a factory reads every parameter in every case, or --describe would miss some.
   bool has(std::string_view name) const;
   float number(std::string_view name, float fallback, std::string_view unit, std::string_view sentence);
   int integer(std::string_view name, int fallback, std::string_view unit, std::string_view sentence);
   bool flag(std::string_view name, bool fallback, std::string_view sentence);
   std::string text(std::string_view name, std::string fallback, std::string_view sentence);
-  /// One of `choices`; anything else is an error that lists them.
+  /// Reads one of `choices`; anything else is an error that lists them.
   std::string choice(std::string_view name, std::string fallback, const std::vector<std::string>& choices,
                      std::string_view sentence);
   Vec3 point(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
   Vec3 vector(std::string_view name, Vec3 fallback, std::string_view unit, std::string_view sentence);
-  /// Given as rgb, spectrum, blackbody, or as one float for all of rgb. In Rec. 709, whatever the scene speaks in.
+  /// Reads a colour, given as rgb, spectrum, blackbody, or as one float for all of rgb. The result is in Rec. 709,
+  /// whatever colour space the scene uses.
   Rgb rgb(std::string_view name, Rgb fallback, SpectrumRole role, std::string_view sentence);
-  /// Like rgb, but the default is a named spectrum such as "metal-Cu-eta".
+  /// Reads a colour like rgb() above, but the default is a named spectrum such as "metal-Cu-eta".
   Rgb rgb(std::string_view name, std::string_view named_fallback, SpectrumRole role, std::string_view sentence);
   ValueOrTexture<float> number_or_texture(std::string_view name, float fallback, std::string_view unit,
                                           std::string_view sentence);
@@ -131,18 +133,19 @@ class ParamReader {
   std::vector<Vec2> points2(std::string_view name, std::string_view sentence);
   std::vector<Vec3> points3(std::string_view name, std::string_view sentence);  // point3, vector3 or normal
   std::vector<std::string> texts(std::string_view name, std::string_view sentence);
-  /// A file to read, relative to the file that names it, else to the main file. If it is missing: an error, and an
-  /// empty path.
+  /// Reads the path of a file, relative to the file that names it, else to the main file. A missing file is an error,
+  /// and the path is empty.
   std::filesystem::path file(std::string_view name, std::string_view sentence);
-  /// The same, but optional: if the scene names none, the path is empty.
+  /// Reads the path of a file like file(); the path is empty if the scene names none.
   std::filesystem::path optional_file(std::string_view name, std::string_view sentence);
-  /// pbrt has it, dspm does not: an error (a warning with --lenient) if the scene uses it. Not described.
+  /// Rejects a parameter that pbrt has and dspm does not: an error (a warning with --lenient) if the scene uses it. It
+  /// is not described.
   void unsupported(std::string_view name, std::string_view what);
-  /// A parameter that has no effect, nor has it in pbrt: a note if the scene gives it. Not described.
+  /// Accepts a parameter that has no effect, here and in pbrt: a note if the scene gives it. It is not described.
   void without_effect(std::string_view name);
-  /// Another spelling: if the scene gives `alias`, it is read as `name`.
+  /// Accepts another spelling: if the scene gives `alias`, it is read as `name`.
   void alias(std::string_view alias, std::string_view name);
-  /// The same for a name that is no longer used: a note says so.
+  /// Accepts a name that is no longer used as `name`; a note says so.
   void former_name(std::string_view former, std::string_view name);
 
   /// Call it after the last read and before any work: parameters that were not read are errors ("did you mean").
@@ -154,20 +157,20 @@ class ParamReader {
   void error(std::string_view name, std::string message, std::string hint = {});
   void warning(std::string_view name, std::string message, std::string hint = {});
   Diagnostics& diagnostics() { return diagnostics_; }
-  /// In force where the directive was written.
+  /// The colour space in force where the directive was written.
   ColourSpace space() const { return list_ ? list_->space : ColourSpace::srgb; }
   const std::string& subject() const { return subject_; }
 
  private:
   using Types = std::vector<ParamType>;
 
-  /// The parameter in the list, or null; also null, after an error, if its type is none of `types`.
+  /// Returns the parameter in the list, or null; also null, after an error, if its type is not among `types`.
   const Param* take(std::string_view name, const Types& types, std::string default_value, std::string_view unit,
                     std::string_view sentence);
-  /// take() of exactly `count` values.
+  /// Takes a parameter of exactly `count` values.
   const Param* take_some(std::string_view name, const Types& types, std::size_t count, std::string default_value,
                          std::string_view unit, std::string_view sentence);
-  /// take() of any number of groups of `size` numbers.
+  /// Takes a parameter of any number of groups of `size` numbers.
   std::vector<float> take_groups(std::string_view name, const Types& types, std::size_t size,
                                  std::string_view sentence);
   Vec3 triple(std::string_view name, const Types& types, Vec3 fallback, std::string_view unit,
@@ -179,7 +182,7 @@ class ParamReader {
   std::optional<Spectrum> spectrum_from_file(const Param& param, const std::string& name);
   std::optional<Spectrum> spectrum_from_pairs(const Param& param, const std::vector<float>& pairs);
   std::filesystem::path take_file(std::string_view name, bool required, std::string_view sentence);
-  /// The files that `name` may mean, most likely first.
+  /// Returns the files that `name` may mean, most likely first.
   std::vector<std::filesystem::path> places(const Param& param, const std::string& name) const;
   std::filesystem::path existing_file(const Param& param, const std::string& name) const;
   bool count_is(const Param& param, std::size_t count);

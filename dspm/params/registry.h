@@ -29,7 +29,8 @@ class PluginTable {
  public:
   using Names = std::initializer_list<std::string_view>;
 
-  /// `kind` is the word for them ("material"); `not_built` holds the names that pbrt knows and dspm does not support.
+  /// `kind` is the word for the plugins ("material"); `not_built` holds the names that pbrt knows and dspm does not
+  /// support.
   PluginTable(std::string_view kind, std::initializer_list<AnyPlugin> own, Names not_built = {})
       : kind_(kind), plugins_(own), not_built_(not_built) {}
 
@@ -39,15 +40,16 @@ class PluginTable {
   const AnyPlugin& front() const { return plugins_.front(); }
   const std::vector<std::string_view>& not_built() const { return not_built_; }
 
-  /// Null if no plugin has that name.
+  /// Returns null if no plugin has that name.
   const AnyPlugin* find(std::string_view name) const {
     const auto found = std::find_if(begin(), end(), [&](const AnyPlugin& plugin) { return plugin.name == name; });
     return found != end() ? &*found : nullptr;
   }
-  /// The same, but an unknown name is an error at `where` that lists all plugins; names in `not_built` are unsupported.
+  /// Like find() above, but an unknown name is an error at `where` that lists all plugins; names in `not_built` are
+  /// unsupported.
   const AnyPlugin* find(std::string_view name, const SourceLocation& where, Diagnostics& diagnostics) const;
 
-  /// The name must be new.
+  /// Adds a plugin, whose name must be new.
   void add(const AnyPlugin& plugin) { plugins_.push_back(plugin); }
 
  private:
@@ -76,7 +78,8 @@ const AnyPlugin* PluginTable<AnyPlugin>::find(std::string_view name, const Sourc
   return nullptr;
 }
 
-/// The parameters of a plugin, as its own factory asks for them. `context`: the factory's arguments after the reader.
+/// Describes the parameters of a plugin, as its own factory asks for them. `context` holds the factory's arguments
+/// after the reader.
 template <class Make, class... Context>
 std::vector<ParamInfo> describe(const Plugin<Make>& plugin, const Context&... context) {
   std::vector<ParamInfo> described;

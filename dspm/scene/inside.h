@@ -11,7 +11,7 @@ namespace dspm {
 inline constexpr int kNoBody = -1;
 
 /// A list of bodies, by their materials, in the order in which a path has entered them. It is a value. A path that
-/// enters too many forgets the outermost, and learns of it again where it arrives at its surface from within.
+/// enters too many forgets the outermost, and learns of it again when it arrives at its surface from within.
 class Inside {
  public:
   static constexpr int kMost = 6;

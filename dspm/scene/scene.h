@@ -29,7 +29,7 @@ struct FrameStates {
   };
   std::vector<State> states;
 
-  /// Whether these frames are in more than one state, or the element exists in only some of them.
+  /// Returns whether these frames are in more than one state, or the element exists in only some of them.
   bool differs_in(FrameSet frames) const {
     for (const State& s : states)
       if (!(s.frames & frames).empty()) return !s.frames.contains(frames);
@@ -51,11 +51,11 @@ struct FrameFactor {
 
 /// A light with its states.
 struct SceneLight {
-  /// States whose photons start alike: like those of `first`, a state of the file, times a weight.
+  /// States whose photons start like those of `first`, a state of the file, times a weight.
   struct Alike {
     std::shared_ptr<const Light> first;
     std::vector<FrameStates<Light>::State> states;
-    /// Light::ratio_to of each state over `first`; empty if the ratio depends on a photon's direction.
+    /// Each state's Light::ratio_to(first); empty if the ratio depends on a photon's direction.
     std::vector<FrameFactor> factors;
   };
   FrameStates<Light> states;
@@ -64,8 +64,8 @@ struct SceneLight {
   bool is_delta = false;     // no ray can hit it: it has no surface and is not infinite
   float photons = 1;         // the scene's factor to its share of the photon paths
   bool caustics = true;      // false: its photons end where they would go on to a caustic
-  /// By Scene::light_choices: the shares of the file's frames with this light; they add up to 1. Weights take the
-  /// density of a photon's start as the mean with these.
+  /// The shares of the file's frames with this light, by Scene::light_choices; they add up to 1. Weights take the
+  /// density of a photon's start as the mean with these shares.
   std::vector<float> choice_shares;
   int group = 0;  // into Scene::light_groups
 };
@@ -82,7 +82,7 @@ struct LightChoice {
   std::vector<float> probability;  // by light
   float share = 1;                 // of the file's frames
 
-  /// Probability 0 if there are no lights.
+  /// Returns a light of probability 0 if there are no lights.
   ChosenLight choose(float u) const;
 };
 
@@ -103,11 +103,12 @@ class Scene {
   float radius = 1;
 
   std::vector<PlacedShape> shapes;
-  /// Of what the scene file calls one thing, perhaps several shapes; distinct.
+  /// The distinct names of objects: what the scene file calls one thing, perhaps several shapes.
   std::span<const std::string> object_names;
   std::vector<FrameStates<Material>> materials;
   std::span<const std::string> material_names;  // distinct
-  /// By material: whether its shapes bound a body in some frame. Empty if no path need know the bodies that it is in.
+  /// By material, whether its shapes bound a body in some frame. Empty if no path needs to know the bodies that it is
+  /// in.
   std::vector<bool> bounds_bodies;
   bool nests = false;  // bodies differ in priority: where they overlap, one of them is not there
   /// The bodies that the camera lies in; the sets are disjoint, and cover all frames if there are any.
@@ -126,18 +127,18 @@ class Scene {
   std::vector<std::shared_ptr<const Cutout>> cutouts;  // of shapes
   std::unique_ptr<Accel> accel;
   std::vector<bool> catchers;  // by shape: whether it only shows how others change its light; empty: none in the file
-  /// If the file has catchers: the same frames with nothing but these and what emits light.
+  /// The same frames with nothing but the catchers and what emits light; null if the file has no catchers.
   std::unique_ptr<const Scene> without_objects;
   bool is_without_objects = false;
 
   int frame_count() const { return static_cast<int>(file_frames.size()); }
   bool is_catcher(int shape) const { return !catchers.empty() && catchers[static_cast<std::size_t>(shape)]; }
   FrameSet frames() const { return FrameSet::first(frame_count()); }
-  /// The material if its shapes bound a body that paths need know; else kNoBody.
+  /// Returns the material if its shapes bound a body that paths need to know, else kNoBody.
   int body_of(int material) const {
     return !bounds_bodies.empty() && bounds_bodies[static_cast<std::size_t>(material)] ? material : kNoBody;
   }
-  /// Where a ray of that direction hit.
+  /// Returns the surface where a ray of that direction hit.
   SurfacePoint surface_point(const RayHit& hit, const Vec3& direction) const {
     return shapes[static_cast<std::size_t>(hit.shape)].seen(hit.primitive, hit.uv, direction);
   }

@@ -16,7 +16,7 @@ class Cutout {
 
 inline constexpr const char* kAlphaParam = "alpha";
 
-/// To be called before the shape's own factory reads the rest: alpha is there for all shapes, whatever their plugin.
+/// Reads "alpha" of any shape, for any plugin. Call it before the shape's own factory reads the rest.
 inline ValueOrTexture<float> read_alpha(ParamReader& params) {
   return params.number_or_texture(kAlphaParam, 1, "", "the fraction of rays that the surface stops; 0: a hole");
 }

@@ -32,22 +32,22 @@ struct PlacedShape {
   std::uint64_t cutout_key = 0;    // as that of no other shape of the file; one for all frames
 
   Bounds3 bounds(int primitive) const;
-  /// The nearest hit that stops the ray, which is in the world.
+  /// Returns the nearest hit that stops the ray, which is in the world.
   std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const;
   SurfacePoint surface_point(int primitive, Vec2 uv) const;
-  /// The same as a ray of that direction sees it.
+  /// Returns the surface there, as a ray of that direction sees it.
   SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const;
-  /// What a surface that turns shows to a ray of that direction.
+  /// Returns what a surface that turns shows to a ray of that direction.
   Strip strip(int primitive, Vec2 uv, const Vec3& direction) const;
   AreaSample sample_area(int primitive, Vec2 u) const;
   /// The density of sample_area() at a point of the primitive whose normal, in the world, is ng.
   float pdf_a(int primitive, const Vec3& ng) const;
-  /// The numbers for which sample_area() gives that point of the world; nullopt if they are not known.
+  /// Returns the numbers for which sample_area() gives that point of the world; nullopt if they are not known.
   std::optional<Vec2> area_numbers(int primitive, const Vec3& p) const;
-  /// Whether the shape stops a ray that meets it there, rather than let it through a hole. `ray`: in the world. Where
-  /// alpha lies between 0 and 1, the ray itself decides: the same ray does in every tree, query and frame.
+  /// Returns whether the shape stops a ray, in the world, that meets it there, rather than letting it through a hole.
+  /// If alpha lies between 0 and 1, the ray itself decides: the same ray decides alike in every tree, query and frame.
   bool stops(const Ray& ray, int primitive, Vec2 uv) const;
-  /// Factor from object to world area at a point whose object-space unit normal is n.
+  /// The factor from object to world area at a point whose object-space unit normal is n.
   float area_scale(const Vec3& n) const;
 
   bool in_object_space() const { return !to_world_is_identity; }

@@ -60,43 +60,44 @@ struct Strip {
   Vec3 along = {}, across = {};  // derivatives of p by u and v
 };
 
-/// Geometry in its own (object) space. A Shape is finished and const once constructed, and has absorbed others.
+/// Geometry in its own (object) space. Once it is constructed and has absorbed others, a Shape is finished and const.
 class Shape {
  public:
   virtual ~Shape() = default;
 
   virtual int primitive_count() const { return 1; }
-  /// Contains the primitive, rounding included.
+  /// Returns a box that contains the primitive, rounding included.
   virtual Bounds3 bounds(int primitive) const = 0;
-  /// The nearest hit with t in (0, ray.t_max). The one routine that decides where a ray hits this shape: every tree and
-  /// every frame calls it (or its SIMD twin, which gives equal bits). Watertight.
+  /// Returns the nearest hit with t in (0, ray.t_max). This is the one routine that decides where a ray hits this
+  /// shape: every tree and every frame calls it (or its SIMD twin, which gives equal bits). It is watertight.
   virtual std::optional<PrimitiveHit> intersect(int primitive, const Ray& ray) const = 0;
   virtual SurfacePoint surface_point(int primitive, Vec2 uv) const = 0;
-  /// The same as a ray of that direction (of any length) sees it; differs if the surface turns to rays.
+  /// Returns the surface there, as a ray of that direction (of any length) sees it; differs from surface() if the
+  /// surface turns to rays.
   virtual SurfacePoint seen(int primitive, Vec2 uv, const Vec3& /*direction*/) const {
     return surface_point(primitive, uv);
   }
-  /// Whether the surface turns to rays (SurfacePoint::turns). It cannot emit light then.
+  /// Returns whether the surface turns to rays (SurfacePoint::turns). It cannot emit light then.
   virtual bool turns() const { return false; }
-  /// In object space.
+  /// The area of the primitive in object space.
   virtual float area(int primitive) const = 0;
-  /// The parameters of a point distributed uniformly over the primitive's area in object space.
+  /// Returns the parameters of a point distributed uniformly over the primitive's area in object space.
   virtual Vec2 sample_area(int primitive, Vec2 u) const = 0;
-  /// The numbers for which sample_area() gives the point p of the primitive, in object space, but for rounding; nullopt
-  /// if they are not known.
+  /// Returns the numbers for which sample_area() gives the point p of the primitive, in object space, up to rounding;
+  /// nullopt if they are not known.
   virtual std::optional<Vec2> area_numbers(int /*primitive*/, const Vec3& /*p*/) const { return std::nullopt; }
 
   /// Takes over the primitives of `next` and returns true, if it can: shapes of directives that follow one another and
   /// are alike in all but their geometry, such as the strands of hair, become one.
   virtual bool absorb(Shape& /*next*/) { return false; }
-  /// Called once when it has absorbed all that it will; may renumber its primitives.
+  /// Finishes the shape, once it has absorbed all that it will; may renumber its primitives.
   virtual void settle() {}
 
-  /// Trees treat triangles specially; null for everything else.
+  /// Returns the mesh, which trees treat specially; null if the shape is anything else.
   virtual const TriangleMesh* triangles() const { return nullptr; }
 
-  /// Of a surface that turns: what a ray of that direction (of any length) sees around that place. No photons are counted
-  /// on a strip without width.
+  /// Returns what a ray of that direction (of any length) sees around that place of a surface that turns. No photons
+  /// are counted on a strip without width.
   virtual Strip strip(int /*primitive*/, Vec2 /*uv*/, const Vec3& /*direction*/) const { return {}; }
 };
 

@@ -30,8 +30,8 @@ struct MeshData {
   std::vector<std::array<float, 4>> colours = {};  // likewise: linear red, green, blue, and opacity
 };
 
-/// Why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if it is
-/// one.
+/// Returns why `data` is not a mesh (an index out of range, a wrong count, a coordinate that is not finite); nullopt if
+/// it is one.
 std::optional<std::string> fault_of(const MeshData& data);
 
 class TriangleMesh final : public Shape, public VertexData {
@@ -48,7 +48,7 @@ class TriangleMesh final : public Shape, public VertexData {
   const Vec3& vertex(int face, int corner) const {
     return data_.vertices[static_cast<std::size_t>(index(face, corner))];
   }
-  /// The mesh with its vertices in world space; its outside stays the outside even if `to_world` mirrors.
+  /// Returns the mesh with its vertices in world space; its outside stays the outside even if `to_world` mirrors.
   TriangleMesh transformed(const Transform& to_world) const;
   std::size_t memory() const;  // bytes
 

@@ -8,11 +8,13 @@ struct Cancelled {};
 
 /// From here on, loops within a Cancellable throw Cancelled until work is allowed again. Safe in signal handlers.
 void cancel_work();
-/// Likewise, and all results so far are of no use: so do loops whose cancellation would lose them.
+/// Cancels like cancel_work(), and declares all results so far useless: loops whose cancellation would lose them throw
+/// as well.
 void discard_work();
 void allow_work();
 
-/// While it lives, loops (system/parallel.h) may be cancelled and their work so far discarded. One at a time.
+/// While a Cancellable exists, loops (system/parallel.h) may be cancelled and their work so far discarded. Only one may
+/// exist at a time.
 class Cancellable {
  public:
   enum class Loss { nothing, results };
@@ -21,7 +23,7 @@ class Cancellable {
   Cancellable(const Cancellable&) = delete;
   Cancellable& operator=(const Cancellable&) = delete;
 
-  /// Whether the calling loop should stop.
+  /// Returns whether the calling loop should stop.
   static bool is_cancelled();
 };
 

@@ -12,12 +12,12 @@ namespace dspm {
 /// Detects accidental differences; not safe against deliberate ones.
 std::uint64_t digest(std::string_view bytes);
 
-/// Thread-safe. The first read of a file counts.
+/// Records that a file was read. The first read of each file counts. Thread-safe.
 void note_file_read(const std::filesystem::path& path, std::string_view bytes);
-/// Likewise, of a file within another, which was noted; or of one that has no path.
+/// Records that a file within another, already recorded file was read, or one that has no path. Thread-safe.
 void note_inner_file_read();
 
-/// What this thread reads as long as it lives. The latest counts.
+/// Records what this thread reads while the object exists. If there are several, only the latest one records.
 class FilesReadHere {
  public:
   FilesReadHere();
@@ -25,7 +25,7 @@ class FilesReadHere {
   FilesReadHere(const FilesReadHere&) = delete;
   FilesReadHere& operator=(const FilesReadHere&) = delete;
 
-  /// By canonical path; nothing if there were files without one.
+  /// Digests by canonical path; nullopt if a file without a path was read.
   const std::optional<std::map<std::filesystem::path, std::uint64_t>>& files() const { return files_; }
 
  private:
@@ -36,10 +36,10 @@ class FilesReadHere {
   FilesReadHere* const around_;
 };
 
-/// They count as read, although nobody did. Digests by canonical path.
+/// Counts these files as read without reading them. The digests are by canonical path.
 void note_files_known(const std::map<std::filesystem::path, std::uint64_t>& files);
 
-/// From here on, the next read of each file counts.
+/// Forgets all reads: from here on, the next read of each file counts.
 void forget_files_read();
 
 /// The digest of each file, by its canonical path.

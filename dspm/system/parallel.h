@@ -14,8 +14,8 @@ using ChunkBody = void (*)(const void* context, std::int64_t begin, std::int64_t
 void run_chunks(std::int64_t count, std::int64_t grain, ChunkBody body, const void* context);
 }  // namespace detail
 
-/// Calls body(begin, end) for [0, grain), [grain, 2 grain), ... up to count, in parallel. When a body throws, chunks
-/// that have not begun may be skipped, and one of the exceptions is rethrown here. May throw Cancelled (see
+/// Calls body(begin, end) for [0, grain), [grain, 2 grain), ... up to count, in parallel. If a body throws, chunks that
+/// have not begun may be skipped, and one of the exceptions is rethrown here. May throw Cancelled (see
 /// system/cancellation.h).
 template <class Body>
 void parallel_chunks(std::int64_t count, std::int64_t grain, const Body& body) {
@@ -40,11 +40,11 @@ constexpr std::int64_t chunk_count(std::int64_t count, std::int64_t grain) {
   return count <= 0 ? 0 : (count - 1) / grain + 1;
 }
 
-/// How many threads a loop may use.
+/// The number of threads that a loop may use.
 int thread_count();
 
-/// While it lives, loops use `threads` threads (even more than the machine has cores); 0: one per core. To be created
-/// and destroyed by the main thread, between loops, in reverse order.
+/// While a ThreadLimit exists, loops use `threads` threads (even more than the machine has cores), or one per core if
+/// it is 0. The main thread must create and destroy limits, between loops, in reverse order.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

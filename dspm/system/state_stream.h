@@ -15,7 +15,7 @@ class StateStream {
  public:
   virtual ~StateStream() = default;
 
-  /// Values without pointers. If parts are merged, they are the same in all of them, or the last one's.
+  /// Values without pointers. If parts are merged, the values are the same in all of them, or the last part's remain.
   template <class T>
   void value(T& value) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
@@ -34,14 +34,14 @@ class StateStream {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     combine(&value, 1, sizeof(T), add<T>);
   }
-  /// A fixed number of them.
+  /// A fixed number of values that parts add up.
   template <class T>
   void sum(std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     expect_number(values.size());
     combine(values.data(), values.size(), sizeof(T), add<T>);
   }
-  /// A value of which the largest of all parts counts.
+  /// A value of which the largest of all parts remains.
   template <class T>
   void largest(T& value) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
@@ -49,7 +49,7 @@ class StateStream {
       if (*static_cast<T*>(to) < *static_cast<const T*>(from)) *static_cast<T*>(to) = *static_cast<const T*>(from);
     });
   }
-  /// Whether a part is loaded on top of what other parts have left here.
+  /// Returns whether a part is loaded on top of what other parts have left here.
   virtual bool merges() const { return false; }
 
   /// Any number of values up to `most`; loading makes room for them.
@@ -62,7 +62,7 @@ class StateStream {
     values.resize(static_cast<std::size_t>(count));
     bytes(values.data(), values.size() * sizeof(T));
   }
-  /// The same for a text of at most that many bytes.
+  /// A text of at most `most` bytes.
   void text(std::string& text, std::size_t most) {
     std::vector<char> bytes(text.begin(), text.end());
     list(bytes, most);
@@ -72,11 +72,11 @@ class StateStream {
  protected:
   using Combine = void(void* to, const void* from);
 
-  /// Counts, saves or replaces them.
+  /// Counts, saves or replaces bytes.
   virtual void bytes(void* data, std::size_t count) = 0;
-  /// The same for `count` values of `size` bytes each; merging combines each of them with the part's.
+  /// Counts, saves or replaces `count` values of `size` bytes each; merging combines each of them with the part's.
   virtual void combine(void* data, std::size_t count, std::size_t size, Combine*) { bytes(data, count * size); }
-  /// This many bytes follow: if they cannot, loading throws before it makes room for them.
+  /// Announces that this many bytes follow: if they cannot, loading throws before it makes room for them.
   virtual void expect(std::size_t /*count*/) {}
 
  private:

@@ -7,7 +7,7 @@ namespace dspm {
 
 inline constexpr std::string_view kVersion = "0.2.0";
 
-/// Major, minor or patch: the number in place 0, 1 or 2.
+/// Returns the number in place 0, 1 or 2: major, minor or patch.
 constexpr unsigned version_part(int place) {
   unsigned number = 0;
   for (const char c : kVersion) {

@@ -1,5 +1,5 @@
 // How far more threads than this machine has would help: the work of a computation, and its span, the part that no
-// number of threads shortens. Measured by the processor time of threads, so other programs do not disturb it.
+// number of threads shortens. It is measured by the processor time of threads, so other programs do not disturb it.
 #pragma once
 
 #include <atomic>
@@ -13,10 +13,10 @@ struct Work {
   double all = 0;   // of all threads
   double span = 0;  // of the longest chain of pieces that wait for one another
 
-  /// The most that `threads` threads take if none idles while there is something to do [Brent 1974].
+  /// The longest time that `threads` threads take if none idles while there is something to do. [Brent 1974]
   double seconds(int threads) const { return span + (all - span) / threads; }
   double speedup(int threads) const { return all > 0 ? all / seconds(threads) : 1; }
-  /// Of all work; Amdahl's serial share.
+  /// The span's share of all work: Amdahl's serial share.
   double serial_share() const { return all > 0 ? span / all : 0; }
 
   Work& operator+=(const Work& o) {
@@ -30,14 +30,14 @@ struct Work {
   friend Work operator-(Work a, const Work& b) { return a -= b; }
 };
 
-/// From now on work is counted, which takes two looks at a thread's clock for each chunk of a loop.
+/// Starts to count work, which takes two looks at a thread's clock for each chunk of a loop.
 void count_work();
-/// What this thread and the loops that it ran have done since count_work(). Without it, nothing.
+/// The work that this thread and the loops that it ran have done since count_work(); nothing if it was never called.
 Work work_done();
 
 namespace detail {
 
-/// What one thread does in one chunk, or outside of all loops.
+/// The work of one thread in one chunk, or outside of all loops.
 struct WorkAccount {
   Work work;
   double since = 0;  // by the thread's clock
@@ -46,7 +46,7 @@ struct WorkAccount {
   void go_on();
 };
 
-/// Lives as long as a loop. The thread that runs it waits; whatever it does meanwhile is a chunk's work.
+/// Exists as long as a loop. The thread that runs the loop waits; whatever it does meanwhile is a chunk's work.
 class LoopWork {
  public:
   LoopWork();
@@ -54,7 +54,7 @@ class LoopWork {
   LoopWork(const LoopWork&) = delete;
   LoopWork& operator=(const LoopWork&) = delete;
 
-  /// Lives as long as a chunk runs.
+  /// Exists as long as a chunk runs.
   class Chunk {
    public:
     explicit Chunk(LoopWork& loop);
@@ -75,8 +75,8 @@ class LoopWork {
 
 }  // namespace detail
 
-/// Lives while a library works on threads that dspm's loops know nothing of. Its span cannot be seen; it is taken from
-/// how long the library takes on the threads that there are [Karp and Flatt 1990].
+/// Exists while a library works on threads that dspm's loops do not know. Its span cannot be seen, so it is estimated
+/// from the time that the library takes on the threads that there are. [Karp and Flatt 1990]
 class LibraryWork {
  public:
   explicit LibraryWork(int threads);

@@ -26,8 +26,9 @@ struct Tiles {
 /// The images of all frames, by seed, in `across` x `across` tiles.
 Tiles tiles_of(const std::vector<std::vector<Image>>& renders, int across = 4);
 
-/// All frames of a scene's text, by that many seeds. Files that it names are looked for in the current folder. What the
-/// integrator learns first, such as where photons start, it learns once: for given guides the renders are independent.
+/// Renders all frames of a scene's text with that many seeds. Files that it names are looked for in the current folder.
+/// What the integrator learns first, such as where photons start, it learns once: given the guides, the renders are
+/// independent.
 Tiles rendered(const std::string& scene, int iterations, int seeds = 16, int across = 4);
 
 struct Tolerance {
@@ -35,7 +36,7 @@ struct Tolerance {
   double bias = 0;      // fraction of the brightness that may differ in addition, as by the blur of photons
 };
 Verdict agreement(const Tiles& a, const Tiles& b, const Tolerance& tolerance = {});
-/// With a picture that has this colour everywhere.
+/// Compares with a picture that has this colour everywhere.
 Verdict agreement(const Tiles& a, const Rgb& everywhere, const Tolerance& tolerance = {});
 
 /// The chance that Student's t exceeds `t` on either side.

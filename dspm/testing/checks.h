@@ -19,10 +19,10 @@ namespace dspm::test {
 
 class Checks {
  public:
-  /// Makes only checks whose names contain `only`; empty: all.
+  /// Runs only the checks whose names contain `only`, or all if it is empty.
   explicit Checks(std::string only) : only_(std::move(only)) {}
 
-  /// Makes the check, and prints its verdict and time. An exception is a failure of this check alone.
+  /// Runs the check, and prints its verdict and time. An exception is a failure of this check alone.
   void add(const std::string& what, const std::function<Verdict()>& check);
   int count() const { return count_; }
   bool passed() const { return failures_ == 0 && count_ > 0; }

@@ -60,7 +60,7 @@ class SphereChi2 {
         basis_(Basis::around(settings.axis)),
         observed_(static_cast<std::size_t>(settings.rows * settings.columns)) {}
 
-  /// sample() -> std::optional<Vec3>, pdf(Vec3) -> density by solid angle.
+  /// Runs the test with sample() -> std::optional<Vec3> and pdf(Vec3) -> density by solid angle.
   template <class Sample, class Pdf>
   Chi2Result run(const Sample& sample, const Pdf& pdf) {
     for (int n = 0; n < settings_.samples; ++n) count(sample());
@@ -143,7 +143,7 @@ class SphereChi2 {
     return sum * dv * dphi * 2 * kPiD * kPiD / (kSteps * kSteps);
   }
 
-  /// Cells with fewer than five expected samples are pooled, in ascending order of that number.
+  /// Pools cells with fewer than five expected samples, in ascending order of that number.
   void judge(std::vector<Cell> cells, Chi2Result& result) const {
     std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.expected < b.expected; });
     std::vector<Cell> pooled;

@@ -12,7 +12,8 @@ namespace dspm::test {
 /// several albedos. It must follow paths over some 40 surfaces: 0.8^40 is 0.013%.
 Verdict check_furnace(const std::string& integrator, int iterations, const Tolerance& tolerance = {});
 
-/// Whether the open furnace shows the albedo of the samples of the material's Bsdf, however much light it transmits.
+/// Checks that the open furnace shows the albedo of the samples of the material's Bsdf, however much light it
+/// transmits.
 Verdict check_open_furnace(const std::string& material, const std::string& integrator = "\"path\"", int iterations = 16,
                            const Tolerance& tolerance = {});
 

@@ -15,23 +15,25 @@
 
 namespace dspm::test {
 
-/// The material that a scene gets for these words: `"velvet" "float falloff" 4`. Throws SceneError for a mistake in
-/// them.
+/// Returns the material that a scene gets for these words: `"velvet" "float falloff" 4`. Throws SceneError for a
+/// mistake in them.
 std::shared_ptr<const Material> material_of(const std::string& words);
 
-/// Chi-square tests of samples against pdf_w, for radiance and, on the bent surface, for flux. A correct material fails
-/// any of them with a chance of `level`.
+/// Tests samples against pdf_w by chi-square, for radiance and, on the bent surface, for flux. The chance that a
+/// correct material fails any of them is `level`.
 Verdict samples_follow_density(const Material& material, double level = 0.01, std::uint64_t seed = 1);
-/// sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
+/// Checks that sample's weight is f |cos| / pdf_w, by evaluate and pdf_w.
 Verdict weights_agree(const Material& material);
-/// f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about light's side.
+/// Checks that f is finite, not negative, sampled wherever it is not 0, and 0 where the normals disagree about light's
+/// side.
 Verdict keeps_to_sides(const Material& material);
-/// f for flux is f for radiance with the directions exchanged; on one side of a plain surface both are equal.
+/// Checks that f for flux is f for radiance with the directions exchanged; on one side of a plain surface both are
+/// equal.
 Verdict is_reciprocal(const Material& material);
-/// No more light comes back than came in.
+/// Checks that no more light comes back than came in.
 Verdict gains_nothing(const Material& material);
 
-/// All of these.
+/// Runs all of these checks.
 Verdict check_scattering(const std::string& words);
 
 /// The fraction of light from wo that is scattered: the mean weight of samples of all lobes, and its standard error.

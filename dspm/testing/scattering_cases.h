@@ -21,7 +21,7 @@ inline Vec3 direction(float cos, float phi) {
   const float sin = std::sqrt(std::max(0.f, 1 - cos * cos));
   return {sin * std::cos(phi), sin * std::sin(phi), cos};
 }
-/// From straight on to grazing.
+/// Directions from straight on to grazing.
 inline std::vector<Vec3> directions_above() {
   return {direction(1, 0), direction(0.9f, 1), direction(0.6f, 2.5f), direction(0.3f, 4), direction(0.03f, 5.5f)};
 }

@@ -30,18 +30,18 @@ class TestScene {
 
   int frame_count() const;
   std::vector<FileFrame> all_frames() const;
-  /// Those that the integrator renders together: all, or each alone.
+  /// The frames that the integrator renders together: all, or each alone.
   std::vector<std::vector<FileFrame>> intervals() const;
 
   std::unique_ptr<Scene> scene(const std::vector<FileFrame>& frames) const;
-  /// The scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
+  /// Makes the scene's integrator, or another that takes the same parameters, perhaps with a bound on its memory.
   std::unique_ptr<Integrator> integrator(const Scene& scene, const std::string& name = {}, std::size_t memory = 0);
 
-  /// One frame alone after that many iterations.
+  /// Renders one frame alone with that many iterations.
   Image render(FileFrame frame, int iterations, const std::string& name = {});
-  /// All frames, interval by interval.
+  /// Renders all frames, interval by interval.
   std::vector<Image> render_all(int iterations);
-  /// Of integrators that are made from now on. What they learn first they learn once, whatever the seed.
+  /// Sets the seed of integrators that are made from now on. What they learn first they learn once, whatever the seed.
   void set_seed(std::uint64_t seed);
 
   const Job& job() const;

@@ -15,7 +15,8 @@ namespace dspm {
 
 class ImageCache {
  public:
-  /// `filtered`: whether lookups have footprints, for which smaller pictures are made. They take a third more memory.
+  /// `filtered` says whether lookups have footprints, for which smaller pictures are made. They take a third more
+  /// memory.
   explicit ImageCache(bool filtered = true) : filtered_(filtered) {}
 
   /// Throws std::runtime_error as read_image does.

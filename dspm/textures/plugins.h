@@ -26,11 +26,11 @@ using MakeTexture = TexturePtr<T>(ParamReader& reader, const TextureContext& con
 template <class T>
 PluginTable<Plugin<MakeTexture<T>>>& texture_plugins();
 
-/// The texture of that type, never null: a grey one after an error, or if --lenient lets an unsupported one pass.
+/// Makes a texture of that type, never null: a grey one after an error, or if --lenient lets an unsupported one pass.
 template <class T>
 TexturePtr<T> make_texture(std::string_view type, ParamReader& reader, const TextureContext& context);
 
-/// A parameter that is a number or, in a texture of colours, a colour; or a texture of those.
+/// Reads a parameter that is a number or, in a texture of colours, a colour; or a texture of those.
 template <class T>
 ValueOrTexture<T> value_or_texture(ParamReader& reader, std::string_view name, float fallback,
                                    std::string_view sentence);

@@ -11,8 +11,9 @@
 
 namespace dspm {
 
-/// Where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around p whose axes
-/// are dpdx and dpdy, as in pbrt; zero for a point. Only textures that say so get one (Texture::averages).
+/// Where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around p whose
+/// axes are dpdx and dpdy, as in pbrt; they are zero for a point. Only textures that say so get a footprint
+/// (Texture::averages).
 struct TexturePoint {
   Vec3 p;
   Vec2 uv;
@@ -22,7 +23,7 @@ struct TexturePoint {
   VertexPlace vertices{};
 };
 
-/// Whether a surface can reflect it.
+/// Returns whether a surface can reflect the colour.
 inline bool is_albedo(const Rgb& c) {
   return c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1;
 }
@@ -32,10 +33,10 @@ class Texture {
  public:
   virtual ~Texture() = default;
   virtual T evaluate(const TexturePoint& at) const = 0;
-  /// The value, if it is the same everywhere. To be called once, when a material is made.
+  /// Returns the value if it is the same everywhere. Call it once, when a material is made.
   virtual std::optional<T> constant() const { return std::nullopt; }
-  /// Whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that nothing cuts
-  /// them off before they are averaged. Others are looked up at points only. To be called once, too.
+  /// Returns whether evaluate() over a footprint is the mean of its values at points, and these lie in 0..1, so that
+  /// nothing cuts them off before they are averaged. Other textures are looked up at points only. Call it once, too.
   virtual bool averages() const { return false; }
 };
 using FloatTexture = Texture<float>;

@@ -23,7 +23,7 @@ class TextureSet {
     textures<T>()[std::move(name)] = std::move(texture);
   }
 
-  /// Null if there is none.
+  /// Returns null if no texture has that name.
   template <class T>
   TexturePtr<T> find(std::string_view name) const {
     const auto found = textures<T>().find(name);
@@ -53,8 +53,8 @@ class TextureSet {
   std::tuple<ByName<float>, ByName<Rgb>> kinds_;
 };
 
-/// The texture that a parameter names, else one of its constant value; T is float or Rgb. An unknown name is an error
-/// at its location; the constant then takes its place, so that the result is never null.
+/// Returns the texture that a parameter names, else one of its constant value; T is float or Rgb. An unknown name is an
+/// error at its location; the constant then takes its place, so that the result is never null.
 template <class T>
 TexturePtr<T> texture_of(const ValueOrTexture<T>& parameter, const TextureSet& textures, Diagnostics& diagnostics);
 

@@ -12,16 +12,16 @@
 
 namespace dspm {
 
-/// A quick look has a quarter of the width, of the height and of the iterations, and as many photons for a pixel.
+/// A quick look has a quarter of the width, of the height and of the iterations, and as many photons per pixel.
 inline constexpr int kQuickShare = 4;
 
-/// What makes a second image of each, with less noise.
+/// The program that makes a second image of each, with less noise.
 enum class Denoiser {
   own,
   oidn,  // Intel's Open Image Denoise, as a program
 };
 
-/// Of the full image: a share of the scene's, or pixels.
+/// The size of the full image: a share of the scene's, or pixels.
 struct Resolution {
   double share = 0;  // 0: width and height count
   int width = 0, height = 0;
