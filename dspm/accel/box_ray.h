@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// 16 roundings. The watertight triangle test takes 6 for shearing, a plane's distance 3.
+/// 16 roundings: the watertight triangle test takes 6 for shearing, a plane's distance 3.
 inline constexpr float kBoxMargin = 0x1p-20f;
 
 inline float largest_coordinate(const Bounds3& b) { return max_component(max(abs(b.low), abs(b.high))); }
@@ -31,7 +31,7 @@ struct BoxRay {
   Vec3 near_origin, far_origin;  // moved by its margin so that the ray enters boxes earlier and leaves them later
   Vec3 inverse;                  // of the direction; infinite along an axis to which the ray is perpendicular
 
-  /// `margins`: the number of margins of the origin; see Tree::margins for more than one.
+  /// `margins` is the number of margins of the origin; see Tree::margins for more than one.
   explicit BoxRay(const Ray& ray, float margins = 1) {
     const float margin = margins * kBoxMargin * max_component(abs(ray.origin));
     for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +43,7 @@ struct BoxRay {
     }
   }
 
-  /// Where the ray's line enters the box, at least 0. Ignores an axis on which 0 is multiplied by infinity.
+  /// Returns where the ray's line enters the box, at least 0. Ignores an axis on which 0 is multiplied by infinity.
   float entry(const Bounds3& box) const {
     float t = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -37,8 +37,8 @@ class CutQuery {
   const PlacedShape* shapes_;
 };
 
-/// The first hit of the primitive that stops the ray. `ray`: the same in the shape's space. A hit beyond `limit` may be
-/// one that does not stop it.
+/// Returns the first hit of the primitive that stops the ray. `ray` is `world_ray` in the shape's space. A hit beyond
+/// `limit` may be one that does not stop it.
 inline std::optional<PrimitiveHit> first_stop(const PlacedShape& placed, int primitive, const Ray& world_ray,
                                               const Ray& ray, float limit = kInfinity) {
   const Shape& shape = *placed.shape;

@@ -34,7 +34,7 @@ class NearestHit {
   RayHit best_;
 };
 
-/// Whether anything is in the way in one frame, or in frames that cannot differ.
+/// Finds out whether anything is in the way in one frame, or in frames that cannot differ.
 class AnyHit {
  public:
   static constexpr bool kOneFrame = true;
@@ -69,12 +69,12 @@ class NearestHits {
   }
   /// The largest distance that still counts in one of `frames`.
   float limit(FrameSet frames) const;
-  /// `frames`: those in which the object exists, a subset of the query's.
+  /// Offers a hit in the frames in which the object exists, a subset of the query's.
   void offer(const RayHit& hit, FrameSet frames);
   HitPartition partition() const;
 
  private:
-  /// The frames whose nearest hit so far has distance t or more.
+  /// Returns the frames whose nearest hit so far has distance t or more.
   FrameSet not_nearer_than(float t) const;
   float largest() const;
   void leave_slot(Frame frame);
@@ -94,7 +94,7 @@ class NearestHits {
   };
 };
 
-/// The frames in which nothing has been found in the way so far.
+/// Finds the frames in which nothing is in the way.
 class Unblocked {
  public:
   static constexpr bool kOneFrame = false;

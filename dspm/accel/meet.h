@@ -18,7 +18,7 @@ inline std::optional<PrimitiveHit> not_before_entry(PrimitiveHit hit, const BoxR
   return hit.t < t_max ? std::optional(hit) : std::nullopt;
 }
 
-/// `ray` is in the shape's space.
+/// Returns the hit; `ray` is in the shape's space.
 inline std::optional<PrimitiveHit> meet(const Shape& shape, int primitive, const Ray& ray) {
   const std::optional<PrimitiveHit> hit = shape.intersect(primitive, ray);
   return hit ? not_before_entry(*hit, BoxRay(ray), shape.bounds(primitive), ray.t_max) : std::nullopt;
@@ -33,7 +33,7 @@ struct MeshRay {
   explicit MeshRay(const Ray& ray) : triangle(ray), box(ray), t_max(ray.t_max) {}
 };
 
-/// Equals meet() with the triangle's mesh.
+/// Returns what meet() returns for the same triangle of a mesh.
 inline std::optional<PrimitiveHit> meet(const MeshRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2) {
   const std::optional<PrimitiveHit> hit = intersect(ray.triangle, p0, p1, p2, ray.t_max);
   if (!hit) return hit;

@@ -1,5 +1,5 @@
 // Shared by the projective cameras: the area of the screen that a pixel sees, the thin lens, and their parameters. All
-// in camera space: x to the right, y up, z forward.
+// of it is in camera space: x to the right, y up, z forward.
 #pragma once
 
 #include "dspm/cameras/camera.h"
@@ -32,9 +32,9 @@ struct Screen {
 struct ThinLens {
   float radius = 0, focal_distance = 1e6f;
 
-  /// The ray through another point of the lens that meets `central` in the plane of focus.
+  /// Returns the ray through another point of the lens that meets `central` in the plane of focus.
   Ray through(const Ray& central, Vec2 u) const;
-  /// That point, from the middle of the lens.
+  /// Returns that point of the lens, relative to its middle.
   Vec3 offset(Vec2 u) const;
 };
 
@@ -46,24 +46,25 @@ struct Projection {
 /// Reads the parameters that the projective cameras share. Wrong values are errors, and their defaults apply.
 Projection read_projection(ParamReader& reader, const CameraContext& context);
 
-/// A number that must be above 0; else an error, and the fallback applies.
+/// Reads a number that must be above 0; otherwise reports an error and returns the fallback.
 float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view unit,
                     std::string_view sentence);
 
-/// From camera space to the world; the direction is of unit length again.
+/// Carries a ray from camera space to the world; the direction is of unit length again.
 inline Ray carried(const Transform& to_world, const Ray& ray) {
   return {to_world.point(ray.origin), normalize(to_world.vector(ray.direction))};
 }
 
-/// See Camera::image_from_camera; of what lies on the screen already.
+/// Maps the screen to the full image: the last step of Camera::image_from_camera().
 Matrix4 image_from_screen(const Screen& screen);
 
 /// Reads "shutteropen" and "shutterclose".
 void read_shutter(ParamReader& reader);
 
-/// A sighting of the camera-space point `p` from `origin`, where an area of 1 across the way covers `pixels` at p.
+/// Returns a sighting of the camera-space point `p` from `origin`, where an area of 1 perpendicular to the line of
+/// sight covers `pixels` at p.
 Sighting carried_across(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
-/// The same for an area of 1 perpendicular to z.
+/// Returns a sighting where an area of 1 perpendicular to z covers `pixels` at p.
 Sighting carried(const Transform& to_world, Vec2 film, const Vec3& p, const Vec3& origin, float pixels);
 
 /// The edge of a square as large as the rectangle that the camera-space vectors (size.x, 0, 0) and (0, size.y, 0) span

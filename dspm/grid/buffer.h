@@ -8,13 +8,13 @@
 namespace dspm {
 
 namespace detail {
-/// Aligned to cache lines; large arrays lie in huge pages, if the kernel has some.
+/// Returns memory aligned to cache lines; large arrays lie in huge pages, if the kernel has some.
 void* new_array(std::size_t bytes);
 void delete_array(void* memory, std::size_t bytes);
 }  // namespace detail
 
-/// Elements are not initialised: that would be the work of one thread, and on machines of several memories (NUMA) all
-/// pages would lie in the memory of that thread. So the threads that fill the array touch its pages first.
+/// Elements are not initialised: one thread would do that, and on machines with several memories (NUMA) all pages would
+/// lie in the memory of that thread. Instead, the threads that fill the array touch its pages first.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

@@ -18,7 +18,7 @@ namespace dspm {
 /// Cells of one row (neighbours along x) are contiguous in memory, so a query reads a few contiguous runs.
 class PointGrid {
  public:
-  /// Points and cells are numbered in 32 bits, of which places beyond the last point need a few.
+  /// Points and cells are numbered in 32 bits; places beyond the last point need a few of these numbers.
   static constexpr std::size_t kMostPoints = 0xffff'ff00;
   static constexpr std::size_t most_cells(std::size_t points) {
     constexpr std::size_t kCellsPerPoint = 8, kLeastCells = 4096;
@@ -34,8 +34,8 @@ class PointGrid {
   std::size_t bytes() const;
 
   /// Calls fn(i, distance squared) for every place i of the sorted order whose squared distance from p, as computed
-  /// here, is at most `radius2`: which points those are depends neither on the cells nor on the other points. In
-  /// ascending order of rows, and of i within a row of cells. Returns the number of points tested.
+  /// here, is at most `radius2`: which points those are depends neither on the cells nor on the other points. Calls
+  /// come in ascending order of rows, and of i within a row of cells. Returns the number of points tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const;
 

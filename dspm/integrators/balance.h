@@ -9,17 +9,17 @@
 
 namespace dspm {
 
-/// The weight of the way with density `own` if the other has density `other`.
+/// Returns the weight of the way with density `own` if the other has density `other`.
 inline float balance(float own, float other) { return own > 0 ? own / (own + other) : 0; }
 
-/// Of a light that the path hits at `vertex`.
+/// Returns the weight of a light that the path hits at `vertex`.
 inline float weight_of_hit(const Scene& scene, const CameraPath& path, const Vertex& vertex, const Light& light) {
   if (path.pdf_w == 0) return 1;
   const float samples = light_samples(scene, scene.lights[static_cast<std::size_t>(vertex.shape.light)]);
   return balance(path.pdf_w, samples * light.pdf_w(path.from, vertex.point, vertex.hit.primitive));
 }
 
-/// Of an infinite light that the path meets as it leaves the scene.
+/// Returns the weight of an infinite light that the path meets as it leaves the scene.
 inline float weight_of_escape(const Scene& scene, const CameraPath& path, const SceneLight& scene_light,
                               const Light& light) {
   if (path.pdf_w == 0) return 1;

@@ -1,5 +1,5 @@
-// Absorption in bodies: the light that a segment keeps of what it carries. A path knows the bodies that it is in from the
-// surfaces that it has crossed; where it arrives at a body's surface from within, it is in that body, whatever the path
+// Absorption in bodies: the light that a segment keeps of what it carries. A path knows the bodies that it is in from
+// the surfaces that it has crossed. If it arrives at a body's surface from within, it is in that body, whatever it
 // knew.
 #pragma once
 
@@ -14,16 +14,17 @@
 
 namespace dspm {
 
-/// What is left after a distance, perhaps infinite, in these bodies, for each of their states in `frames`.
+/// Returns the share of light that is left after a distance, perhaps infinite, in these bodies, for each of their
+/// states in `frames`.
 FrameArray<FrameFactor> left_within(const Scene& scene, const Inside& inside, FrameSet frames, float distance);
 
-/// Where a surface that is not there lets a ray pass that has met it at a distance: the ray's rest.
+/// Returns the rest of a ray that a surface that is not there lets pass; `distance` is where the ray has met it.
 inline Ray beyond(const Ray& ray, const Vertex& vertex, float distance) {
   return vertex.point.spawn(ray.direction, ray.t_max - distance);
 }
 
-/// The frames in which nothing blocks the segment, which lies in these bodies where it starts. A surface that is not
-/// there does not.
+/// Returns the frames in which nothing blocks the segment, which lies in these bodies where it starts. A surface that
+/// is not there does not block it.
 FrameSet open_frames(const Scene& scene, const Ray& segment, const Inside& inside, FrameSet frames);
 
 /// Calls fn(FrameSet, const Rgb& transmittance) for the frames in which nothing blocks the segment, which lies in these
@@ -36,7 +37,7 @@ void for_each_open(const Scene& scene, const Ray& segment, const Inside& inside,
   for (const FrameFactor& left : left_within(scene, inside, open, segment.t_max)) fn(left.frames, left.factor);
 }
 
-/// The bodies around a point in a frame.
+/// Returns the bodies around a point in a frame.
 Inside inside_at(const Scene& scene, const Vec3& p, Frame frame);
 
 }  // namespace dspm

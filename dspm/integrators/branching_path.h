@@ -59,7 +59,7 @@ class BranchingPath {
     arrive_at_surface(path, part, tracer);
   }
 
-  /// Called once all branches of a path have ended.
+  /// Counts a path. Called once, after all of its branches have ended.
   void count_path() {
     ++counts_.paths;
     counts_.dynamic_paths += parted_;
@@ -99,7 +99,7 @@ class BranchingPath {
     parted_ |= boundary.frames != vertex.frames;
   }
 
-  /// The same for a walking path; returns the frames in which the surface is not there.
+  /// Sends a walking path straight on; returns the frames in which the surface is not there.
   template <class Tracer>
   FrameSet pass_walking(const Path& path, const FrameHit& part, Tracer& tracer) {
     FrameSet passing;
@@ -141,7 +141,7 @@ class BranchingPath {
     else
       arrive_at_surface(after, {after.frames, part.hit}, tracer);
   }
-  /// Far outside, through a hole in the body's surface.
+  /// Returns whether the ray is far outside, after a hole in the body's surface let it out.
   bool is_lost(const Ray& ray) const {
     return !(length2(ray.at(ray.t_max) - scene_.center) < 4 * scene_.radius * scene_.radius);
   }

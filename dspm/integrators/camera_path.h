@@ -29,13 +29,13 @@ struct CameraPath : PathState {
   bool looks = false;     // along its next segment
   bool caught = false;    // its first surface is a shadow catcher
 
-  /// To be called at each vertex.
+  /// Call this at each vertex.
   void arrive(const Scene& scene, const Vertex& vertex) {
     if (bounces == 0) caught = scene.is_catcher(vertex.hit.shape);
   }
-  /// To be called when the path has passed through its segment.
+  /// Call this when the path has passed through its segment.
   void travel(float segment) { length += segment, more_spacing += more_spread * segment; }
-  /// To be called when it goes on along that sample.
+  /// Call this when the path goes on along that sample.
   void leave(const Vertex& vertex, const BsdfSample& sample) {
     from = vertex.point.p, pdf_w = sample.specular ? 0 : sample.pdf_w;
     if (sample.specular && width > 0 && !vertex.point.turns) spread(vertex, sample);
@@ -45,9 +45,9 @@ struct CameraPath : PathState {
   }
 
  private:
-  /// How fast neighbouring rays part from now on: in the plane across that of the two directions, which a disk stands for
-  /// here, n_i spread_i - n_o spread_o = (n_o cos_o + n_i cos_i) curvature spacing, with signed cosines. [Coddington; as
-  /// Igehy 1999, Tracing Ray Differentials, (15) and (17), for that plane]
+  /// Updates how fast neighbouring rays part: in the plane across that of the two directions, which a disk stands for
+  /// here, n_i spread_i - n_o spread_o = (n_o cos_o + n_i cos_i) curvature spacing, with signed cosines. [Coddington;
+  /// as Igehy 1999, Tracing Ray Differentials, (15) and (17), for that plane]
   void spread(const Vertex& vertex, const BsdfSample& sample) {
     const float eta = 1 / std::sqrt(sample.eta_scale), n_dot_o = dot(vertex.point.ns, vertex.wo);
     const float power = n_dot_o + eta * dot(vertex.point.ns, sample.wi);
@@ -59,14 +59,15 @@ struct CameraPath : PathState {
   }
 };
 
-/// As in pbrt, n paths through a pixel stand for 1 / sqrt(n) of its width each, but for an eighth at least. As nobody
-/// knows n before the end, it is the number of those so far: the first image is smooth, and the last one sharp.
+/// Returns the width of a path in pixels. As in pbrt, each of n paths through a pixel stands for 1 / sqrt(n) of its
+/// width, but for at least an eighth. As nobody knows n before the end, it is the number of paths so far: the first
+/// image is smooth, and the last one sharp.
 inline float path_width(const RenderSettings& render, std::uint64_t iteration) {
   return render.filter_textures ? std::max(0.125f, 1 / std::sqrt(static_cast<float>(iteration) + 1)) : 0;
 }
 
-/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or
-/// lost(const CameraPath&) if the camera's ray is not finite. No path starts where its lens lets nothing through.
+/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or lost(const
+/// CameraPath&) if the camera's ray is not finite. No path starts where the camera's lens lets nothing through.
 template <class Start, class Lost>
 void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
                         Start&& start, Lost&& lost) {

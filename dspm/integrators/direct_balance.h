@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// What weights rest on besides the scene.
+/// What weights depend on besides the scene.
 struct DirectWays {
   std::int64_t photons = 0;                // paths of an iteration; 0: photons bring no direct light
   const EmissionGuides* guides = nullptr;  // they are drawn with; null or off: by power
@@ -27,25 +27,25 @@ class DirectBalance {
  public:
   DirectBalance(const Scene& scene, const DirectWays& ways);
 
-  /// Whether scattered rays look for lights: they are good at finding a sky.
+  /// Returns whether scattered rays look for lights: they are good at finding a sky.
   bool scatters() const { return scatters_; }
 
-  /// Where light arrives.
+  /// A point where light arrives.
   struct Place {
     Vec3 p, ng;
   };
 
-  /// Of a photon that has come straight from the light.
+  /// Returns the weight of a photon that has come straight from the light.
   float weight_of_photon(const SceneLight& light, const Light& state, const LightStart& start,
                          const Place& place) const;
-  /// Of a sample that sample_direct_light() takes of the light.
+  /// Returns the weight of a sample that sample_direct_light() takes of the light.
   float weight_of_sample(const LightSample& sample, const Place& place) const;
-  /// Of a ray, scattered at the place, that meets the light.
+  /// Returns the weight of a ray, scattered at the place, that meets the light.
   float weight_of_scattered(const SceneLight& light, const Light& state, const LightStart& start,
                             const Place& place) const;
 
  private:
-  /// Densities by solid angle at the place, in photons. Of a delta light: numbers.
+  /// Densities by solid angle at the place, in photons; plain numbers for a delta light.
   struct Densities {
     float photons, samples, scattered;
     float all() const { return photons + samples + scattered; }

@@ -28,8 +28,8 @@ inline Ray shadow_ray(const SurfacePoint& point, const Illumination& light) {
   return ray;
 }
 
-// Of a few lights, all are sampled; of more, half of the samples go by power, which a sky or a sun beyond everything
-// would take alone, and half to all lights alike.
+// A few lights are all sampled. If there are more, half of the samples are chosen by power, of which a sky or a distant
+// sun would take all, and half among all lights alike.
 inline constexpr std::size_t kFewLights = 8;
 inline constexpr int kSamplesOfMany = 8;
 
@@ -39,7 +39,7 @@ inline float light_samples(const Scene& scene, const SceneLight& light) {
   return kSamplesOfMany / 2 * (light.probability + 1 / static_cast<float>(scene.lights.size()));
 }
 
-/// Calls fn(const SceneLight&) for each sample to be taken. All are spaced by one number u in [0, 1): systematic
+/// Calls fn(const SceneLight&) for each sample to be taken. One number u in [0, 1) spaces them all: systematic
 /// sampling.
 template <class Fn>
 void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
@@ -61,12 +61,13 @@ struct LightStart {
   int primitive;
 };
 
-/// Of a sample of a light at p. Light from infinitely far away starts at p itself: its line matters, not its start.
+/// Returns the start of a sample of a light at p. Light from infinitely far away starts at p itself: its line matters,
+/// not its start.
 inline LightStart start_of(const Illumination& lit, const Vec3& p) {
   return {{std::isfinite(lit.distance) ? p + lit.wi * lit.distance : p, -lit.wi}, lit.normal, lit.primitive};
 }
 
-/// The density by solid angle with which light.illuminate(p) samples what starts there; 0 for a delta light.
+/// Returns the density by solid angle with which light.illuminate(p) samples what starts there; 0 for a delta light.
 inline float pdf_w_of(const Light& light, const LightStart& start, const Vec3& p) {
   if (light.is_infinite()) return light.escaped_pdf_w({p, -start.ray.direction});
   SurfacePoint point{};
@@ -82,7 +83,7 @@ struct LightSample {
   float pdf_w;  // by solid angle; includes the mean number of samples of the light; 0 for a delta light
 };
 
-/// One of the light samples at a vertex, chosen while they come, for frames that choose from the same ones.
+/// One of the light samples at a vertex, chosen as they arrive, for frames that choose from the same ones.
 struct ChosenSample {
   FrameSet frames;
   float u;        // uniform in [0, 1), whatever has been chosen
@@ -93,7 +94,8 @@ struct ChosenSample {
   Illumination lit = {};
   Rgb radiance = {};
 
-  /// Weights are roots of the radiance: light that is faint, but may be the only one in the open, has its chance.
+  /// Weights are square roots of the radiance: light that is faint, but perhaps the only one in the open, has its
+  /// chance.
   void offer(const SceneLight& scene_light, const Light& of, const Illumination& from, const Rgb& scattered) {
     const float offered = std::sqrt(max_component(scattered));
     sum += offered;
@@ -107,7 +109,8 @@ struct ChosenSample {
   }
 };
 
-/// Offers a sample of some of the frames to those that choose, which part if only some of them are among these.
+/// Offers a sample that exists in `frames` to the choices of these frames. A choice that has other frames as well is
+/// split first.
 template <class Offer>
 void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer) {
   for (std::size_t i = 0, count = choosing.size(); i < count; ++i) {
@@ -121,8 +124,8 @@ void offer_to(FrameSet frames, FrameArray<ChosenSample>& choosing, Offer&& offer
   }
 }
 
-/// To be called as the path sets out for its next vertex: memory that sample_direct_light() will wait for there comes
-/// meanwhile. Pictures of skies are too large for caches, and each sample looks elsewhere.
+/// Fetches the memory that sample_direct_light() will wait for at the next vertex; call it as the path sets out.
+/// Pictures of skies are too large for caches, and each sample looks elsewhere.
 inline void prefetch_direct_light(const Scene& scene, const PathState& path) {
   if (scene.infinite_lights.empty()) return;
   const Vec2 u = path.random.pair(path.bounces + 1, kLightPoint);

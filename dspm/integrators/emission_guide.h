@@ -1,5 +1,5 @@
 // Where photon paths start: a density over the lights and over the numbers that their emit() takes, constant on cells.
-// It asks nothing else of lights, so it suits those of plugins as well.
+// It needs nothing else of lights, so it works for those of plugins as well.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct EmissionBox {
   EmissionNumbers low = {}, size = {1, 1, 1, 1};
 
   float middle(int side) const { return low[slot(side)] + size[slot(side)] / 2; }
-  /// The part below the middle of that side, or the part above it.
+  /// Returns the part below or above the middle of that side.
   EmissionBox half(int side, bool above) const {
     EmissionBox part = *this;
     part.size[slot(side)] /= 2;
@@ -35,8 +35,8 @@ struct EmissionBox {
   static std::size_t slot(int side) { return static_cast<std::size_t>(side); }
 };
 
-/// The start of a photon path. `density`: of the light and its numbers. If the numbers are uniform, it is the light's
-/// probability.
+/// The start of a photon path. `density` is that of the light and its numbers; it is the light's probability if the
+/// numbers are uniform.
 struct EmissionStart {
   int light = 0;
   EmissionNumbers numbers = {};
@@ -52,7 +52,7 @@ class EmissionGuide {
     int side = 0;          // that is halved
   };
 
-  /// Off: of no use.
+  /// Makes a guide that is off, which guides nothing.
   EmissionGuide() = default;
   /// The first nodes are those of all numbers, light by light; children come after their parents. The probabilities of
   /// the cells add up to 1.
@@ -60,11 +60,13 @@ class EmissionGuide {
 
   bool is_off() const { return nodes_.empty(); }
   std::size_t cell_count() const { return cells_.size(); }
-  /// By light, of the paths that it starts; zeros if it is off.
+  /// Returns each light's share of the paths; zeros if the guide is off.
   std::vector<double> shares(std::size_t lights) const;
-  /// Uses the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. Not if it is off.
+  /// Draws a start with the numbers of kLightChoice, kLightPoint and kLightDirection at bounce 0. The guide must not be
+  /// off.
   EmissionStart draw(const PathRandom& random) const;
-  /// With which it draws these numbers of the light; over those that are kAnyNumber, the integral. Not if it is off.
+  /// Returns the density with which draw() returns these numbers of the light, integrated over those that are
+  /// kAnyNumber. The guide must not be off.
   float density(int light, const EmissionNumbers& numbers) const;
   /// Loading throws std::runtime_error unless it finds a guide for that many lights.
   void persist(StateStream& state, int lights);
@@ -82,7 +84,7 @@ class EmissionGuide {
     float density;
   };
 
-  /// A node as density() looks it up, small, as every light sample asks.
+  /// A node as density() looks it up; it is small because every light sample needs it.
   struct Step {
     float number = 0;        // where it is halved; a cell's density
     std::uint32_t link = 0;  // 4 * first_child + side; 0 for a cell
@@ -95,7 +97,7 @@ class EmissionGuide {
   std::vector<Cell> cells_;
 };
 
-/// By Scene::light_choices. Empty, or all off: lights are chosen by their power.
+/// The guides by Scene::light_choices. If there are none, or all are off, lights are chosen by their power.
 struct EmissionGuides {
   std::vector<EmissionGuide> of_choice;
 
@@ -106,12 +108,13 @@ struct EmissionGuides {
   void persist(StateStream& state, int lights);
 };
 
-/// Where a photon path of the frames with that choice starts. A density of 0: nowhere, as there is no light.
+/// Returns where a photon path of the frames with that choice starts. The density is 0 if there is no light to start
+/// from.
 EmissionStart start_of(const EmissionGuides* guides, const Scene& scene, std::size_t choice, const PathRandom& random);
 
-/// Of choosing the light and the numbers with which emit() of its `state` starts this ray, by power if `guides` is null
-/// or off; the mean over the choices, see SceneLight::choice_shares. Where emission_numbers() does not tell the
-/// numbers, it is the light's probability.
+/// Returns the density of choosing the light and the numbers with which emit() of its `state` starts this ray, by power
+/// if `guides` is null or off; the mean over the choices, see SceneLight::choice_shares. If emission_numbers() does not
+/// tell the numbers, it is the light's probability.
 float start_density(const EmissionGuides* guides, const Scene& scene, const SceneLight& light, const Light& state,
                     const Ray& ray, const Vec3& normal, int primitive);
 

@@ -21,7 +21,7 @@ class PixelEstimator {
   virtual ~PixelEstimator() = default;
   /// The square of the radius that gather_at would search: the largest of all frames.
   virtual float search_radius2(const HitPoint& hit) const = 0;
-  /// In one of the hit point's frames.
+  /// The square of the radius in one of the hit point's frames.
   float search_radius2_in(Frame frame, const HitPoint& hit) const {
     const std::optional<PixelStatistics> own = statistics(hit.pixel, frame);
     return !own ? search_radius2(hit) : own->R2 > 0 ? own->R2 : hit.radius * hit.radius;
@@ -29,7 +29,7 @@ class PixelEstimator {
   /// Gathers photons for a hit point and adds them to the pixel's sums, for each batch of an iteration's photons. Calls
   /// for different pixels may run concurrently; a pixel's hit points of one iteration hold disjoint frames.
   virtual void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, GatherCounts& counts) = 0;
-  /// Adds light that needs no photons. Also concurrent for different pixels.
+  /// Adds light that needs no photons. Calls for different pixels may run concurrently.
   virtual void see(const SeenLight& light) = 0;
   /// Called once per iteration, before all gathers, with rising numbers; other machines may do those in between.
   virtual void begin_iteration(int /*iteration*/) {}
@@ -37,13 +37,13 @@ class PixelEstimator {
   virtual void end_iteration() = 0;
   /// All state that outlives an iteration; see Integrator::persist.
   virtual void persist(StateStream& state) = 0;
-  /// Whether an iteration is the same whatever the others found; else its sums cannot be merged.
+  /// Returns whether an iteration is the same whatever the others found; if not, its sums cannot be merged.
   virtual bool adds_up() const { return true; }
   /// Radiance after the completed iterations.
   virtual Rgb radiance(int pixel, Frame frame) const = 0;
-  /// Of a pixel with a radius of its own; empty if only sums are kept.
+  /// Returns the statistics of a pixel with a radius of its own; nullopt if only sums are kept.
   virtual std::optional<PixelStatistics> statistics(int /*pixel*/, Frame) const { return std::nullopt; }
-  /// Called between iterations, or after one that threw: drops the state that only end_iteration() needs.
+  /// Drops the state that only end_iteration() needs. Called between iterations, or after one that threw.
   virtual void forget_iteration() {}
 };
 
@@ -55,7 +55,8 @@ class IterationRadius {
     const float radius = of(hit.radius);
     return radius * radius;
   }
-  /// To that of an iteration, counted from 0. After the i-th, counted from 1: s'^2 = s^2 (i + alpha) / (i + 1). [KZ11]
+  /// Goes to the radius of an iteration, counted from 0. After the i-th, counted from 1: s'^2 = s^2 (i + alpha) / (i +
+  /// 1). [KZ11]
   void go_to(int iteration, float alpha) {
     if (iteration < iteration_) *this = {};
     while (iteration_ < iteration) {

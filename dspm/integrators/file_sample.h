@@ -1,5 +1,5 @@
-// The whole file, for what integrators learn before their first iteration: whichever frames are rendered, they learn
-// the same.
+// A sample of the whole file, for what integrators learn before their first iteration: whichever frames are rendered,
+// they learn the same.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace dspm {
 
-/// What integrators with the same settings share.
+/// What integrators with the same settings learn and share.
 struct LearnedEmission {
   EmissionGuides guides;
   LearnedDirect direct;
@@ -32,12 +32,12 @@ class FileSample {
  public:
   using MakeScene = std::function<std::unique_ptr<Scene>()>;
   using Learned = std::map<std::string, std::shared_ptr<const LearnedEmission>>;  // by names of settings
-  /// `frames`: a few, spread over the file; `make` returns their scene.
+  /// Takes a few frames, spread over the file; `make` returns their scene.
   FileSample(std::vector<FileFrame> frames, MakeScene make) : frames_(std::move(frames)), make_(std::move(make)) {}
-  /// Nothing is learned: `known` is of an earlier state of the file.
+  /// Learns nothing: `known` comes from an earlier state of the file.
   explicit FileSample(Learned known) : known_(std::move(known)) {}
 
-  /// Of these frames, whole: `given`, if it is that. Made once for all who hold it at the same time.
+  /// Returns the scene of these frames, whole: `given`, if it is that. All who hold it at the same time share one.
   std::shared_ptr<const Scene> scene(const Scene& given) const {
     if (!learns()) return {std::shared_ptr<const Scene>(), &given};
     if (given.file_frames == frames_ && !given.is_without_objects) return {std::shared_ptr<const Scene>(), &given};
@@ -45,7 +45,8 @@ class FileSample {
     if (scene == nullptr) made_ = scene = make_();
     return scene;
   }
-  /// What learn() returns, for settings of that name: the integrators of later frame intervals need not learn again.
+  /// Returns what learn() returns, for settings of that name: the integrators of later frame intervals need not learn
+  /// again.
   template <class Learn>
   std::shared_ptr<const LearnedEmission> emission(const std::string& settings, Learn&& learn) {
     if (const auto found = known_.find(settings); found != known_.end()) return found->second;
@@ -53,26 +54,26 @@ class FileSample {
     return known_[settings] = std::move(learned);
   }
   bool learns() const { return make_ != nullptr; }
-  /// What was learned of an earlier state that had as many lights, else nothing.
+  /// Returns what was learned of an earlier state that had as many lights, else null.
   std::shared_ptr<const LearnedEmission> earlier(const std::string& settings, const Scene& scene) const;
   const Learned& learned() const { return known_; }
-  /// Of all that was learned.
+  /// The bytes of all that was learned.
   std::size_t bytes() const {
     std::size_t sum = 0;
     for (const auto& [settings, known] : known_) sum += known->guides.bytes();
     return sum;
   }
   bool has_learned() const;
-  /// Guides and their reports, but not what was only counted.
+  /// Saves or loads guides and their reports, but not what was only counted.
   void persist(StateStream& state);
-  /// From now on, no other guide may be learned. `digest`: of what was loaded.
+  /// From now on, no other guide may be learned. `digest` is that of what was loaded.
   void take_as_given(std::uint64_t digest) { given_ = digest; }
   std::optional<std::uint64_t> given() const { return given_; }
-  /// Throws UsageError if guides are given, and none for these settings and lights.
+  /// Throws UsageError if guides are given, but none for these settings and lights.
   void expect_known(const std::string& settings, std::size_t lights);
-  /// Whether a guide that is given was asked for.
+  /// Returns whether anyone asked for a guide that is given.
   bool is_used() const { return is_used_; }
-  /// To measure a run with all it takes.
+  /// Forgets all that was learned, to measure a run with all that it takes.
   void forget() { known_.clear(); }
 
  private:

@@ -17,8 +17,8 @@ struct FinalGatherSettings {
   int max_depth = 5;  // scatterings of a gather ray before its estimate: in hair, all lobes are followed
 };
 
-/// The gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&, int group), as
-/// estimate_radiance() does.
+/// Traces the gather rays of a tile. Reports their results to add(const HitPoint& from, FrameSet, const Rgb&, int
+/// group), as estimate_radiance() does.
 template <class Add>
 class FinalGather {
  public:

@@ -25,8 +25,8 @@ struct GatherCounts {
 
 /// Calls fn(strands, frames, flux times f as RgbLanes, distance squared, group) for every photon within sqrt(radius2)
 /// that counts for the hit point in some frame: photons arriving at the back of the surface do not, unless its lobes
-/// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which are
-/// mostly null. group(): see PhotonMap.
+/// transmit, and then only those of the same surface. The caller applies the throughput and the photon's strands, which
+/// are mostly null. For group(), see PhotonMap.
 template <class Fn>
 void gather_by_group(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
                      GatherCounts& counts, Fn&& fn) {
@@ -61,7 +61,7 @@ void gather_by_group(const HitPoint& hit, const Scattering* scattering, const Ph
   counts.found += within;
 }
 
-/// The same without the group.
+/// Calls fn without the group; otherwise the same as gather_by_group().
 template <class Fn>
 void gather(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map, float radius2,
             GatherCounts& counts, Fn&& fn) {

@@ -1,4 +1,5 @@
-// The flux that photons bring to a hit point: that of photons of all its frames in one sum, the rest frame by frame.
+// The flux that photons bring to a hit point: one sum for photons of all its frames, and sums frame by frame for the
+// rest.
 #pragma once
 
 #include "dspm/colour/rgb.h"
@@ -11,7 +12,7 @@ class GatheredFlux {
  public:
   GatheredFlux(const HitPoint& hit, const PhotonMap& map) : frames_(hit.frames), map_(map) {}
 
-  /// What gather() reports of a photon; `frames` may be fewer.
+  /// Adds what gather() reports of a photon; `frames` may be fewer.
   void add(const Strand* strands, FrameSet frames, RgbLanes flux) {
     if (strands == nullptr && frames == frames_)
       shared_ += flux;
@@ -22,13 +23,13 @@ class GatheredFlux {
     else
       add_strands(strands, frames, flux);
   }
-  /// After the last photon, before the sums are asked for.
+  /// Call this after the last photon and before reading the sums.
   void end() {
     lists_.for_each([&](const Strand* list, RgbLanes flux) { add_strands(list, frames_, flux); });
   }
 
   Rgb shared() const { return shared_.rgb(); }
-  /// The frames that have more than that.
+  /// The frames that received more than shared().
   FrameSet with_own() const { return with_own_; }
   Rgb own(Frame frame) const { return RgbLanes(own_[frame]).rgb(); }
   Rgb in(Frame frame) const { return with_own_.contains(frame) ? shared() + own(frame) : shared(); }

@@ -44,8 +44,8 @@ struct Scattering {
   Vec3 ns, unbent_ns;  // with the relief, and without
   int strip = -1;      // index in the tile; negative if the surface does not turn to rays
 
-  /// What a photon from wi gives, per flux. Its flux counts by the normal that its shape has there. The relief is that of
-  /// the hit point: it bends f as well, and within the radius normals may differ as much as they like.
+  /// Returns what a photon from wi gives, per flux. Its flux counts by the normal that its shape has there. The relief
+  /// is that of the hit point: it bends f as well, and within the radius normals may differ as much as they like.
   Rgb scattered(const Vec3& wi) const {
     const Rgb f = bsdf->evaluate(wo, wi, Transport::radiance, lobes);
     if (ns == unbent_ns) return f;
@@ -54,7 +54,7 @@ struct Scattering {
   }
 };
 
-/// On a surface that turns to rays: what it shows to the camera path.
+/// What a surface that turns to rays shows to the camera path.
 struct HitStrip {
   StripPlace place;
   Vec3 ns;
@@ -69,7 +69,7 @@ struct HitPointSettings {
   const DirectBalance* direct = nullptr;  // with sample_direct: the weights of all ways to find direct light
   bool keep_bsdf = false;                 // every hit point has its `scattering`
   bool share_paths = false;               // frames that differ only in appearance or light share paths; else they part
-  /// Camera paths go on from hit points to others, and find what rough surfaces scatter; photons need not.
+  /// Camera paths go on from hit points to others and find what rough surfaces scatter; photons need not.
   bool go_on = false;
 };
 
@@ -85,17 +85,17 @@ struct HitPointTile {
   PathCounts paths;
   Rejections rejections;
 
-  /// Null if f is constant.
+  /// Returns null if f is constant.
   const Scattering* scattering_of(const HitPoint& hit) const {
     return hit.scattering < 0 ? nullptr : &scatterings[static_cast<std::size_t>(hit.scattering)];
   }
-  /// Null unless the hit point lies on a surface that turns to rays.
+  /// Returns null unless the hit point lies on a surface that turns to rays.
   const HitStrip* strip_of(const HitPoint& hit) const {
     const Scattering* scattering = scattering_of(hit);
     return scattering == nullptr || scattering->strip < 0 ? nullptr
                                                           : &strips[static_cast<std::size_t>(scattering->strip)];
   }
-  /// Keeps its memory.
+  /// Removes all hit points but keeps the memory.
   void clear();
 };
 

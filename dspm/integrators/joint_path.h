@@ -50,7 +50,7 @@ void for_each_joint(const FrameArray<Item>& items, bool join, Fn&& fn) {
   }
 }
 
-/// multiply() for the general case, strand by strand.
+/// The general case of multiply(), strand by strand.
 template <class Left>
 [[gnu::noinline]] bool multiply_strands(PathState& path, std::span<const FrameFactor> factors, StrandTable& table,
                                         Left&& left) {
@@ -70,7 +70,7 @@ template <class Left>
   return true;
 }
 
-/// Whether `left` depends only on the ratio of the throughputs before and after, not on their magnitude.
+/// Says whether `left` depends only on the ratio of the throughputs before and after, not on their magnitude.
 enum class ByRatio { no, yes };
 
 /// Multiplies the throughputs of the path's frames by their factors and replaces them with the results of `left`.
@@ -89,7 +89,7 @@ bool multiply(PathState& path, std::span<const FrameFactor> factors, StrandTable
   return !is_black(path.throughput);
 }
 
-/// For multiply().
+/// A `left` for multiply() that keeps all that remains.
 inline Rgb keep_all(StrandList, FrameSet, const Rgb&, const Rgb& after) { return after; }
 
 }  // namespace dspm

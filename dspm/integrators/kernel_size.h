@@ -5,7 +5,7 @@
 
 namespace dspm {
 
-/// The area of a disc, times the number of photon paths. [WG12 (5)]
+/// Returns the area of a disc times the number of photon paths. [WG12 (5)]
 inline float kernel_size(float radius2, float paths = 1) { return paths * kPi * radius2; }
 
 }  // namespace dspm

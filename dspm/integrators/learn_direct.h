@@ -17,8 +17,8 @@ struct LearnedDirect {
   void persist(StateStream& state);
 };
 
-/// Of a scene whose frames stand for the file. `photons`: paths of an iteration, drawn with the guides. `bytes`: what it
-/// took, at most.
+/// Learns from a scene whose frames stand for the file. An iteration traces `photons` paths, drawn with the guides.
+/// Sets `bytes` to the most that it took.
 LearnedDirect learn_direct(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings,
                            std::int64_t photons, const EmissionGuides& guides, std::size_t& bytes);
 

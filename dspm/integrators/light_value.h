@@ -1,11 +1,11 @@
-// What light can be, whichever plugin it comes from.
+// What values light can have, for any plugin.
 #pragma once
 
 #include "dspm/colour/rgb.h"
 
 namespace dspm {
 
-/// Whether it can be radiance, flux or a factor to them: finite, and never negative.
+/// Returns whether it can be radiance, flux or a factor to them: finite, and never negative.
 inline bool is_light(const Rgb& c) { return c.r >= 0 && c.g >= 0 && c.b >= 0 && is_finite(c); }
 
 }  // namespace dspm

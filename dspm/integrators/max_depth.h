@@ -1,4 +1,4 @@
-// The maximum path length, for the factories of integrators.
+// Checks the maximum path length, for the factories of integrators.
 #pragma once
 
 #include <string>

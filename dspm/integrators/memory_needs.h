@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// In bytes.
+/// What an integrator needs, in bytes.
 struct MemoryNeeds {
   std::size_t pixels = 0;      // sums and statistics, by pixel and frame
   std::size_t hit_points = 0;  // per iteration
@@ -22,7 +22,7 @@ struct MemoryNeeds {
   std::size_t total() const { return std::max(pixels + hit_points + photons, learning); }
 };
 
-/// RenderSettings::memory does not suffice.
+/// Thrown if RenderSettings::memory does not suffice.
 struct NotEnoughMemory : std::exception {
   MemoryNeeds least;  // that would suffice
 
@@ -30,12 +30,12 @@ struct NotEnoughMemory : std::exception {
   const char* what() const noexcept override { return "not enough memory"; }
 };
 
-/// Throws NotEnoughMemory if `needs` exceed `memory`; 0: no bound.
+/// Throws NotEnoughMemory if `needs` exceed `memory`; 0 means that there is no bound.
 void expect_enough(std::size_t memory, const MemoryNeeds& needs);
 
-/// Estimates from small samples of iteration 0, the same in every run.
+/// Estimates the bytes of hit points from small samples of iteration 0, the same in every run.
 std::size_t hit_point_bytes(const Scene& scene, const RenderSettings& render, const HitPointSettings& settings);
-/// Bytes per traced photon path, including the photon map, which tells these groups apart.
+/// Estimates the bytes per traced photon path, including the photon map, which tells these groups apart.
 double bytes_a_photon_path(const Scene& scene, const PhotonSettings& settings, const LightGroups& groups);
 
 }  // namespace dspm

@@ -10,8 +10,8 @@
 
 namespace dspm {
 
-/// The primitive's next hit after the one at `hole`, in units of the ray, which is in the shape's space: it starts anew
-/// from the surface there. `meet(ray)` finds the nearest hit of the primitive.
+/// Returns the primitive's next hit after the one at `hole`, in units of the ray, which is in the shape's space: it
+/// starts anew from the surface there. `meet(ray)` finds the nearest hit of the primitive.
 template <class Meet>
 std::optional<PrimitiveHit> meet_beyond(const Shape& shape, int primitive, const Ray& ray, const PrimitiveHit& hole,
                                         const Meet& meet) {
