@@ -1,13 +1,13 @@
 // Nested bodies: where they overlap, the one of the highest priority is there. The surface of another one is not there
-// within it: a path goes straight on, and neither this nor what lies on both sides of it counts as a segment of its own.
-// A surface that is there refracts from the body of highest priority on the one side to that on the other. [Schmidt and
-// Budge 2002, Simple Nested Dielectrics in Ray Traced Images]
+// within it: a path goes straight on, and neither this nor what lies on both sides of it counts as a segment of its
+// own. A surface that is there refracts from the body of highest priority on the one side to that on the other.
+// [Schmidt and Budge 2002, Simple Nested Dielectrics in Ray Traced Images]
 //
-// Between bodies of equal priority nothing is known of which is there. Their surfaces are then as written, each with the
-// index of its own body over whatever is around it, and the body that was entered last is there. So scenes may model
-// boundaries instead of bodies: a bubble is a body of index 1 / 1.5 in glass, and the boundary between glass and water has
-// a material of its own. A path then leaves bodies that it has not entered; it forgets those of equal priority, as it must
-// have left them at the same boundary.
+// Between bodies of equal priority nothing is known of which is there. Their surfaces are then as written, each with
+// the index of its own body over whatever is around it, and the body that was entered last is there. So scenes may
+// model boundaries instead of bodies: a bubble is a body of index 1 / 1.5 in glass, and the boundary between glass and
+// water has a material of its own. A path then leaves bodies that it has not entered; it forgets those of equal
+// priority, as it must have left them at the same boundary.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@
 
 namespace dspm {
 
-/// Of the materials that bound a body, null for others, in the order in which the bodies were entered: the one that is
-/// there. Null: none.
+/// Returns which of the bodies is there; null if none is. Bodies are given by their materials, null for one that bounds
+/// no body, in the order in which they were entered.
 inline const Material* top_of(std::span<const Material* const> bodies) {
   const Material* top = nullptr;
   for (const Material* each : bodies)
@@ -62,7 +62,8 @@ struct Boundary {
   }
 };
 
-/// What the surface is to a path that has arrived from within `inside`: one boundary, unless frames differ in it.
+/// Returns what the surface is to a path that has arrived from within `inside`: one boundary, unless frames differ in
+/// it.
 FrameArray<Boundary> boundaries_of(const Scene& scene, const Vertex& vertex, const Inside& inside);
 
 }  // namespace dspm

@@ -33,7 +33,7 @@ struct PathState {
   Inside inside = {};      // the bodies that the next segment lies in, see nesting.h
   float passed = 0;        // what it has passed of the next segment, through surfaces that are not there
 
-  /// The diameter of what the path stands for at the end of its next segment, in the world: textures average over it.
+  /// The diameter, in the world, of what the path stands for at the end of its next segment: textures average over it.
   float diameter(float /*segment*/) const { return 0; }
 };
 
@@ -63,9 +63,9 @@ struct Vertex {
   const FrameStates<Material>& material;
   int body;  // that the surface bounds in some frame, if paths need know it: its material
 
-  /// Whether w leads into that body.
+  /// Returns whether w leads into the body.
   bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }
-  /// The bodies that a segment in direction w lies in, if the one that arrived here lay in `arriving`.
+  /// Returns the bodies that a segment in direction w lies in, if the one that arrived here lay in `arriving`.
   Inside inside_beyond(const Inside& arriving, const Vec3& w) const {
     Inside beyond = arriving;
     if (leads_inside(w) == leads_inside(wo)) return beyond;
@@ -75,15 +75,15 @@ struct Vertex {
       beyond.leave(body);
     return beyond;
   }
-  /// Whether textures may average over what the path stands for. Not where something else varies with them: the material
-  /// of a mix, or holes.
+  /// Returns whether textures may average over what the path stands for. They may not if something else varies with
+  /// them: the material of a mix, or holes.
   bool averages(const Material& state) const { return diameter > 0 && shape.cutout == nullptr && state.averages(); }
   SurfacePoint covered_point() const {
     SurfacePoint covered = point;
     covered.cover(wo, diameter);
     return covered;
   }
-  /// Whether the material differs between the frames.
+  /// Returns whether the material differs between the frames.
   bool differs() const { return material.differs_in(frames); }
 
   // The plugin to blame for values that are not finite.
@@ -124,7 +124,7 @@ void for_each_surface(const Vertex& vertex, Fn&& fn) {
 }
 
 /// Calls fn(const Vertex&) with the normals that the materials' reliefs give: once, unless they differ between the
-/// frames. `vertex` has those of the shape. Curves have no relief: their normals are those of the ray.
+/// frames. `vertex` has the normals of the shape. Curves have no relief: their normals are those of the ray.
 template <class Fn>
 void for_each_relief(const Vertex& vertex, Fn&& fn) {
   struct Bent {
@@ -154,14 +154,14 @@ inline const Vec3& unbent_normal(const SurfacePoint& point) {
   return length2(point.smooth_ns) > 0 ? point.smooth_ns : point.ns;
 }
 
-/// The light's index, or -1 if it is none.
+/// Returns the light's index, or -1 if the element is no light.
 inline int light_of(const SceneElement& giver) { return giver.kind == SceneElement::Kind::light ? giver.index : -1; }
 inline SceneElement light_element(const Scene& scene, const SceneLight& light) {
   return {SceneElement::Kind::light, static_cast<int>(&light - scene.lights.data())};
 }
 
-/// The surface's emission back along the path, once per group of frames that agree: fn(FrameSet, const Rgb&, const
-/// Light&).
+/// Calls fn(FrameSet, const Rgb&, const Light&) with the surface's emission back along the path, once per group of
+/// frames that agree.
 template <class Fn>
 void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames, Fn&& fn) {
   if (vertex.shape.light < 0) return;
@@ -172,7 +172,8 @@ void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames
   });
 }
 
-/// Light from infinity for a path that left the scene: fn(FrameSet, const Rgb&, const SceneLight&, const Light&).
+/// Calls fn(FrameSet, const Rgb&, const SceneLight&, const Light&) with the light from infinity for a path that left
+/// the scene.
 template <class Fn>
 void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, Fn&& fn) {
   for (const int index : scene.infinite_lights) {
@@ -184,8 +185,8 @@ void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, Fn&& f
   }
 }
 
-/// Corrects the flux if shading and geometric normals differ: a photon's factor from wo to wi, in addition to
-/// f |cos(wi, ns)|. [Veach 1997, 5.3]
+/// Returns the factor to a photon's flux from wo to wi, in addition to f |cos(wi, ns)|, if shading and geometric
+/// normals differ. [Veach 1997, 5.3]
 inline float shading_correction(const SurfacePoint& point, const Vec3& wo, const Vec3& wi) {
   if (point.ns == point.ng) return 1;
   const float below = std::abs(dot(wo, point.ng) * dot(wi, point.ns));
@@ -202,17 +203,17 @@ struct LobeChoice {
 // Rougher lobes are not specular: Ggx::kSmoothest exceeds this.
 inline constexpr float kLeastRoughness = 1e-4f;
 
-/// The alpha from which on a glossy lobe beside rough ones gathers with them: where those sample its directions about as
-/// densely as it does. Alone it would be chosen seldom, and each time count for much. Its density is at most
-/// 1 / (4 pi alpha^2), theirs 1 / pi; chances are those head-on, as paths from both ends have to agree.
+/// The alpha above which a glossy lobe beside rough ones gathers with them: from there on, they sample its directions
+/// about as densely as it does. On its own it would be chosen seldom, and count for much each time. Its density is at
+/// most 1 / (4 pi alpha^2), theirs 1 / pi; the chances are those head-on, as paths from both ends have to agree.
 inline float least_alpha_beside(LobeSet rough, const Bsdf& bsdf, const SurfacePoint& point) {
   const float chance = bsdf.lobe_probability(point.ns, rough);
   return 0.5f * std::sqrt(std::max(0.f, 1 - chance) / chance);
 }
 
-/// Lobes on which photons are gathered: those at least that rough. Frosted glass is followed however rough it is:
-/// hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves, which
-/// have no area on which to count photons, are followed, too.
+/// The lobes on which photons are gathered: those of at least `least_alpha`. Frosted glass is followed however rough it
+/// is: hardly a photon finds its way to where the camera looks at it, but rays through it find lights well. Curves,
+/// which have no area on which to count photons, are followed, too.
 inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
   constexpr float kRoughest = 1;
   if (point.turns) return 0;
@@ -225,7 +226,7 @@ inline LobeSet gathering_lobes(const Bsdf& bsdf, const SurfacePoint& point, floa
   return bsdf.transmits(joined) ? rough : joined;
 }
 
-/// Lobes that extend the path although they are not specular.
+/// The lobes that extend the path although they are not specular.
 inline LobeSet glossy_lobes(const Bsdf& bsdf, const SurfacePoint& point, float least_alpha) {
   return static_cast<LobeSet>(bsdf.lobes(kLeastRoughness) & ~gathering_lobes(bsdf, point, least_alpha));
 }
@@ -269,7 +270,8 @@ inline float roulette_chance(const Rgb& throughput, float eta_scale, int bounce)
   return bounce < kFirstRouletteBounce ? 1 : std::min(1.f, max_component(throughput) / eta_scale);
 }
 
-/// Russian roulette: survives if u < p, divided by p. Frames share u, so they decide alike if p is equal.
+/// Plays Russian roulette: the path survives if u < p, divided by p. Frames share u, so they decide alike if p is
+/// equal.
 inline bool survives(PathState& path, float p, float u) {
   if (p >= 1) return true;
   if (!(u < p)) return false;

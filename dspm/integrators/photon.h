@@ -29,7 +29,7 @@ struct Photon {
   int light = -1;          // that it comes from: into the scene's
 };
 
-/// On a surface that turns to each ray. Its flux includes no cosines.
+/// A photon on a surface that turns to each ray. Its flux includes no cosines.
 struct CurvePhoton : Photon {
   StripPlace at;
   int bounces;  // scatterings before

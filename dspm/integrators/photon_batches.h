@@ -18,8 +18,8 @@ struct PhotonBatches {
 EstimatorSettings estimator_settings(const ProgressiveSettings& settings, const Scene& scene,
                                      const RenderSettings& render, const PhotonBatches& batches);
 
-/// All photons at once if there is no bound. `learning`: bytes that were needed before the first iteration. Throws
-/// NotEnoughMemory.
+/// Traces all photons at once if there is no bound. `learning` is the number of bytes that were needed before the first
+/// iteration. Throws NotEnoughMemory.
 PhotonBatches batches_within_memory(const ProgressiveSettings& settings, const Scene& scene,
                                     const RenderSettings& render, const EstimatorKind& estimator, std::size_t learning);
 

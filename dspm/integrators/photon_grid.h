@@ -39,13 +39,13 @@ inline const Strand* strands_of(const GatheredStrands& photon) { return photon.s
 template <class Gathered>
 class PhotonGrid {
  public:
-  /// What few gathers ask of a photon.
+  /// The details of a photon that few gathers ask for.
   class Details {
    public:
     Details(const PhotonGrid& grid, std::uint32_t place) : grid_(grid), place_(place) {}
     const Vec3& p() const { return grid_.points_[grid_.grid_.order()[place_]]; }
     ShapeFace face() const { return grid_.faces_[place_]; }
-    /// Of lights; only to be asked for if groups are told apart.
+    /// The group of its light; there is one only if the grid was built with groups.
     int group() const { return grid_.groups_[place_]; }
 
    private:
@@ -54,7 +54,7 @@ class PhotonGrid {
   };
 
   /// Builds the grid from `count` photons: photon(i) is the i-th, gathered(i) the data kept of it. `cell_size` should
-  /// suit a typical search radius. `groups`: those that can be told apart, or null.
+  /// suit a typical search radius. `groups` are those that details can tell apart, or null.
   template <class PhotonOf, class GatheredOf>
   void build(std::size_t count, float cell_size, PhotonOf&& photon, GatheredOf&& gathered,
              const LightGroups* groups = nullptr);

@@ -19,15 +19,15 @@ namespace dspm {
 class PhotonMap {
  public:
   PhotonMap() = default;
-  /// That tells the photons of these groups apart.
+  /// Makes a map that tells the photons of these groups apart.
   explicit PhotonMap(LightGroups groups) : groups_(std::move(groups)) {}
 
   /// Sorts the photons of all `traces`, of a scene with that many frames; `cell_size` should suit a typical search
-  /// radius. The traces' strands must outlive the map. `which`: ordinary or hidden photons.
+  /// radius. The traces' strands must outlive the map. `which` selects ordinary or hidden photons.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size,
              std::vector<Photon> PhotonTrace::*which = &PhotonTrace::photons);
 
-  /// Whether it is a list of a light's strands, which many photons share.
+  /// Returns whether it is the list of a light's strands, which many photons share.
   bool is_of_light(const Strand* strands) const {
     return strands >= of_lights_.data() && strands < of_lights_.data() + of_lights_.size();
   }

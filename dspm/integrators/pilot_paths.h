@@ -12,10 +12,10 @@
 
 namespace dspm {
 
-/// What reports call paths of which only those count that bring more than direct light.
+/// What reports call the paths of which only those count that bring more than direct light.
 inline constexpr const char* kLightPaths = "light paths";
 
-/// A pilot path that was found. `squares`: the sum of the squares of what it adds to pixels and frames.
+/// A pilot path that was found. `squares` is the sum of the squares of what it adds to pixels and frames.
 struct FoundPath {
   std::size_t choice;  // of its frames
   EmissionStart start;
@@ -34,7 +34,8 @@ struct PilotRound {
   std::uint64_t all_paths() const { return paths * choices; }
 
   double found_share() const { return static_cast<double>(found.size()) / static_cast<double>(all_paths()); }
-  /// Of the variance of what the paths bring: that of the path with most of it. If it is large, nobody knows the variance.
+  /// Returns the share of the variance of what the paths bring that is due to the path with most of it. If it is large,
+  /// the variance is not known.
   double share_of_one() const;
   double cost() const { return static_cast<double>(work) / static_cast<double>(all_paths()); }
 };
@@ -46,11 +47,11 @@ struct PilotPaths {
   double gain = 0;                                            // see EmissionReport
   std::size_t bytes = 0;                                      // at most
 
-  /// Takes this round for one that starts paths as the run does.
+  /// Counts this round as one that starts paths as the run does.
   void count(const PilotRound& round, const Scene& scene, const PhotonSettings& photon);
 };
 
-/// Of a run with these guides. `guided`: it was to have one, if it pays.
+/// Returns the report of a run with these guides. `guided` says whether it was to have one, if it pays.
 EmissionReport report_of(const PilotPaths& pilot, const Scene& scene, const PhotonSettings& photon,
                          const EmissionGuides& guides, bool guided);
 

@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Gathered at one hit point in one iteration, and discarded after it.
+/// What one hit point gathers in one iteration; discarded after it.
 struct PassSums {
   std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
   Rgb phi;              // their flux times f and the camera path's throughput
@@ -19,19 +19,19 @@ struct PassSums {
   }
 };
 
-/// Kept across iterations. [HJ09, WG12 (1)-(5)]
+/// What is kept across iterations. [HJ09, WG12 (1)-(5)]
 struct PixelStatistics {
   double N = 0;  // photons accepted; a fraction alpha of those found
   float R2 = 0;  // search radius squared; 0: no hit point yet
   Rgb tau;       // flux within the search radius, weighted like phi; as if within a radius of 1 while there is none
 
-  /// Sets the first hit point's radius.
+  /// Sets the radius of the first hit point.
   void begin(float radius2) {
     if (R2 == 0) R2 = radius2, tau = tau * radius2;
   }
 
-  /// Adds light that needs no photons, as the flux that yields its radiance, which shrinking the disc preserves.
-  /// `emitted`: paths in this iteration.
+  /// Adds light that needs no photons, as the flux that yields its radiance; shrinking the disc preserves that.
+  /// `emitted` is the number of paths in this iteration.
   void see(const Rgb& radiance, float emitted) { tau += radiance * (emitted * kernel()); }
 
   /// Accepts a fraction alpha of the M new photons and shrinks the disc so that the density stays the same.
@@ -45,7 +45,7 @@ struct PixelStatistics {
     N = accepted;
   }
 
-  /// [WG12 (5)]
+  /// The radiance after `emitted` paths. [WG12 (5)]
   Rgb radiance(double emitted) const {
     return emitted == 0 ? Rgb() : tau * static_cast<float>(1 / (emitted * static_cast<double>(kernel())));
   }

@@ -1,4 +1,5 @@
-// What a state that was loaded cannot hold. Checkpoints come from other people: their checksum tells damage, not malice.
+// What a state that was loaded cannot hold. Checkpoints come from other people: their checksum reveals damage, not
+// malice.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +9,7 @@
 
 namespace dspm {
 
-/// The most that a run may have.
+/// The most iterations that a run may have.
 inline constexpr int kMostIterations = 1'000'000'000;
 
 inline void expect_possible(bool is_possible, const char* what) {
@@ -19,7 +20,7 @@ inline void expect_iterations(int iterations) {
   expect_possible(iterations >= 0 && iterations <= kMostIterations, "its number of iterations");
 }
 
-/// Throws std::runtime_error if a pixel is negative or NaN in one of so many frames.
+/// Throws std::runtime_error if a pixel is negative or NaN in any of the frames.
 void expect_images(const Integrator& integrator, int frames);
 
 }  // namespace dspm

@@ -18,7 +18,7 @@ struct ProgressiveSettings {
   HitPointSettings hit_point;
 };
 
-/// For the log.
+/// Returns the settings in words, for the log.
 std::string in_words(const ProgressiveSettings& settings);
 
 /// Reads the parameters and calls finish().

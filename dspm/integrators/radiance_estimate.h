@@ -18,8 +18,8 @@ struct RadianceEstimate {
   std::int64_t emitted = 0;  // photon paths in each frame
 };
 
-/// Calls fn(FrameSet, radiance times the hit point's throughput, group): with kNone for all photons, and with each of the
-/// map's groups for the part of its photons within the same disc. A group's sets are disjoint and leave out frames
+/// Calls fn(FrameSet, radiance times the hit point's throughput, group): with kNone for all photons, and with each of
+/// the map's groups for the part of its photons within the same disc. A group's sets are disjoint and leave out frames
 /// without photons. Frames that use the same photons share calls.
 template <class Fn>
 void estimate_radiance(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
@@ -33,7 +33,7 @@ struct NearPhoton {
   Rgb flux;  // times f
 };
 
-/// The photons around `hit`, nearest first, until every frame has `how.nearest` of them or the radius ends.
+/// Returns the photons around `hit`, nearest first, until every frame has `how.nearest` of them or the radius ends.
 std::vector<NearPhoton> near_photons(const HitPoint& hit, const Scattering* scattering, const PhotonMap& map,
                                      const RadianceEstimate& how, GatherCounts& counts, float& radius);
 

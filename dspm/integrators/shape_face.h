@@ -1,4 +1,4 @@
-// Which of its two faces a surface shows to a ray, and of which placed shape it is. Where light passes through a surface,
+// Which of its two faces a surface shows to a ray, and of which placed shape it is. If light passes through a surface,
 // the direction that it comes from does not tell whether it has come to this face or to another one close by.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace dspm {
 class ShapeFace {
  public:
   ShapeFace() = default;
-  /// The face that looks towards w. `ng`: pointing outward.
+  /// The face that looks towards w; `ng` points outward.
   ShapeFace(int shape, const Vec3& ng, const Vec3& w) : number_(dot(w, ng) < 0 ? ~shape : shape) {}
 
   int shape() const { return number_ < 0 ? ~number_ : number_; }

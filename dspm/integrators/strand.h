@@ -21,7 +21,7 @@ struct Strand {
   bool grey = false;  // all weights of the list are: anything that depends only on colour is the same for all frames
 };
 
-/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list, for one of weight 1.
+/// Calls fn(FrameSet, const Rgb& weight) for every strand in `frames`; without a list, once with weight 1.
 template <class Fn>
 void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   if (list == nullptr) return fn(frames, Rgb(1));
@@ -31,7 +31,7 @@ void for_each_strand(const Strand* list, FrameSet frames, Fn&& fn) {
   }
 }
 
-/// The number of a list in its table; 0: no list, all frames carry the path's throughput.
+/// The number of a list in its table; 0 if there is no list and all frames carry the path's throughput.
 using StrandList = std::uint32_t;
 
 /// The throughputs of a path's frames, before they become a list.
@@ -63,7 +63,8 @@ class StrandTable {
   StrandList end() const { return static_cast<StrandList>(strands_.size()); }
   /// Makes a list of the frames' throughputs and moves their common factor into `common`; 0 if nothing else remains.
   StrandList add(Strands& strands, Rgb& common);
-  /// The list that `frames` need: if one strand holds all of them, multiplies its weight into `carried` and returns 0.
+  /// Returns the list that `frames` need: if one strand holds all of them, multiplies its weight into `carried` and
+  /// returns 0.
   StrandList folded(StrandList list, FrameSet frames, Rgb& carried) const {
     for (const Strand* strand = of(list); strand != nullptr; ++strand) {
       if (!(strand->frames & frames).empty()) {
@@ -85,7 +86,7 @@ class StrandTable {
 template <class Sum>
 class FewListSums {
  public:
-  /// Null if there are already too many lists.
+  /// Returns null if there are already too many lists.
   Sum* of(const Strand* list) {
     for (std::size_t i = 0; i < count_; ++i)
       if (lists_[i] == list) return &sums_[i];
@@ -93,7 +94,7 @@ class FewListSums {
     lists_[count_] = list, sums_[count_] = {};
     return &sums_[count_++];
   }
-  /// Calls fn(list, sum).
+  /// Calls fn(list, sum) for every list that has a sum.
   template <class Fn>
   void for_each(Fn&& fn) const {
     for (std::size_t i = 0; i < count_; ++i) fn(lists_[i], sums_[i]);

@@ -20,7 +20,7 @@ struct StripPlace {
   Vec2 uv;             // in [0, 1]
   Vec3 along, across;  // derivatives of p by uv
 
-  /// `towards`: back along the ray.
+  /// Takes the direction `towards` the ray's origin.
   StripPlace(const PlacedShape& placed, const RayHit& hit, const Vec3& towards) : shape(hit.shape), uv(hit.uv) {
     const Strip seen = placed.strip(hit.primitive, hit.uv, -towards);
     strip = seen.number, along = seen.along, across = seen.across;
@@ -28,17 +28,17 @@ struct StripPlace {
 };
 
 /// The points of a strip whose photons count for one that is seen: a rectangle of u and v, as wide as a circle of that
-/// radius, but for what reaches beyond the strip.
+/// radius, less what reaches beyond the strip.
 class StripKernel {
  public:
   StripKernel(const StripPlace& seen, float radius)
       : seen_(seen), reach_(reach(radius, seen.along), reach(radius, seen.across)) {}
 
-  /// Within which all photons lie that count, by u.
+  /// All photons that count lie between low() and high(), by u.
   float low() const { return seen_.uv.x - reach_.x - most_shift(); }
   float high() const { return seen_.uv.x + reach_.x + most_shift(); }
 
-  /// The irradiance across the beam that a photon from wi tells of, per flux; 0: it does not count.
+  /// Returns the irradiance across the beam that a photon from wi stands for, per flux; 0 if it does not count.
   float irradiance(const StripPlace& photon, const Vec3& wi) const {
     const Vec3 normal = cross(photon.along, photon.across);
     const float area = dot(wi, normal), squared = length2(normal);
@@ -54,10 +54,10 @@ class StripKernel {
     return speed > 0 ? radius / speed : 1;
   }
   static float within(float x, float reach) { return std::min(x + reach, 1.f) - std::max(x - reach, 0.f); }
-  /// A beam that grazes the strip would move points far along it, to where it bends.
+  /// Limits the shift: a beam that grazes the strip would move points far along it, to where it bends.
   float most_shift() const { return length(seen_.across) / std::max(length(seen_.along), 1e-30f); }
 
-  /// The point that is seen, moved along the beam onto the strip that the beam sees.
+  /// Returns the point that is seen, moved along the beam onto the strip that the beam sees.
   Vec2 moved(const StripPlace& photon, const Vec3& normal, const Vec3& wi, float area, float squared) const {
     const Vec3 own = seen_.across * (seen_.uv.y - 0.5f), off = own - wi * (dot(own, normal) / area);
     const float u = dot(cross(off, photon.across), normal) / squared, most = most_shift();

@@ -1,5 +1,5 @@
-// Which photons around a point of a surface count for it. With kernel_size.h and a hit point's scattering, all that
-// estimators know of surfaces.
+// Which photons around a point of a surface count for it. Together with kernel_size.h and a hit point's scattering,
+// this is all that estimators know of surfaces.
 #pragma once
 
 #include <cmath>
@@ -29,13 +29,13 @@ class SurfaceSide {
 /// tells the two apart, of the same shape or of one that goes on in the same plane.
 class SameSurface {
  public:
-  /// `ng`: on the side of `face`; `p_error`: of p; `radius`: within which photons are sought.
+  /// `ng` is on the side of `face`, `p_error` is the error of p, and photons are sought within `radius`.
   SameSurface(const Vec3& p, const Vec3& ng, const Vec3& p_error, ShapeFace face, float radius)
       : p_(p), ng_(ng), face_(face), rounding_(2 * dot(abs(ng), p_error)), flat_(kFlat * radius + rounding_) {}
   SameSurface(const HitPoint& hit, const Scattering& scattering, float radius)
       : SameSurface(hit.p, hit.ng, scattering.p_error, hit.face, radius) {}
 
-  /// A photon at p that has come to `face` from wi.
+  /// Returns whether a photon at p that has come to `face` from wi counts.
   bool counts(const Vec3& p, const Vec3& wi, ShapeFace face) const {
     const float off = std::abs(dot(p - p_, ng_));
     if (off <= rounding_) return true;  // whichever way the parts of a plane are wound

@@ -11,7 +11,8 @@
 
 namespace dspm {
 
-/// make_tracer() gives one with trace(x, y, iteration), counts() and rejections(); these two are added to `statistics`.
+/// Traces each tile with a tracer that make_tracer() returns, which has trace(x, y, iteration), counts() and
+/// rejections(); these two are added to `statistics`.
 template <class MakeTracer>
 void trace_tiles(const PixelRect& crop, std::uint64_t iteration, Statistics& statistics, MakeTracer&& make_tracer) {
   constexpr int kTileSide = 16;

@@ -10,7 +10,7 @@ struct Aim {
   Vec3 from, along;  // light space; `along` is not normalised, and not zero
 };
 
-/// If both are the same point: an error, and the defaults apply.
+/// Reports an error if both are the same point; the defaults then apply.
 Aim read_aim(ParamReader& reader);
 
 }  // namespace dspm

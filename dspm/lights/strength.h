@@ -9,7 +9,7 @@ struct Strength {
   float scale = 1;
   float target = -1;  // lm or lx; not above 0: not given
 
-  /// The factor for I, L or the image, which by itself, at luminance 1, would give `unscaled` lm or lx.
+  /// Returns the factor for I, L or the image, which by itself, at luminance 1, would give `unscaled` lm or lx.
   float factor(float unscaled) const { return target > 0 && unscaled > 0 ? scale * target / unscaled : scale; }
 };
 

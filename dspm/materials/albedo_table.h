@@ -1,5 +1,5 @@
-// Directional albedos: which share of the light from one direction a lobe sends anywhere, by that direction's cosine and
-// the lobe's alpha. Layers give what one lobe leaves to the next, so that together they scatter all light, once.
+// Directional albedos: which share of the light from one direction a lobe sends anywhere, by that direction's cosine
+// and the lobe's alpha. Layers give what one lobe leaves to the next, so that together they scatter all light, once.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace dspm {
 
 class AlbedoTable {
  public:
-  /// `albedo(cos, alpha)` is called for cosines in (0, 1] and alphas in [0, 1].
+  /// Calls `albedo(cos, alpha)` for cosines in (0, 1] and alphas in [0, 1].
   template <class Fn>
   explicit AlbedoTable(Fn&& albedo) {
     for (int row = 0; row < kRows; ++row)
@@ -21,13 +21,13 @@ class AlbedoTable {
     find_means();
   }
 
-  /// Linear between its entries, which lie closer for small cosines and alphas.
+  /// Interpolates linearly between the table's entries, which lie closer for small cosines and alphas.
   float of(float cos, float alpha) const {
     const TablePlace row(alpha, kRows), column(cos, kColumns);
     const auto in_row = [&](int r) { return column.between(at(r, column.first), at(r, column.first + 1)); };
     return row.between(in_row(row.first), in_row(row.first + 1));
   }
-  /// Of diffuse light: 2 times the integral of albedo times cosine.
+  /// Returns the albedo of diffuse light: 2 times the integral of albedo times cosine.
   float mean(float alpha) const {
     const TablePlace row(alpha, kRows);
     return row.between(means_[static_cast<std::size_t>(row.first)], means_[static_cast<std::size_t>(row.first) + 1]);

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// Seen from one of its sides.
+/// The albedos of the boundary as seen from one of its sides.
 struct BoundaryAlbedos {
   AlbedoTable reflected, reflected_or_refracted;
 
@@ -20,9 +20,9 @@ struct BoundaryTables {
   BoundaryAlbedos outside, inside;
 };
 
-/// For an index of refraction inside over outside. Above 1.05 it is linear between multiples of 0.05, as a table takes a
-/// fifteenth of a second, and animated indices are many. The means are within 0.001 outside, 0.002 inside, where the
-/// onset of total reflection is smeared.
+/// Takes an index of refraction inside over outside. Above 1.05, tables are interpolated between multiples of 0.05:
+/// each takes a fifteenth of a second, and animated indices are many. The means are within 0.001 outside and within
+/// 0.002 inside, where the onset of total reflection is smeared.
 std::shared_ptr<const BoundaryTables> boundary_tables(float eta);
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// Directional albedos of facets that are rougher along the first tangent than along the second, as AlbedoTable has them
+// Directional albedos of facets that are rougher along the first tangent than along the second. AlbedoTable holds those
 // of facets that are equally rough.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace dspm {
 
 class BrushedAlbedo {
  public:
-  /// `albedo(o, facets)` is called for directions in a quarter of the hemisphere.
+  /// Calls `albedo(o, facets)` for directions in a quarter of the hemisphere.
   template <class Fn>
   explicit BrushedAlbedo(Fn&& albedo) {
     for (int narrow = 0; narrow < kNarrow; ++narrow)
@@ -36,18 +36,18 @@ class BrushedAlbedo {
     for (std::size_t i = 0; i < means_.size(); ++i) means_[i] += share * (b.means_[i] - a.means_[i]);
   }
 
-  /// A direction's azimuth: 0 along the rough tangent, 1 across, and evenly where albedos change.
+  /// Returns a direction's azimuth, 0 along the rough tangent and 1 across, spaced evenly where albedos change.
   static float turn(const Vec3& w, Vec2 alpha) {
     const float along = std::abs(w.x) * std::sqrt(alpha.x), across = std::abs(w.y) * std::sqrt(alpha.y);
     return along + across > 0 ? std::atan2(across, along) * 2 / kPi : 0.5f;
   }
 
-  /// Linear between its entries. alpha.x is the greater.
+  /// Interpolates linearly between the table's entries. alpha.x must be the greater.
   float of(float cos, float turn, Vec2 alpha) const {
     const Where where(alpha);
     return where.between([&](int narrow, int row) { return in_row(narrow, row, cos, turn); });
   }
-  /// Of diffuse light.
+  /// Returns the albedo of diffuse light.
   float mean(Vec2 alpha) const {
     const Where where(alpha);
     return where.between([&](int narrow, int row) { return means_[static_cast<std::size_t>(narrow * kRows + row)]; });

@@ -7,12 +7,12 @@
 
 namespace dspm {
 
-/// Of a boundary, for light that is reflected or refracted.
+/// The albedos of a boundary for light that is reflected or refracted.
 struct BrushedGlass {
   BrushedAlbedo outside, inside;
 };
 
-/// Of what a boundary mirrors, from outside.
+/// Returns the albedos of what a boundary mirrors, from outside.
 std::shared_ptr<const BrushedAlbedo> brushed_dielectric(float eta);
 std::shared_ptr<const BrushedGlass> brushed_glass(float eta);
 

@@ -41,7 +41,7 @@ inline Rgb fresnel_conductor(float cos_i, const Rgb& eta, const Rgb& k) {
           fresnel_conductor(cos_i, eta.b, k.b)};
 }
 
-/// Close to that of diffuse light: at the cosine at which Schlick's term is its mean.
+/// Close to the reflectance of diffuse light: taken at the cosine at which Schlick's term is its mean.
 inline Rgb mean_fresnel_conductor(const Rgb& eta, const Rgb& k) { return fresnel_conductor(0.456f, eta, k); }
 
 /// Close to the reflectance of a conductor that mirrors `straight` straight on. [Schlick 1994]

@@ -13,7 +13,7 @@ inline float chance_of_reflection(float reflectance, LobeSet lobes) {
   return known == kBothLobes ? reflectance : known == kReflection ? 1.f : 0.f;
 }
 
-/// The lobe probability of `lobes`.
+/// Returns the lobe probability of `lobes`.
 inline float share_of(float reflectance, LobeSet lobes) {
   return (lobes & kReflection ? reflectance : 0) + (lobes & kTransmission ? 1 - reflectance : 0);
 }

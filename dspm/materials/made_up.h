@@ -12,23 +12,23 @@
 
 namespace dspm {
 
-/// E of facets of one or two roughnesses, by tables that outlive it.
+/// E of facets of one or two roughnesses, from tables that outlive it.
 class FacetAlbedo {
  public:
-  /// `brushed`: of two roughnesses; may be null if both are equal.
+  /// `brushed` holds facets of two roughnesses; it may be null if both are equal.
   FacetAlbedo(Vec2 alpha, const AlbedoTable& even, const BrushedAlbedo* brushed)
       : alpha_{std::max(alpha.x, alpha.y), std::min(alpha.x, alpha.y)},
         is_turned_(alpha.y > alpha.x),
         even_(even),
         brushed_(alpha.x == alpha.y ? nullptr : brushed) {}
 
-  /// How narrow the rougher direction makes the other: 0 to 1.
+  /// Returns 1 - smoother alpha / rougher alpha: 0 if both are equal.
   float narrowness() const { return brushed_ ? 1 - alpha_.y / alpha_.x : 0; }
 
   float of(float cos, float turn) const {
     return brushed_ ? brushed_->of(cos, turn, alpha_) : even_.of(cos, mean_alpha());
   }
-  /// w may lie below.
+  /// Returns E for w, which may lie below.
   float of(const Vec3& w) const {
     return of(std::abs(w.z), brushed_ ? BrushedAlbedo::turn(is_turned_ ? Vec3{w.y, w.x, w.z} : w, alpha_) : 0);
   }
@@ -46,13 +46,13 @@ class FacetAlbedo {
 // Tables of brushed facets know what is lost to so much: they make up for less, to gain nothing.
 inline constexpr float kUnsureIfBrushed = 0.02f, kUnsureInsideIfBrushed = 0.1f;
 
-/// f, for what two directions and diffuse light lose.
+/// Returns f for what two directions and diffuse light lose.
 inline float made_up(float lost_o, float lost_i, float mean_lost) {
   return mean_lost < 1e-5f ? 0 : std::max(0.f, lost_o) * std::max(0.f, lost_i) / (kPi * mean_lost);
 }
 
-/// What leaves metal facets after two or more reflections, of white metal's share of it. [Kulla and Conty 2017; Hill
-/// 2018]
+/// Returns what leaves metal facets after two or more reflections, as a factor to white metal's share. [Kulla and Conty
+/// 2017; Hill 2018]
 inline Rgb after_more_reflections(const Rgb& mean_fresnel, float mean_albedo) {
   Rgb left;
   for (int c = 0; c < 3; ++c)

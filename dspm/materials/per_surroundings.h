@@ -8,8 +8,8 @@
 
 namespace dspm {
 
-/// What make(outside_eta) gives, made once for each index, see SurfacePoint::outside_eta, and kept; for many threads.
-/// There are few: those of the bodies that a body lies in, and 1, which is made at once.
+/// Keeps what make(outside_eta) returns, made once for each index (see SurfacePoint::outside_eta), for many threads.
+/// Indices are few: those of the bodies that a body lies in, and 1, which is made at once.
 template <class T>
 class PerSurroundings {
  public:

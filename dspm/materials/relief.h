@@ -17,14 +17,14 @@ class Relief {
   /// The shading normal at a point of a primitive with these parameters, not zero; it may lie below ng.
   virtual Vec3 normal(const SurfacePoint& point, const PlacedShape& shape, int primitive, Vec2 uv) const = 0;
 
-  /// The point with that normal, bent back to the half space of ng where it is below.
+  /// Returns the point with that normal, bent back to the half space of ng if it is below.
   SurfacePoint bent(const SurfacePoint& point, const PlacedShape& shape, int primitive, Vec2 uv) const;
 };
 
-/// Whether a material of that type has a relief of its own: a mix shows those of its materials.
+/// Returns whether a material of that type has a relief of its own: a mix shows those of its materials.
 inline bool has_relief(std::string_view material) { return material != "mix" && material != "interface"; }
 
-/// "normalmap" and "displacement" of any material, whatever its plugin; null if it has neither. To be called before the
+/// Reads "normalmap" and "displacement" of any material, for any plugin; null if it has neither. Call it before the
 /// material's own factory reads the rest.
 std::shared_ptr<const Relief> read_relief(ParamReader& reader, const TextureContext& context);
 

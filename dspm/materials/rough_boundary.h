@@ -13,7 +13,8 @@
 
 namespace dspm {
 
-/// Beyond the interface, radiance is spread over a larger or smaller cone; flux is not. [Veach 1997, 5.2]
+/// Returns the factor by which transmitted light changes: beyond the interface, radiance is spread over a larger or
+/// smaller cone; flux is not. [Veach 1997, 5.2]
 inline float transport_scale(Transport transport, float eta) {
   return transport == Transport::radiance ? 1 / (eta * eta) : 1;
 }
@@ -30,7 +31,7 @@ struct Facet {
   float solid_angle_ratio;  // for transmission
 };
 
-/// The facet that sends light from wo to wi; nullopt if there is none.
+/// Returns the facet that sends light from wo to wi; nullopt if there is none.
 inline std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float eta) {
   const bool reflected = wi.z > 0;
   Vec3 m = normalize(reflected ? wo + wi : wo + wi * eta);
@@ -45,7 +46,7 @@ inline std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float 
 inline float refraction(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Facet& facet) {
   return facets.density(facet.m) * facets.visible(wo, wi) * dot(wo, facet.m) * facet.solid_angle_ratio / (wo.z * -wi.z);
 }
-/// Density by solid angle of the direction to which a facet from sample_visible() refracts wo.
+/// The density by solid angle of the direction to which a facet from sample_visible() refracts wo.
 inline float refraction_density(const Ggx& facets, const Vec3& wo, const Facet& facet) {
   return facets.visible_density(wo, facet.m) * facet.solid_angle_ratio;
 }

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// The lanes of a group whose frames are in the set have all bits set, the others none.
+/// Returns lanes in which all bits are set for frames in the set, and none for the others.
 inline __m128 lanes_of(FrameSet frames, int group) {
   const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
   const __m128i bits = _mm_set1_epi32(static_cast<int>(frames.bits() >> 4 * group & 15));

@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// The mean of the principal curvatures of the shading normals, in 1 / world unit: 1 / r on a sphere. Positive where
-/// normals point away from the centre. 0 where the shape does not tell.
+/// Returns the mean of the principal curvatures of the shading normals, in 1 / world unit: 1 / r on a sphere. It is
+/// positive where normals point away from the centre, and 0 if the shape does not tell.
 float mean_curvature(const PlacedShape& shape, int primitive, Vec2 uv);
 
 }  // namespace dspm

@@ -32,10 +32,10 @@ inline std::optional<Roots> meet_round(const DoubleVec3& o, const DoubleVec3& d,
   return t0 < t1 ? Roots{{t0, t1}} : Roots{{t1, t0}};
 }
 
-/// Instead of 0 at a pole, where u has no direction, so that dpdu keeps one.
+/// Replaces the 0 at a pole, where u has no direction, so that dpdu keeps one.
 inline constexpr double kLeastSine = 1e-6;
 
-/// A length that must be above 0.
+/// Reads a length that must be above 0.
 inline float read_positive(ParamReader& reader, std::string_view name, float fallback, std::string_view sentence) {
   const float value = reader.number(name, fallback, "scene units", sentence);
   if (value > 0) return value;
@@ -56,7 +56,7 @@ class Sweep {
 
   double phi_max() const { return phi_max_; }  // radians
   double phi(float u) const { return u * phi_max_; }
-  /// Nullopt where the shape is cut away.
+  /// Returns nullopt where the shape is cut away.
   std::optional<float> u_of(double x, double y) const {
     double phi = std::atan2(y, x);
     if (phi < 0) phi += 2 * std::numbers::pi;
@@ -70,7 +70,7 @@ class Sweep {
   double phi_max_;
 };
 
-/// The nearer root in (0, t_max) for which `at(t)` gives the parameters of a point of the shape.
+/// Returns the nearer root in (0, t_max) for which `at(t)` gives the parameters of a point of the shape.
 template <class At>
 std::optional<PrimitiveHit> first_hit(const Roots& roots, float t_max, const At& at) {
   for (const double root : roots.t) {

@@ -8,7 +8,7 @@
 
 namespace dspm::test {
 
-/// Whether an integrator of full light transport finds 1 / (1 - albedo) in the closed furnace (see scenes.h), for
+/// Checks that an integrator of full light transport finds 1 / (1 - albedo) in the closed furnace (see scenes.h), for
 /// several albedos. It must follow paths over some 40 surfaces: 0.8^40 is 0.013%.
 Verdict check_furnace(const std::string& integrator, int iterations, const Tolerance& tolerance = {});
 

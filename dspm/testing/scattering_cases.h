@@ -42,7 +42,7 @@ inline Vec3 three_numbers(const PathRandom& random, int n) {
   const Vec2 pair = random.pair(n, 0);
   return {pair.x, pair.y, random.number(n, 2)};
 }
-/// Uniform over the sphere.
+/// A direction distributed uniformly over the sphere.
 inline Vec3 any_direction(const PathRandom& random, int n) {
   const Vec2 u = random.pair(n, 4);
   return direction(2 * u.x - 1, 2 * kPi * u.y);

@@ -18,7 +18,7 @@
 
 namespace dspm {
 
-/// In the plane.
+/// A place in the plane of a picture.
 struct TextureCoordinates {
   Vec2 st;
   Vec2 dstdx{}, dstdy{};  // the footprint's axes; zero for a point
@@ -48,7 +48,7 @@ class TextureMapping {
   Transform world_from_texture_;
 };
 
-/// In the texture's own space.
+/// A place in the texture's own space.
 struct SpaceCoordinates {
   Vec3 p;
   Vec3 dpdx, dpdy;  // the footprint's axes; zero for a point
