@@ -7,14 +7,14 @@
 namespace dspm {
 namespace {
 
-/// exp(-absorption distance), Beer's law.
+/// Returns exp(-absorption distance), by Beer's law.
 Rgb left_after(const Rgb& absorption, float distance) {
   Rgb left;
   for (int c = 0; c < 3; ++c) left[c] = absorption[c] > 0 ? std::exp(-absorption[c] * distance) : 1;
   return left;
 }
 
-/// Null where the body's state in that frame bounds none.
+/// Returns null if the body's state in that frame bounds none.
 const Material* state_of(const Scene& scene, int body, Frame frame) {
   const Material* state = nullptr;
   for_each_nesting(scene, {&body, 1}, FrameSet::single(frame),
@@ -22,8 +22,8 @@ const Material* state_of(const Scene& scene, int body, Frame frame) {
   return state;
 }
 
-/// The bodies around the ray's origin, the outermost first, by what the ray passes, opaque or not: it starts in those
-/// that it leaves without having entered them. If it has entered another of equal priority, the surface may be a
+/// Returns the bodies around the ray's origin, the outermost first, by what the ray passes, opaque or not: it starts in
+/// those that it leaves without having entered them. If it has entered another of equal priority, the surface may be a
 /// boundary between the two, and nothing beyond it tells of the origin.
 Inside inside_at_start_of(Ray ray, const Scene& scene, Frame frame) {
   constexpr int kMostSurfaces = 64;

@@ -1,4 +1,4 @@
-// What is seen in mirrors and through glass and water: the first rough surface behind smooth ones.
+// What is seen in mirrors and through glass and water: the first rough surface after smooth ones.
 #pragma once
 
 #include <utility>
@@ -14,15 +14,16 @@
 
 namespace dspm {
 
-/// Follows camera paths along smooth lobes. Where light is both reflected and refracted they go where most of it comes
-/// from: so neighbouring pixels agree, and nothing that they see is noisy. The throughput is what is left on the way of
-/// the light from the surface, without the camera's weight and the scale of radiance in glass.
+/// Follows camera paths along smooth lobes. If light is both reflected and refracted, they go where most of it comes
+/// from: so neighbouring pixels agree, and nothing that they see is noisy. The throughput is the light that is left on
+/// its way from the surface, without the camera's weight and the scale of radiance in glass.
 class ClearSight {
  public:
   explicit ClearSight(const Scene& scene) : branches_(scene, counts_) {}
 
-  /// From the first vertex on. Calls rough(const CameraPath&, const Vertex&, const Bsdf&), in the path's frames, at the
-  /// ends on surfaces, and nothing(const CameraPath&, FrameSet) at the others. A path's length reaches to its end.
+  /// Follows the path from its first vertex. Calls rough(const CameraPath&, const Vertex&, const Bsdf&), in the path's
+  /// frames, at ends on surfaces, and nothing(const CameraPath&, FrameSet) at the others. A path's length reaches to
+  /// its end.
   template <class Rough, class Nothing>
   void follow(CameraPath path, const Vertex& first, Rough&& rough, Nothing&& nothing) {
     Tracer<Rough, Nothing> tracer{branches_, rough, nothing};
@@ -34,7 +35,8 @@ class ClearSight {
  private:
   static constexpr int kMostBounces = 8;
   static constexpr float kRoughFrom = 0.05f;  // GGX alpha
-  /// A surface that is likelier than that to scatter by rough lobes is seen itself: varnish does not hide what is below.
+  /// A surface is an end if rough lobes scatter at it with a greater probability than this: varnish does not hide what
+  /// is below.
   static constexpr float kRoughShare = 0.25f;
 
   template <class Rough, class Nothing>

@@ -1,4 +1,4 @@
-// How much of a pixel each of a few things covers, by counts of camera paths: what Cryptomatte calls ranks.
+// How much of a pixel each of a few things covers, counted by camera paths: what Cryptomatte calls ranks.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace dspm {
 
-/// In constant memory: if more things show than there is room for, the one with fewest paths makes room for a new one,
-/// which begins with one path. So no share is too large, and large ones lose nothing unless many things are larger.
+/// Needs constant memory: if more things show than there is room for, the one with fewest paths makes room for a new
+/// one, which begins with one path. So no share is too large, and large ones lose nothing unless many things are
+/// larger.
 class CoverageRanks {
  public:
   static constexpr std::size_t kRanks = 6;
@@ -25,7 +26,7 @@ class CoverageRanks {
     }
     *least = {thing, 1};
   }
-  /// The largest shares of both stay; again, none is too large.
+  /// Keeps the largest shares of both; again, none is too large.
   CoverageRanks& operator+=(const CoverageRanks& other) {
     std::array<Share, 2 * kRanks> all{};
     std::copy(shares_.begin(), shares_.end(), all.begin());
@@ -40,7 +41,7 @@ class CoverageRanks {
     std::copy_n(all.begin(), kRanks, shares_.begin());
     return *this;
   }
-  /// The largest share first.
+  /// Returns the shares, the largest first.
   std::array<Share, kRanks> sorted() const {
     std::array<Share, kRanks> shares = shares_;
     std::stable_sort(shares.begin(), shares.end(), larger);

@@ -15,10 +15,10 @@ namespace dspm {
 class CurvePhotons {
  public:
   CurvePhotons() = default;
-  /// That tells the photons of these groups apart.
+  /// Makes a list that tells the photons of these groups apart.
   explicit CurvePhotons(LightGroups groups) : groups_(std::move(groups)) {}
 
-  /// Sorts the photons of all `traces`, which have `on_curves` and `strands` and must outlive this.
+  /// Sorts the photons of all `traces`, which have `on_curves` and `strands` and must outlive this object.
   template <class Trace>
   void build(const std::vector<Trace>& traces) {
     sorted_.clear();
@@ -30,9 +30,9 @@ class CurvePhotons {
   std::size_t size() const { return sorted_.size(); }
   std::size_t bytes() const { return sorted_.capacity() * sizeof(Placed); }
 
-  /// Calls fn(const CurvePhoton&, const Strand*, irradiance per flux, group) for every photon that counts within `radius`
-  /// of the place, in any frame; returns how many it tested. The irradiance is across the photon's beam; group(): see
-  /// PhotonMap.
+  /// Calls fn(const CurvePhoton&, const Strand*, irradiance per flux, group) for every photon that counts within
+  /// `radius` of the place, in any frame; returns how many it tested. The irradiance is across the photon's beam; for
+  /// group(), see PhotonMap.
   template <class Fn>
   std::uint64_t for_each_within(const StripPlace& seen, float radius, Fn&& fn) const {
     const StripKernel kernel(seen, radius);
@@ -52,7 +52,7 @@ class CurvePhotons {
     const Strand* strands;
   };
   void sort();
-  /// The first photon on that strip from u on.
+  /// Returns the first photon on that strip from u on.
   std::size_t first(const StripPlace& seen, float u) const;
 
   LightGroups groups_;

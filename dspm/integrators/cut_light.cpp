@@ -28,7 +28,7 @@ struct Tally {
   }
 };
 
-/// One pixel in so many: enough paths for each region, and few for all.
+/// Samples one pixel in so many: enough paths for each region, but few in all.
 std::uint64_t pixels_per_path(const PixelRect& crop) {
   const int wanted = std::clamp(crop.count() / 16, 1024, 16'384);
   return static_cast<std::uint64_t>(std::max(1, crop.count() / wanted));

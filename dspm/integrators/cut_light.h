@@ -14,17 +14,18 @@
 
 namespace dspm {
 
-/// The picture's regions are squares, 256 at most; those at its edges are cut off.
+/// Returns the number of the picture's regions: squares, 256 at most, of which those at the edges are cut off.
 int region_count(const PixelRect& crop);
 PixelRect region(const PixelRect& crop, int index);
 
-/// Statistics::cut_light before the first iteration.
+/// Returns Statistics::cut_light as it is before the first iteration.
 std::vector<CutLight> no_cut_light(const Scene& scene, const RenderSettings& render);
 
-/// What an integrator that keeps statistics twice needs for it.
+/// Returns the bytes that an integrator needs for it that keeps statistics twice.
 std::size_t cut_light_bytes(const Scene& scene, const RenderSettings& render);
 
-/// Adds to Statistics::cut_light what an iteration's sample finds, in the first eight. `limits`: those of the picture.
+/// Adds to Statistics::cut_light what an iteration's sample finds, in the first eight iterations. `limits` are those of
+/// the picture.
 void count_cut_light(const Scene& scene, const RenderSettings& render, const PathLimits& limits,
                      std::uint64_t iteration, Statistics& statistics);
 

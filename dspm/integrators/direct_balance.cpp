@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// The state of the light whose density photons of `state` are drawn with.
+/// Returns the state of the light whose density photons of `state` are drawn with.
 const Light& drawn_as(const SceneLight& light, const Light& state) {
   for (const SceneLight::Alike& alike : light.alike) {
     if (!alike.factors.empty()) continue;  // states that differ by a colour are drawn with equal densities
@@ -27,7 +27,7 @@ DirectBalance::DirectBalance(const Scene& scene, const DirectWays& ways)
       photons_a_ray_(ways.photons_a_ray),
       scatters_(!scene.infinite_lights.empty()) {}
 
-// So many photons that rays could hardly improve on them: none is traced.
+// With so many photons, rays could hardly improve on them: none is traced.
 bool DirectBalance::Densities::enough_photons() const {
   constexpr float kEnough = 8;
   return !(photons < kEnough * (samples + scattered));

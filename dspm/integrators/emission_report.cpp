@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLightsListed = 8, kMostReports = 8, kMostText = 4200;
 
-/// "0.34%", "12%", "100%".
+/// Returns "0.34%", "12%", "100%" and the like.
 std::string percent(double share) {
   return fmt::format("{:.{}f}%", 100 * share, share < 0.01 ? 2 : share < 0.1 ? 1 : 0);
 }
@@ -29,7 +29,7 @@ std::string found_of(const EmissionReport::OfLight& light) {
   return light.started > 0 ? percent(ratio(light.found, light.started)) : "none of them a pilot path";
 }
 
-/// One by one, as they hold texts.
+/// Saves or loads the elements one by one, as they hold texts.
 template <class T, class Fn>
 void persist(std::vector<T>& all, std::size_t most, StateStream& state, Fn&& persist_one) {
   std::uint64_t count = all.size();

@@ -23,7 +23,7 @@ constexpr std::size_t kAtOnce = 256;       // records that are worth no second t
 constexpr float kSmallestSide = 0x1p-16f;  // leaves numbers of 24 bits 8 of them
 constexpr double kDefensive = 0.25;        // the share of paths that start as without a guide
 constexpr double kClimbs = 0.6;            // the chance that a draw leaves its box for the next larger one
-// Of a record's value, what is taken to lie beside it: within so many sides of its box.
+// The part of a record's value that is assumed to lie beside it, within so many sides of its box.
 constexpr double kBeside = 0.01;
 constexpr float kFarthestBeside = 1.5f;
 
@@ -47,7 +47,7 @@ struct Box {
   double deviation() const { return dspm::deviation(value, box.volume()); }
 };
 
-/// What some records of a box add up to, by side and quarter of it.
+/// The sums over some records of a box, by side and quarter of it.
 struct Sums {
   std::array<std::array<double, 4>, 4> values{};
   std::array<std::size_t, 4> low{};  // records in the lower half
@@ -73,7 +73,7 @@ struct Sums {
   }
 };
 
-/// fn(some of the records, the number of the chunk that they are).
+/// Calls fn(some of the records, the number of their chunk).
 template <class Fn>
 void for_each_chunk(Records records, Fn&& fn) {
   parallel_chunks(static_cast<std::int64_t>(records.size()), kAtOnce, [&](std::int64_t begin, std::int64_t end) {
@@ -82,7 +82,7 @@ void for_each_chunk(Records records, Fn&& fn) {
   });
 }
 
-/// fn(a half, whether it is the upper one).
+/// Calls fn(a half, whether it is the upper one).
 template <class Fn>
 void for_each_half(const Box& box, Fn&& fn) {
   if (box.records.size() <= kAtOnce) return fn((*box.halves)[0], false), fn((*box.halves)[1], true);
@@ -97,7 +97,8 @@ double gain(const Box& box, const Sums& sums, int side) {
   return box.deviation() - divided;
 }
 
-/// Its records go to the halves' in their order. `sums`: by chunk; `low`: of them, in the lower half.
+/// Halves the box. Records go to the halves in their order. `sums` holds sums by chunk; `low` of the records are in the
+/// lower half.
 void halve(Box& box, const std::vector<Sums>& sums, std::size_t low) {
   const std::size_t side = EmissionBox::slot(box.side);
   std::vector<std::size_t> low_before(sums.size());
@@ -140,7 +141,7 @@ void add_worths(const Box& box, std::vector<double>& worths) {
   for (const Box& half : *box.halves) add_worths(half, worths);
 }
 
-/// A record next to that one, at a place that follows from its numbers.
+/// Returns a record next to that one, at a place that follows from its numbers.
 EmissionRecord beside(const EmissionRecord& record, const EmissionBox& box) {
   std::uint64_t seed = 0;
   for (const float number : record.numbers) seed = mix_bits(seed + std::bit_cast<std::uint32_t>(number));
@@ -184,8 +185,9 @@ class Trees {
     least_worth_ = most_worth_not_affordable();
   }
 
-  /// The records, light by light, each with one beside it. Without those the density would fall off a cliff at the edges
-  /// of what was found: a path that starts just beyond one is seldom drawn, and weighs as much more.
+  /// Returns the records, light by light, each with one beside it. Without those the density would fall off a cliff at
+  /// the edges of what was found: a path that starts just beyond one is seldom drawn, and its weight is larger by as
+  /// much.
   std::vector<EmissionRecord> spread() const {
     std::vector<EmissionRecord> all;
     all.reserve(2 * room_.size());
@@ -216,7 +218,8 @@ class Trees {
     parallel_for(static_cast<std::int64_t>(roots_.size()), 1, [&](std::int64_t i) { fn(static_cast<std::size_t>(i)); });
   }
 
-  /// If there are too many boxes, those are halved where the variance falls most.
+  /// If there are too many boxes, returns the worth up to which boxes stay whole: the variance falls most by halving
+  /// the others.
   double most_worth_not_affordable() const {
     const std::size_t most = EmissionGuide::kMostCells - std::min(EmissionGuide::kMostCells, roots_.size());
     std::size_t boxes = 0;
@@ -230,7 +233,7 @@ class Trees {
   }
   bool is_halved(const Box& box) const { return box.halves != nullptr && box.worth > least_worth_; }
 
-  /// Draws climb from their cells, as paths next to those that were found matter, too.
+  /// Lets draws climb from their cells to larger boxes, as paths next to those that were found matter, too.
   void settle(Box& box, double climbs) const {
     box.arriving = box.deviation(), box.drawn_within = 0, box.boxes_within = 0;
     if (is_halved(box)) {
@@ -245,8 +248,9 @@ class Trees {
     box.drawn_within += box.drawn;
   }
 
-  /// Writes node `at`, and those of the boxes within from `first` on: what is within the lower half comes before what is
-  /// within the upper one, so a way down is short in memory as well. `density`: of what is drawn from the larger boxes.
+  /// Writes node `at`, and the nodes of the boxes within it from `first` on. What is within the lower half comes before
+  /// what is within the upper one, so a way down is short in memory as well. `density` is that of what is drawn from
+  /// the larger boxes.
   void lay(Box& box, std::size_t at, std::size_t first, double density, std::vector<EmissionGuide::Node>& nodes) const {
     density += guided_ * box.drawn / box.box.volume();
     nodes[at].probability = density * box.box.volume();

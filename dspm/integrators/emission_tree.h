@@ -8,16 +8,16 @@
 
 namespace dspm {
 
-/// A photon path that was found. `value`: the sum of the squares of what it would add to the pixels that found it if it
-/// had been drawn with density 1, over the density with which the records were drawn.
+/// A photon path that was found. `value` is the sum of the squares of what it would add to the pixels that found it if
+/// it had been drawn with density 1, over the density with which the records were drawn.
 struct EmissionRecord {
   int light;
   EmissionNumbers numbers;
   double value;
 };
 
-/// `usual`: the lights' probabilities without a guide. A share of the paths keeps them, so no light is lost, whatever
-/// the records are. These come light by light, and lose their order.
+/// Makes a guide from the records, which come light by light and lose their order. `usual` holds the lights'
+/// probabilities without a guide: a share of the paths keeps them, so no light is lost, whatever the records are.
 EmissionGuide guide_from(std::span<EmissionRecord> records, std::span<const float> usual);
 
 }  // namespace dspm

@@ -21,14 +21,15 @@
 namespace dspm {
 namespace {
 
-// The median of so many pixels is within four percent of that of all. An octave: until the iterations have doubled.
+// The median of so many pixels is within four percent of the median of all. An octave lasts until the iterations have
+// doubled.
 constexpr int kMostPixels = 1 << 12, kSlots = 8, kFirstMark = 4, kFirstEstimate = 8;
 constexpr float kConstant = 1e-5f;  // relative changes below it are rounding
 // Noise of a normal distribution hardly ever exceeds six times the median of its magnitude, which is four deviations.
 constexpr int kMostParts = 1 << 10;
 constexpr double kLoneChange = 0.5, kUnusual = 6;
 
-/// Of an image: some of its pixels and the brightest of each of its parts, by their luminances.
+/// What is kept of an image: the luminances of some of its pixels, and the brightest of each of its parts.
 struct Seen {
   std::span<float> pixels, peaks;
 };
@@ -58,7 +59,7 @@ class Sample {
     return {values.first(pixels), values.subspan(pixels)};
   }
   int parts_across() const { return parts_.across(width_); }
-  /// Zeros if the image has another size: it is refused when it is to be written.
+  /// Returns zeros if the image has another size: it is refused when it is to be written.
   std::vector<float> of(const Image& image) const {
     std::vector<float> values(size());
     if (image.width != width_ || image.height != height_) return values;
@@ -78,7 +79,7 @@ class Sample {
   Squares pixels_, parts_;
 };
 
-/// Where the image after so many iterations is kept until there are twice as many, if it is.
+/// Returns where the image after so many iterations is kept until there are twice as many; nullopt if it is not kept.
 std::optional<std::size_t> slot_of(int iterations, int marks_per_octave) {
   if (iterations < kFirstMark) return std::nullopt;
   const auto octave = static_cast<int>(std::bit_floor(static_cast<unsigned>(iterations)));
@@ -103,8 +104,8 @@ double error_of(std::span<const float> half, std::span<const float> all) {
   return median(relative);
 }
 
-/// The second brightest of a part and those around it: at the edges of what is bright, a pixel that hardly covers it
-/// changes as much as under a lone path, but has such neighbours.
+/// Returns the second brightest among a part and those around it. At the edges of what is bright, a pixel that hardly
+/// covers it changes as much as under a lone path, but has such neighbours.
 float around(std::span<const float> peaks, int columns, int part) {
   const int rows = static_cast<int>(peaks.size()) / columns, x = part % columns, y = part / columns;
   std::vector<float> brightest;
@@ -116,7 +117,8 @@ float around(std::span<const float> peaks, int columns, int part) {
   return brightest[second];
 }
 
-/// Nobody sees what changes in the dark: so every part is taken to be at least as bright as half of them are.
+/// Counts the parts that lone paths have changed. Nobody sees what changes in the dark, so every part counts as at
+/// least as bright as half of the parts are.
 std::uint64_t lone_paths(std::span<const float> half, std::span<const float> all, int columns, double error) {
   const double most = std::max(kLoneChange, kUnusual * error);
   std::vector<float> sorted(all.begin(), all.end());
@@ -173,7 +175,7 @@ class ErrorEstimate final : public WrappingIntegrator {
   }
 
  private:
-  /// With the image after half of the iterations, which the present one replaces.
+  /// Compares the present image with the one after half of the iterations, which it replaces.
   void compare(std::size_t slot, int done) {
     const StepTimer timer(step_);
     const bool has_half = done >= kFirstEstimate && 2 * kept_after_[slot] == done;

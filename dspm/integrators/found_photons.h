@@ -19,10 +19,10 @@ inline const OutputInfo kPhotonsOutput{
 inline const OutputInfo kRadiusOutput{
     "radius", {"radius.X"}, "search radius in world units, for the pixel's last hit point", true};
 
-/// Counts by gathers of its own, so that those of the estimators stay as fast as they are.
+/// Counts in gathers of its own, so that those of the estimators stay as fast as they are.
 class FoundPhotons {
  public:
-  /// Nothing is kept unless one of the outputs is among `asked`.
+  /// Keeps nothing unless one of the outputs is among `asked`.
   FoundPhotons(int pixels, int frames, const std::vector<std::string>& asked)
       : frames_(static_cast<std::size_t>(frames)),
         counts_(std::find(asked.begin(), asked.end(), kPhotonsOutput.name) != asked.end()),
@@ -36,8 +36,8 @@ class FoundPhotons {
   }
   bool are_wanted() const { return !pixels_.empty(); }
 
-  /// Before the estimator gathers for the same hit point. `radius2(Frame)`: the square of its radius in that frame;
-  /// `widest2`: the largest of them. Concurrent for different pixels.
+  /// Call this before the estimator gathers for the same hit point. `radius2(Frame)` returns the square of its radius
+  /// in that frame; `widest2` is the largest of them. Calls for different pixels may run concurrently.
   template <class Radius2>
   void gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2,
                  Radius2&& radius2) {
@@ -57,7 +57,7 @@ class FoundPhotons {
   }
 
   float photons(int pixel, Frame frame) const { return static_cast<float>(pixels_[index(pixel, frame)].photons); }
-  /// Before any shrinking.
+  /// The radius before any shrinking.
   float initial_radius(int pixel, Frame frame) const { return pixels_[index(pixel, frame)].initial_radius; }
   void persist(StateStream& state) { state.sum(pixels_); }
 

@@ -1,5 +1,5 @@
-// An interval in which frames were given up: its integrator goes on as it began, with another frame in their places, and
-// nobody sees these.
+// An interval in which frames were given up. Its integrator goes on as it began, with another frame in their places,
+// and nobody sees these.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@
 
 namespace dspm {
 
-/// Whose frames are those of the integrator's `frames` that were not given up. It iterates with the scene of all.
+/// Returns an integrator whose frames are those of the integrator's `frames` that were not given up. It still iterates
+/// with the scene of all of them.
 std::unique_ptr<Integrator> without_given_up(std::unique_ptr<Integrator> integrator, int frames, FrameSet given_up);
 
 }  // namespace dspm

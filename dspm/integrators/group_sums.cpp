@@ -42,8 +42,8 @@ void GroupSums::gather(const std::vector<HitPointTile>& tiles, const PhotonMap& 
   });
 }
 
-/// `radius2(Frame)`: the square of the radius in that frame; `widest2`: the largest of them, within which gather(fn) finds
-/// photons.
+/// `radius2(Frame)` returns the square of the radius in that frame; `widest2` is the largest of them, within which
+/// gather(fn) finds photons.
 template <class Radius2, class Gather>
 void GroupSums::gather_at(const HitPoint& hit, const HitPointTile& tile, const PhotonMap& map, float widest2,
                           Radius2&& radius2, Gather&& gather) {

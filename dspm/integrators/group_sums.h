@@ -1,7 +1,7 @@
-// What each group of lights brings to the pixels of a progressive integrator: the light of its photons, within the radii of
-// the image's estimator. When a radius shrinks, tau and R^2 do so alike [WG12 (2), (4)], so a pixel's radiance is the mean
-// over the iterations of phi / (pi R^2) at the radius that each of them had. That is linear in the photons, whatever the
-// radii follow: groups add up to the image. What shadow catchers catch is in none.
+// What each group of lights brings to the pixels of a progressive integrator: the light of its photons, within the
+// radii of the image's estimator. If a radius shrinks, tau and R^2 do so alike [WG12 (2), (4)], so a pixel's radiance
+// is the mean over the iterations of phi / (pi R^2) at the radius that each of them had. That is linear in the photons,
+// whatever the radii follow: groups add up to the image. What shadow catchers catch is in none of them.
 #pragma once
 
 #include <utility>
@@ -27,8 +27,9 @@ class GroupSums {
 
   /// Adds light that needs no photons.
   void see(const std::vector<HitPointTile>& tiles);
-  /// Adds a batch of an iteration's photons, before `whole`, the image's estimator, gathers them: the image keeps its
-  /// bits, so its photons are gathered twice. The maps tell the groups apart. `hidden_radius`: of hidden light.
+  /// Adds a batch of an iteration's photons, before `whole`, the image's estimator, gathers them. The image keeps its
+  /// bits, so its photons are gathered twice. The maps tell the groups apart. `hidden_radius` is the radius for hidden
+  /// light.
   void gather(const std::vector<HitPointTile>& tiles, const PhotonMap& map, const PixelEstimator& whole,
               const HiddenPhotons& hidden, const IterationRadius& hidden_radius);
   void persist(StateStream& state) { state.sum(sums_); }

@@ -22,7 +22,7 @@ struct HiddenPhotons {
   HiddenPhotons() = default;
   explicit HiddenPhotons(const LightGroups& groups) : on_surfaces(groups), on_curves(groups) {}
 
-  /// As PhotonMap::build does.
+  /// Builds both maps as PhotonMap::build does.
   void build(const std::vector<PhotonTrace>& traces, int frames, float cell_size) {
     on_surfaces.build(traces, frames, cell_size, &PhotonTrace::hidden);
     on_curves.build(traces);
@@ -30,8 +30,8 @@ struct HiddenPhotons {
   std::size_t bytes() const { return on_surfaces.bytes() + on_curves.bytes(); }
 };
 
-/// gather_by_group() for a hit point on a surface that turns to rays. A photon's flux is what would give the same radiance
-/// if it were spread over a disc.
+/// Does gather_by_group() for a hit point on a surface that turns to rays. A photon's flux is what would give the same
+/// radiance if it were spread over a disc.
 template <class Fn>
 void gather_on_curve(const HitPoint& hit, const Scattering& scattering, const HitStrip& strip,
                      const CurvePhotons& photons, float radius2, GatherCounts& counts, Fn&& fn) {
@@ -51,7 +51,7 @@ void gather_on_curve(const HitPoint& hit, const Scattering& scattering, const Hi
   counts.found += within;
 }
 
-/// gather_by_group() for a glossy hit point.
+/// Does gather_by_group() for a glossy hit point.
 template <class Fn>
 void gather_hidden_by_group(const HitPoint& hit, const HitPointTile& tile, const HiddenPhotons& hidden, float radius2,
                             GatherCounts& counts, Fn&& fn) {

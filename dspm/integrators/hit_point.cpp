@@ -52,7 +52,7 @@ class HitPointTracer {
         light_(scene, settings, out_),
         branches_(scene, out.paths) {}
 
-  /// x, y in the full image. Where frames part, their paths wait for finish().
+  /// Traces the camera path of pixel x, y of the full image. Paths whose frames part wait for finish().
   void trace(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
         scene_, render_, x, y, iteration,
@@ -136,7 +136,7 @@ class HitPointTracer {
     });
   }
 
-  /// For a material that differs between the frames.
+  /// Scatters at a material that differs between the frames.
   [[gnu::noinline]] void scatter_together(const CameraPath& path, const Vertex& vertex) {
     FrameArray<End> ends;
     FrameArray<Scattered> scattered, leaving;
@@ -171,8 +171,8 @@ class HitPointTracer {
     });
   }
 
-  /// Calls fn(f if it is constant, as is the cosine that photons count by, and only one side gets light) unless nothing can
-  /// be gathered.
+  /// Calls fn(f if it is constant, as is the cosine that photons count by, and only one side gets light) unless nothing
+  /// can be gathered.
   template <class Fn>
   void end(const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice, Fn&& fn) {
     std::optional<Rgb> constant;
@@ -236,7 +236,8 @@ class HitPointTracer {
     if (!survives(branch, path, vertex, factors)) branches_.drop();
   }
 
-  /// Multiplies what the branch carries by the factors, and plays Russian roulette; whether it goes on in any frame.
+  /// Multiplies what the branch carries by the factors, and plays Russian roulette. Returns whether it goes on in any
+  /// frame.
   bool survives(CameraPath& branch, const CameraPath& path, const Vertex& vertex,
                 std::span<const FrameFactor> factors) {
     const float u = path.random.number(path.bounces, kRoulette);

@@ -18,9 +18,10 @@ class HitPointLight {
   HitPointLight(const Scene& scene, const HitPointSettings& settings, HitPointWriter& out)
       : scene_(scene), settings_(settings), out_(out) {}
 
-  /// By one shadow ray. Rough lobes do not wait until they are chosen, and share the ray with glossy ones: highlights of
-  /// a coat need no path that chooses the coat. If photons bring rough lobes their light, glossy ones get a ray once they
-  /// are chosen. Once the path has left a hit point, photons there bring what glossy lobes scatter.
+  /// Adds direct light by one shadow ray. Rough lobes do not wait until they are chosen, and share the ray with glossy
+  /// ones: highlights of a coat need no path that chooses the coat. If photons bring rough lobes their light, glossy
+  /// ones get a ray once they are chosen. Once the path has left a hit point, photons there bring what glossy lobes
+  /// scatter.
   void add(const CameraPath& path, const Vertex& vertex, const Bsdf& bsdf, const LobeChoice& choice) {
     const bool at_once = settings_.sample_direct;
     const auto others = static_cast<LobeSet>(bsdf.all_lobes() & ~choice.lobes);
@@ -42,7 +43,7 @@ class HitPointLight {
   }
 
  private:
-  /// f of a light's sample, weighted as one of the ways by which light finds a hit point.
+  /// Returns f of a light's sample, weighted as one of the ways by which light finds a hit point.
   Rgb by_rough_lobes(const Vertex& vertex, const Bsdf& bsdf, LobeSet rough, const LightSample& sample) const {
     if (rough == 0) return {};
     const Rgb f = bsdf.evaluate(vertex.wo, sample.lit.wi, Transport::radiance, rough);
@@ -50,7 +51,8 @@ class HitPointLight {
     return f * settings_.direct->weight_of_sample(sample, {vertex.point.p, vertex.point.ng});
   }
 
-  /// Likewise, against rays that `smooth` lobes scatter, glossy ones among them, which are chosen with that chance.
+  /// Returns f of a light's sample, weighted against rays that `smooth` lobes, glossy ones among them, scatter if they
+  /// are chosen, with probability `chance`.
   static Rgb by_glossy_lobes(const Vertex& vertex, const Bsdf& bsdf, LobeSet glossy, LobeSet smooth, float chance,
                              const LightSample& sample) {
     if (glossy == 0) return {};

@@ -1,5 +1,5 @@
-// What camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite are rejected, with
-// the one who gave them.
+// What camera paths leave in a tile: light that they see, and hit points. Values that are negative or not finite are
+// rejected and blamed on whoever gave them.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ class HitPointWriter {
 
   PathCounts& paths() { return tile_.paths; }
 
-  /// `giver`: its source, the light if it is finite; else the one to blame.
+  /// Adds light that the path sees. `giver` returns its source: the light if the radiance is finite, else the one to
+  /// blame.
   template <class WhoGave>
   void see(const CameraPath& path, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     for_each_strand(tile_.strands.of(path.strands), frames, [&](FrameSet alike, const Rgb& weight) {
@@ -44,8 +45,8 @@ class HitPointWriter {
     return {};
   }
 
-  /// Multiplies what the path, here at `vertex`, carries; keep(frames, product): what is left of it. Whether any frame
-  /// goes on.
+  /// Multiplies what the path, here at `vertex`, carries; keep(frames, product) returns what is left of it. Returns
+  /// whether any frame goes on.
   template <class Keep>
   bool carry(CameraPath& path, const Vertex& vertex, std::span<const FrameFactor> factors, ByRatio by_ratio,
              Keep&& keep) {
@@ -58,7 +59,7 @@ class HitPointWriter {
     return carry(path, vertex, factors, ByRatio::yes, [](const Rgb& product) { return product; });
   }
 
-  /// `bsdf`: null if f is constant and among the factors.
+  /// Adds a hit point. `bsdf` is null if f is constant and among the factors.
   void add_hit_point(std::vector<HitPoint>& hit_points, const CameraPath& path, const Vertex& vertex,
                      std::span<const FrameFactor> factors, const Bsdf* bsdf, LobeSet lobes) {
     CameraPath ended = path;

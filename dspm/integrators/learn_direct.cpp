@@ -24,8 +24,8 @@ class Pilot {
     settings_.share_paths = true;
   }
 
-  /// Of what rays that share direct light as `balance` says bring to the hit points, by pilot pixel and frame; null:
-  /// none.
+  /// Returns what rays bring to the hit points, by pilot pixel and frame, if they share direct light as `balance` says;
+  /// if it is null, rays bring none.
   std::vector<double> direct_light(const DirectBalance* balance, int again) {
     HitPointSettings settings = settings_;
     settings.sample_direct = balance != nullptr, settings.direct = balance;
@@ -44,7 +44,7 @@ class Pilot {
     return sums;
   }
 
-  /// Of the last hit points: that of a typical one.
+  /// The typical radius of the last hit points.
   float radius() const { return radius_; }
   std::size_t bytes() const { return tile_bytes_ + sums_bytes_; }
 

@@ -69,7 +69,7 @@ class Learner {
     return guides;
   }
 
-  /// Without guides.
+  /// Traces the first round, without guides.
   PilotRound trace_first(PilotPaths& pilot) {
     PilotRound first = trace({}, 1);
     pilot.rounds = 1, pilot.of_a_round = first.all_paths(), pilot.found_first = first.found.size();
@@ -109,7 +109,7 @@ class Learner {
     return guides;
   }
 
-  /// `scale`: of the search radius.
+  /// Traces a round. `scale` multiplies the search radius.
   PilotRound trace(const EmissionGuides& guides, float scale) {
     look(scale);
     PilotRound round{guides, {}, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
@@ -139,7 +139,7 @@ class Learner {
                                                     visible(&HitPointTile::glossy, scale, frames)});
   }
 
-  /// Some of each choice, in turns.
+  /// Returns some frames of each choice, in turns.
   FrameSet frames_of_round() const {
     const int at_once = std::max(1, kFramesOfARound / static_cast<int>(choices_));
     FrameSet frames;
@@ -154,7 +154,8 @@ class Learner {
     return frames;
   }
 
-  /// Pilot pixels are further apart than pixels; wide circles need fewer points.
+  /// Returns the points that can gather photons. Their radii are wider than in a render, because pilot pixels are
+  /// further apart than pixels; wide circles need fewer points.
   VisiblePoints visible(std::vector<HitPoint> HitPointTile::*which, float scale, FrameSet frames) const {
     std::size_t count = 0;
     for (const HitPointTile& tile : tiles_) count += (tile.*which).size();
@@ -208,12 +209,12 @@ class Learner {
     for (FoundPath& path : round.found) path.place = round.found_of[kind(path)]++;
   }
 
-  /// By choice and light.
+  /// Numbers the path's choice and light.
   std::size_t kind(const FoundPath& path) const {
     return path.choice * scene_.lights.size() + static_cast<std::size_t>(path.start.light);
   }
 
-  /// All frames of a photon have the same.
+  /// Returns the choice of a photon's frames; all of them have the same.
   std::size_t choice_of(FrameSet frames) const {
     std::size_t choice = 0;
     while ((scene_.light_choices[choice].frames & frames).empty()) ++choice;
@@ -224,7 +225,8 @@ class Learner {
     return static_cast<double>(
         scene_.light_choices[path.choice].probability[static_cast<std::size_t>(path.start.light)]);
   }
-  /// The scene's factor to what a light gets of the paths. Boxes get paths by the root of what their records add up to.
+  /// The scene's factor to a light's share of the paths. Boxes get paths by the square root of the sum of their
+  /// records.
   double favour(int light) const { return static_cast<double>(scene_.lights[static_cast<std::size_t>(light)].photons); }
   double density(const EmissionGuides& guides, const FoundPath& path) const {
     return guides.are_off()
@@ -232,8 +234,8 @@ class Learner {
                : static_cast<double>(guides.of_choice[path.choice].density(path.start.light, path.start.numbers));
   }
 
-  /// A path counts as drawn from the mixture of all rounds; else those that were unlikely in their own round would
-  /// outweigh all others. [Veach 1997, 9.2] To be called after each round.
+  /// Makes the guides after a round. A path counts as drawn from the mixture of all rounds; otherwise paths that were
+  /// unlikely in their own round would outweigh all others. [Veach 1997, 9.2]
   EmissionGuides guides_after(std::vector<PilotRound>& rounds) {
     std::vector<std::vector<std::uint32_t>> first_of;  // by round and kind: its first record
     for (const PilotRound& round : rounds) first_of.push_back(round.found_of);
@@ -267,7 +269,7 @@ class Learner {
     return guides;
   }
 
-  /// The time that the same variance would take without a guide, over that with the round's.
+  /// Returns the time to the same variance without a guide, over the time with the round's guide.
   double gain(const PilotRound& round, const PilotRound& without) const {
     double variance = 0, usual_variance = 0;
     for (const FoundPath& path : round.found) {

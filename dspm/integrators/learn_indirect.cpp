@@ -82,7 +82,7 @@ class Pilot {
     return seen;
   }
 
-  /// What photons of that kind bring to the hit points after the first.
+  /// Returns what photons of that kind bring to the hit points after the first.
   Sums gathered(const Seen& seen, unsigned kinds) {
     Sums sums(seen.light.size());
     const VisiblePoints points(seen.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
@@ -103,8 +103,8 @@ class Pilot {
     return sums;
   }
 
-  /// Of an iteration after some time, with photons that rough lobes have scattered. It is in inverse proportion to
-  /// their number and to the area that they are gathered from.
+  /// Returns the variance of a later iteration with photons that rough lobes have scattered. It is in inverse
+  /// proportion to their number and to the area from which they are gathered.
   double variance_by_photons(const Seen& seen, const Sums& weights) {
     const VisiblePoints points(seen.tiles, &HitPointTile::hit_points, scale(), scene_.radius);
     Sums of_traces(trace_of(kDiffusePhotons).size());
@@ -119,14 +119,14 @@ class Pilot {
     return squares / static_cast<double>(pilot_photons_) / photons_ * narrower * narrower;
   }
 
-  /// Of a photon path.
+  /// Returns the segments of a photon path.
   double segments(unsigned kinds) {
     double sum = 0;
     for (const PhotonTrace& trace : trace_of(kinds)) sum += static_cast<double>(trace.paths.segments.done);
     return sum / static_cast<double>(pilot_photons_);
   }
 
-  /// fn(number of its trace, photon), in order within a trace; traces on all threads.
+  /// Calls fn(number of its trace, photon), in order within a trace; traces run on all threads.
   template <class Fn>
   void for_each_photon(unsigned kinds, Fn&& fn) {
     const std::vector<PhotonTrace>& traces = trace_of(kinds);
@@ -144,7 +144,7 @@ class Pilot {
     return traces_;
   }
 
-  /// Errors count relative to brightness, as the eye takes them.
+  /// Weights errors relative to brightness, as the eye does.
   static Sums weights_of(const Sums& a, const Sums& b) {
     Sums weights;
     const double mean = (std::accumulate(a.begin(), a.end(), 0.0) + std::accumulate(b.begin(), b.end(), 0.0)) /
@@ -164,7 +164,7 @@ class Pilot {
   }
   std::size_t frames() const { return static_cast<std::size_t>(scene_.frame_count()); }
   std::size_t pilot_pixels() const { return static_cast<std::size_t>(pixels_.columns() * pixels_.rows()); }
-  /// Of search radii: pilot pixels are further apart than pixels.
+  /// Scales search radii: pilot pixels are further apart than pixels.
   float scale() const { return std::max(1.f, 0.5f * static_cast<float>(pixels_.stride)); }
 
   const Scene& scene_;

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// Photons of paths that end where a rough lobe would scatter them.
+/// Ends paths where a rough lobe would scatter them.
 inline PhotonSettings without_diffuse(PhotonSettings photon) {
   photon.kinds &= ~static_cast<unsigned>(kDiffusePhotons);
   return photon;
@@ -22,8 +22,8 @@ inline HitPointSettings going_on(HitPointSettings hit_point) {
   return hit_point;
 }
 
-/// Whether camera paths that go on would have less variance than photons, at equal work, by pilot paths of both.
-/// `photons`: paths of an iteration, drawn with the guides.
+/// Returns whether, by pilot paths of both, camera paths that go on would have less variance than photons at equal
+/// work. An iteration traces `photons` paths, drawn with the guides.
 bool paths_that_go_on_pay(const Scene& sample, const RenderSettings& render, const PhotonSettings& photon,
                           const HitPointSettings& hit_point, std::int64_t photons, const EmissionGuides& guides);
 

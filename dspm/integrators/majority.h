@@ -15,7 +15,7 @@ struct Majority {
     if (lead == 0) choice = candidate;
     choice == candidate ? ++lead : --lead;
   }
-  /// A majority of all votes stays one. [Agarwal et al. 2012]
+  /// Merges two rows: a majority of all votes remains one. [Agarwal et al. 2012]
   Majority& operator+=(const Majority& o) {
     if (choice == o.choice)
       lead += o.lead;

@@ -9,10 +9,11 @@
 
 namespace dspm {
 
-/// Makes an integrator that may hold that many bytes; 0: no bound.
+/// Makes an integrator that may hold that many bytes; 0 means that there is no bound.
 using MakeWithin = std::function<std::unique_ptr<Integrator>(std::size_t memory)>;
 
-/// Leaves `taken` bytes of the memory to what wraps the integrator. Throws NotEnoughMemory, with both in its figures.
+/// Makes an integrator with `memory` less the `taken` bytes of what wraps it. Throws NotEnoughMemory, with both in its
+/// figures.
 std::unique_ptr<Integrator> make_beside(std::size_t taken, const MakeWithin& make, std::size_t memory);
 
 }  // namespace dspm

@@ -28,8 +28,8 @@ std::size_t bytes_filled(const std::vector<HitPointTile>& tiles) {
   return sum;
 }
 
-/// A block at a random position in the i-th of kBlocks pieces of [low, high), since regular positions might miss
-/// regular features of an image. `random` in [0, 1).
+/// Returns a block at a random position in the i-th of kBlocks pieces of [low, high), since regular positions might
+/// miss regular features of an image. `random` is in [0, 1).
 std::pair<int, int> block(int i, int low, int high, float random) {
   const int side = std::min(kBlockSide, high - low);
   const double part = static_cast<double>(high - low - side + 1) / kBlocks;

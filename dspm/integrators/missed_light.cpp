@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// At an arbitrary point: whether the material is such glass everywhere is not known.
+/// Tests the material at an arbitrary point: whether it is such glass everywhere is not known.
 bool refracts_sharply(const Material& material) {
   SurfacePoint point{};
   point.ng = point.ns = {0, 0, 1}, point.dpdu = {1, 0, 0}, point.dpdv = {0, 1, 0}, point.uv = {0.5f, 0.5f};

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// The frames in which the vertex lies on a mix, one of whose materials `holds(const Bsdf&)` there.
+/// Returns the frames in which the vertex lies on a mix and `holds(const Bsdf&)` is true of one of its materials there.
 template <class Holds>
 FrameSet mixed_frames(const Vertex& vertex, Holds&& holds) {
   FrameSet frames;

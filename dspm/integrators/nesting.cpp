@@ -5,7 +5,8 @@
 namespace dspm {
 namespace {
 
-/// Of the surface of a body in one of its states, `own`, and those of the others in the path's list.
+/// Returns the boundary at the surface of a body in one of its states, `own`, given those of the others in the path's
+/// list.
 Boundary boundary_between(const Vertex& vertex, FrameSet frames, const Material& own, std::span<const int> others,
                           std::span<const Material* const> states, const Inside& inside) {
   Boundary boundary{frames, true, 1, inside};

@@ -108,7 +108,7 @@ class PathTracer {
     branches_.push(path);
   }
 
-  /// `giver`: its source, the light if it is finite; else the one to blame.
+  /// Adds light. `giver` returns its source: the light if the radiance is finite, else the one to blame.
   template <class WhoGave>
   void add(const CameraPath& path, int scatterings, FrameSet frames, const Rgb& radiance, WhoGave&& giver) {
     if (is_light(radiance))

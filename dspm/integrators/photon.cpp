@@ -41,7 +41,7 @@ class PhotonTracer {
     branches_.count_path();
     if (settings_.keep_ends) out_.ends.push_back({out_.photons.size(), out_.hidden.size(), out_.on_curves.size()});
   }
-  /// After the last path.
+  /// Call this after the last path.
   void finish() { energy_.finish(); }
 
  private:

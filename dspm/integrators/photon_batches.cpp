@@ -12,7 +12,8 @@ namespace {
 // More and smaller batches cost time and save little: pixels then take most of the memory.
 constexpr std::int64_t kMostBatches = 16, kLeastPaths = 4096;
 
-/// With several batches, iterations are long: the plan includes a copy of the state (session/revertible.h).
+/// Returns the bytes of pixels. With several batches, iterations are long: the plan includes a copy of the state
+/// (session/revertible.h).
 std::size_t pixel_bytes(EstimatorSettings of, const EstimatorKind& estimator, const RenderSettings& render,
                         const LightGroups& groups, std::size_t estimators) {
   const std::size_t found = FoundPhotons::bytes(of.pixels, of.frames, render.outputs);

@@ -13,14 +13,14 @@ inline double sum(const Rgb& c) {
   return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
 }
 
-/// Of the paths of one trace, whose lists of strands by then are those of the lights.
+/// The energy of the paths of one trace, whose lists of strands are those of the lights at that time.
 class PhotonEnergy {
  public:
   PhotonEnergy(int frames, PhotonTrace& trace) : frames_(FrameSet::first(frames)), trace_(trace) {
     trace.energy.assign(static_cast<std::size_t>(frames) + trace.own_strands, {});
   }
 
-  /// A path's flux in these frames.
+  /// Adds a path's flux in these frames to `entry`.
   void add(StrandList strands, const Rgb& flux, FrameSet frames, double EnergyBalance::*entry) {
     change(strands, frames, [&](EnergyBalance& e, const Rgb& weight) { e.*entry += sum(flux * weight); });
   }

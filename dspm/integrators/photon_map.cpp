@@ -9,10 +9,11 @@
 namespace dspm {
 namespace {
 
-/// For each class of photons, how many a trace has, and later their places.
+/// By class of photons, how many a trace has; later, their places.
 using Places = std::vector<std::size_t>;
 
-/// 0 for photons shared by frames, 1 + f for those of frame f alone, then those with strands.
+/// Returns 0 for photons shared by frames, 1 + f for those of frame f alone, and the last number for those with
+/// strands.
 std::size_t class_of(const Photon& photon, std::size_t frames) {
   if (photon.strands != 0) return frames + 1;
   return photon.frames.count() > 1 ? 0 : static_cast<std::size_t>(photon.frames.lowest()) + 1;
@@ -37,7 +38,7 @@ std::vector<Places> count(const std::vector<PhotonTrace>& traces, std::size_t fr
   return counts;
 }
 
-/// Then separate grids by frame do not pay off.
+/// Returns whether most photons are shared: separate grids by frame do not pay off then.
 bool mostly_common(const std::vector<Places>& counts) {
   std::size_t common = 0, all = 0;
   for (const Places& trace : counts) common += trace[0], all = std::accumulate(trace.begin(), trace.end() - 1, all);

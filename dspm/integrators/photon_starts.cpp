@@ -9,7 +9,7 @@
 namespace dspm {
 namespace {
 
-/// The starts once more for each list of bodies that a light lies in, in some frames.
+/// Repeats the starts for each list of bodies that a light lies in, in some frames.
 std::vector<PhotonStart> by_bodies(const Scene& scene, const std::vector<PhotonStart>& starts) {
   std::vector<PhotonStart> parts;
   for (const PhotonStart& start : starts) {

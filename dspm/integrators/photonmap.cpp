@@ -54,7 +54,7 @@ PhotonSettings caustic_settings(const PhotonMapSettings& s, const RenderSettings
   return {render.seed, Stream::caustic_photon, s.max_depth, s.least_alpha, kCausticPhotons, true};
 }
 
-/// With the guides' pointer set.
+/// Photon settings whose guides are those in `learned`.
 struct GuidedPhotons {
   PhotonSettings settings;
   std::shared_ptr<const LearnedEmission> learned;
@@ -78,7 +78,8 @@ float caustic_radius(const PhotonMapSettings& s, const Scene& scene) {
   return s.caustic_radius > 0 ? s.caustic_radius : kCausticRadiusShareOfScene * scene.radius;
 }
 
-/// Final gather rays find photons where no camera path does.
+/// Returns the global photons. They have guides only without final gathering: its rays find photons where no camera
+/// path does.
 GuidedPhotons global_photons(const Scene& scene, const PhotonMapSettings& s, RenderSettings render,
                              Statistics& statistics) {
   render.count_found &= s.final_gather == 0;
@@ -210,7 +211,7 @@ class PhotonMapper final : public SummingIntegrator {
     }
   }
 
-  /// Within the largest radius: the nearest photons on a strip need not surround the point.
+  /// Adds the photons within the largest radius: the nearest photons on a strip need not surround the point.
   template <class Add>
   void see_on_curve(const HitPoint& hit, const HitPointTile& tile, GatherCounts& counts, Add&& add) const {
     const float radius2 = caustic_how_.radius * caustic_how_.radius;

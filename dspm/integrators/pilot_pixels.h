@@ -18,7 +18,7 @@ struct PilotPixels {
   RenderSettings render;  // of the whole image
   int stride;             // between the pixels
 
-  /// About that many.
+  /// Chooses about `count` pixels.
   PilotPixels(const RenderSettings& of, double count)
       : render(of), stride(std::max(1, static_cast<int>(std::sqrt(of.width / count * of.height)))) {
     render.crop = {0, 0, of.width, of.height};
@@ -26,7 +26,7 @@ struct PilotPixels {
 
   int columns() const { return (render.width - 1) / stride + 1; }
   int rows() const { return (render.height - 1) / stride + 1; }
-  /// Among the pilot pixels, of a pixel of the image.
+  /// Returns the index, among the pilot pixels, of a pixel of the image.
   int index(int pixel) const { return pixel / render.width / stride * columns() + pixel % render.width / stride; }
 
   std::vector<HitPointTile> trace(const Scene& sample, const HitPointSettings& settings,
@@ -35,7 +35,7 @@ struct PilotPixels {
   }
 };
 
-/// Of the hit points, before any shrinking; 0 if there are none.
+/// Returns the median radius of the hit points before any shrinking; 0 if there are none.
 inline float median_radius(const std::vector<HitPointTile>& tiles) {
   std::vector<float> radii;
   for (const HitPointTile& tile : tiles)

@@ -104,7 +104,7 @@ class Progressive final : public Integrator {
   }
 
  private:
-  /// Of radii and numbers of photons; what they give is an image.
+  /// Checks radii and numbers of photons; what they give is checked as an image.
   bool has_possible_pixels(const PixelEstimator& estimator) const {
     for (int pixel = 0; pixel < render_.crop.count(); ++pixel)
       for (std::size_t f = 0; f < statistics_.energy.size(); ++f) {
@@ -232,8 +232,8 @@ class Progressive final : public Integrator {
     hidden_.build(traces_, scene.frame_count(), cell_size);
   }
 
-  /// Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and can be added as seen
-  /// light.
+  /// Adds hidden light. Its radius shrinks like kz11's for both estimators, so that it is linear in the photons and can
+  /// be added as seen light.
   void see_hidden_light() {
     const StepTimer timer(statistics_.steps[kStatistics]);
     std::vector<GatherCounts> counts(tiles_.size());
@@ -284,7 +284,7 @@ class Progressive final : public Integrator {
                      [&](Frame frame) { return estimator.search_radius2_in(frame, hit); });
   }
 
-  /// For the next iteration.
+  /// The radius for the next iteration.
   float radius(int pixel, Frame frame) const {
     std::optional<PixelStatistics> own = estimator_->statistics(pixel, frame);
     if (own && own->R2 == 0 && caught_ != nullptr) own = caught_->statistics(pixel, frame);

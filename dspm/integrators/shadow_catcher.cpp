@@ -16,7 +16,7 @@
 namespace dspm {
 namespace {
 
-/// What is left of the light E0, by the colour that loses most.
+/// Returns what is left of the light E0, by the colour that loses most.
 float share_left(const Rgb& with, const Rgb& without) {
   float share = 1;
   for (const auto& [e, e0] : {std::pair(with.r, without.r), {with.g, without.g}, {with.b, without.b}})

@@ -13,7 +13,7 @@ constexpr float kRoundings = 1e-6f;
 
 bool nearly_equal(float a, float b) { return std::abs(a - b) <= kRoundings * std::max(std::abs(a), std::abs(b)); }
 
-/// The factor s with a = s b, if a is a multiple of b.
+/// Returns the factor s with a = s b, if a is a multiple of b.
 std::optional<float> multiple_of(const Rgb& a, const Rgb& b) {
   const float s = max_component(a) / max_component(b);
   if (!std::isfinite(s)) return std::nullopt;

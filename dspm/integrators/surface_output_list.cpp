@@ -9,8 +9,8 @@
 namespace dspm {
 namespace {
 
-/// Two ranks share the four channels of a layer. Lower case: compression with loss (dwaa, dwab) takes channels named R,
-/// G and B for colours. [Cryptomatte specification 1.2.0, OpenEXR]
+/// Two ranks share the four channels of a layer. Their names are in lower case because lossy compression (dwaa, dwab)
+/// takes channels named R, G and B for colours. [Cryptomatte specification 1.2.0, OpenEXR]
 std::vector<OutputInfo> cryptomatte(const std::string& name, const std::string& layer, const char* of) {
   std::vector<OutputInfo> ranks;
   for (std::size_t rank = 0; rank < CoverageRanks::kRanks; ++rank) {

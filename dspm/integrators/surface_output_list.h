@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Each is an output, but a Cryptomatte is as many as it has ranks.
+/// Each kind is one output, except a Cryptomatte, which is as many as it has ranks.
 enum class SurfaceKind {
   normal,
   position,
@@ -30,7 +30,7 @@ inline bool is_id(SurfaceKind kind) { return kind == SurfaceKind::object || kind
 inline bool is_crypto(SurfaceKind kind) {
   return kind == SurfaceKind::crypto_object || kind == SurfaceKind::crypto_material;
 }
-/// Those of the first rough surface behind smooth ones.
+/// Returns whether the kind belongs to the first rough surface after smooth ones.
 inline bool is_for_denoising(SurfaceKind kind) { return kind >= SurfaceKind::denoising_normal; }
 
 inline constexpr const char* kAlphaOutput = "alpha";
@@ -39,13 +39,13 @@ inline constexpr const char* kDenoisingNormal = "denoisingN";
 inline constexpr const char* kDenoisingDepth = "denoisingZ";
 inline constexpr const char* kDenoisingAlbedo = "denoisingalbedo";
 
-/// Those of ids without names.
+/// Returns the outputs of a kind. Those of ids do not have the names yet, which only scenes know.
 const std::vector<OutputInfo>& outputs_of(SurfaceKind kind);
-/// Of all kinds.
+/// Returns the outputs of all kinds.
 const std::vector<OutputInfo>& surface_outputs();
-/// Those of Film "gbuffer", which are pbrt's.
+/// Returns the outputs of Film "gbuffer", which are pbrt's.
 std::vector<std::string> gbuffer_outputs();
-/// The outputs that together are "cryptoobject" or "cryptomaterial"; none for other names.
+/// Returns the outputs that together are "cryptoobject" or "cryptomaterial"; none for other names.
 std::vector<std::string> cryptomatte_outputs(const std::string& name);
 
 }  // namespace dspm

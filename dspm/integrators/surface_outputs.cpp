@@ -54,14 +54,14 @@ struct Layer {
   std::vector<Majority> votes;
   std::vector<CoverageRanks> ranks;
 
-  /// Its position among the outputs; none: outputs.size().
+  /// Returns its position among the outputs, or outputs.size() if there is none of that name.
   std::size_t find(const std::string& name) const {
     const auto at = std::find_if(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == name; });
     return static_cast<std::size_t>(at - outputs.begin());
   }
 };
 
-/// Bytes of a layer, a pixel and frame.
+/// Returns the bytes of a layer per pixel and frame.
 std::size_t bytes_of(Kind kind) {
   if (is_mean(kind)) return sizeof(Rgb);
   return is_id(kind) ? sizeof(Majority) : is_crypto(kind) ? sizeof(CoverageRanks) : 0;
@@ -227,12 +227,12 @@ class SurfaceOutputs final : public WrappingIntegrator {
     }
   }
 
-  /// The same for all frames of a vertex, since a path has one camera.
+  /// All frames of a vertex have the same, since a path has one camera.
   static const Transform& camera_to_world(const Scene& scene, const Vertex& vertex) {
     return scene.camera_to_world[static_cast<std::size_t>(vertex.frames.lowest())];
   }
 
-  /// On the side that is seen.
+  /// Returns the normal on the side that is seen.
   Rgb normal(const Scene& scene, const Vertex& vertex) const {
     const SurfacePoint& point = vertex.point;
     Vec3 n = dot(vertex.wo, point.ng) < 0 ? -point.ns : point.ns;
@@ -246,13 +246,13 @@ class SurfaceOutputs final : public WrappingIntegrator {
     return {p.x, p.y, p.z};
   }
 
-  /// Of a point that the vertex's camera sees.
+  /// Returns the depth of a point that the vertex's camera sees.
   static float depth(const Scene& scene, const Vertex& vertex, const Vec3& p) {
     const Transform& to_world = camera_to_world(scene, vertex);
     return dot(p - to_world.point({}), normalize(to_world.vector({0, 0, 1})));
   }
 
-  /// Of an output of the layer.
+  /// Returns the value of an output of the layer.
   Rgb value(const Layer& layer, std::size_t number, std::size_t at) const {
     if (layer.kind == Kind::alpha) return Rgb(share(met_[at]));
     if (layer.kind == Kind::denoising_depth) return depth_for_denoising(layer.sums[at]);
@@ -269,9 +269,9 @@ class SurfaceOutputs final : public WrappingIntegrator {
     if (met_[at] == 0) return layer.kind == Kind::depth ? Rgb(kNoDepth) : Rgb();
     return layer.sums[at] / static_cast<float>(met_[at]);
   }
-  /// `sum`: of depths, and how many.
+  /// Takes the sum of depths, and their number.
   static Rgb depth_for_denoising(const Rgb& sum) { return Rgb(sum.g > 0 ? sum.r / sum.g : kNoDepth); }
-  /// Of the pixel's camera paths.
+  /// Returns a share of the pixel's camera paths.
   float share(std::uint32_t paths) const { return static_cast<float>(paths) / static_cast<float>(iterations_); }
 
   template <class Value>
@@ -295,7 +295,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
   StepTime step_{"surface outputs"};
 };
 
-/// Those of which some output has such a name.
+/// Returns the kinds that have an output of such a name.
 std::vector<Kind> kinds_in(const std::vector<std::string>& names) {
   std::vector<Kind> kinds;
   for (int number = 0; number < kSurfaceKinds; ++number) {

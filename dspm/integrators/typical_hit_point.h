@@ -1,4 +1,4 @@
-// What photons find at the typical place, from the counts of the gathers that are made anyway.
+// What photons find at a typical place, from the counts of the gathers that are made anyway.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 
 namespace dspm {
 
-/// By tile.
+/// Counts what gathers find, by tile.
 class FoundByTile {
  public:
   explicit FoundByTile(std::size_t tiles) : found_(tiles), gathers_(tiles) {}
 
-  /// After a gather at all hit points.
+  /// Call this after a gather at all hit points.
   void add(const std::vector<GatherCounts>& tiles) {
     ++rounds_;
     for (std::size_t t = 0; t < tiles.size(); ++t)
       found_[t] += tiles[t].found.separate, gathers_[t] += tiles[t].gathers.separate;
   }
 
-  /// `tiles`: of the last iteration. `shrunk`: their radius over their initial radius.
+  /// Takes the tiles of the last iteration; `shrunk` is their radius over their initial radius.
   TypicalHitPoint typical(const std::vector<HitPointTile>& tiles, const std::vector<double>& shrunk) const {
     std::vector<double> photons, radii;
     for (std::size_t t = 0; t < found_.size(); ++t) {

@@ -17,13 +17,13 @@ namespace dspm {
 
 class VisiblePoints {
  public:
-  /// Every `step`-th of the tiles' hit points in these frames, with `scale` times their radius, but at most `most`.
-  /// `which`: ordinary ones or those of glossy lobes. The tiles must outlive it.
+  /// Takes every `step`-th of the tiles' hit points in these frames, with `scale` times their radius, but at most
+  /// `most`. `which` selects ordinary ones or those of glossy lobes. The tiles must outlive it.
   VisiblePoints(std::span<const HitPointTile> tiles, std::vector<HitPoint> HitPointTile::*which, float scale,
                 float most, std::size_t step = 1, FrameSet frames = FrameSet::first(kMaxFrames));
 
-  /// Calls fn(radiance, frames, const HitPoint&) for every point that gathers the photon: the luminance that its pixel
-  /// gains in each of these frames. Strands do not count.
+  /// Calls fn(radiance, frames, const HitPoint&) for every point that gathers the photon, with the luminance that its
+  /// pixel gains in each of these frames. Strands do not count.
   template <class Fn>
   void for_each_gathering(const Photon& photon, Fn&& fn) const {
     for_each_around(photon, [&](const Point& point, const HitPoint& hit, FrameSet frames) {
@@ -38,8 +38,8 @@ class VisiblePoints {
       give(luminance(photon.flux * hit.throughput * f) / kernel_size(point.radius2), frames, hit, fn);
     });
   }
-  /// The same for points on surfaces that turn. Those of one strip that are no further away than the circle is wide: this
-  /// need not be exact.
+  /// Calls fn likewise for points on surfaces that turn: those of the same strip that are no further away than the
+  /// circle is wide. This need not be exact.
   template <class Fn>
   void for_each_gathering(const CurvePhoton& photon, Fn&& fn) const {
     for_each_around(photon, [&](const Point& point, const HitPoint& hit, FrameSet frames) {

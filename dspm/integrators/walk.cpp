@@ -17,10 +17,10 @@ constexpr int kMostCollisions = 1 << 16;
 
 int dimension(int collision, int number) { return kFlights + collision * kNumbers + number; }
 
-/// The share of light that a flight of that length leaves.
+/// Returns the share of light that a flight of that length leaves.
 float left_after(float sigma_t, float distance) { return std::exp(-sigma_t * distance); }
 
-/// A direction whose cosine to w is distributed by Henyey and Greenstein's phase function.
+/// Returns a direction whose cosine to w is distributed by Henyey and Greenstein's phase function.
 Vec3 turned(const Vec3& w, float g, Vec2 u) {
   float cosine = 1 - 2 * u.x;
   if (std::abs(g) > 1e-3f) {

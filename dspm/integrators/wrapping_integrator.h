@@ -1,4 +1,4 @@
-// An integrator that does something beside another one, which it wraps: whatever it does not override is the other's.
+// An integrator that wraps another one and does something besides: whatever it does not override is the other's.
 #pragma once
 
 #include <memory>

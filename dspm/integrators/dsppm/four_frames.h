@@ -49,7 +49,7 @@ class FourFrames {
   }
   __m128 R2() const { return R2_; }
 
-  /// [WG12 (1), (2), (4)]; frames without photons do not change.
+  /// Updates the statistics [WG12 (1), (2), (4)]; frames without photons do not change.
   void absorb(const FourSums& sums, float alpha) {
     const __m128 none = _mm_cmpeq_ps(sums.M, _mm_setzero_ps());
     if (_mm_movemask_ps(none) == 15) return;
@@ -72,7 +72,7 @@ class FourFrames {
     s.tau = {lane_of(tau_[0], lane), lane_of(tau_[1], lane), lane_of(tau_[2], lane)};
     return s;
   }
-  /// See PixelStatistics::see.
+  /// Does what PixelStatistics::see does, in one lane.
   void see(int lane, const Rgb& radiance, float emitted) {
     PixelStatistics s = of(lane);
     s.see(radiance, emitted);

@@ -49,7 +49,7 @@ class CameraSubpathTracer {
  private:
   friend BranchingPath<CameraSubpath>;
 
-  /// The pixel's, in any crop.
+  /// The pixel's light subpath, the same in any crop.
   const LightSubpath& light_subpath() {
     if (!loaded_) {
       const StrandTable* strands = nullptr;
@@ -116,8 +116,8 @@ class CameraSubpathTracer {
                    });
   }
 
-  /// Light subpaths end at curves: to be hit by a light subpath is not a density over the points of a surface that turns
-  /// to each ray.
+  /// Vertices on curves are not merged: being hit by a light subpath is not a density over the points of a surface that
+  /// turns to each ray, so light subpaths end there.
   VcmWays ways_at(const Vertex& vertex) const { return vertex.point.turns ? pass_.ways.without_merging() : pass_.ways; }
 
   /// A camera that cannot tell where it sees a point has no light subpaths connected to it.
@@ -127,7 +127,7 @@ class CameraSubpathTracer {
     return sight ? SubpathWeights::at_first_vertex(pass_.ways, sight->pixels_per_area * cosine) : SubpathWeights{};
   }
 
-  /// `next_event`: of a shadow ray from the last vertex to the light, by solid angle.
+  /// `next_event` is the density, by solid angle, of a shadow ray from the last vertex to the light.
   float weight_of_hit(const CameraSubpath& path, float next_event, float emission) const {
     return dspm::weight_of_hit(pass_.ways, path.pdf_w > 0 ? next_event / path.pdf_w : 0, emission, path.weights);
   }
@@ -202,7 +202,7 @@ class CameraSubpathTracer {
     if (!is_black(shared)) add(path, {frames, shared, nullptr, kManyLights}, giver);
   }
 
-  /// With the light that nothing else brings there.
+  /// Merges on a curve, with the light that nothing else brings there.
   void merge_on_curve(const CameraSubpath& path, const Vertex& vertex, FrameSet frames, const Bsdf& bsdf) {
     const StripPlace place(vertex.shape, vertex.hit, vertex.wo);
     gathers_.gathers.add(frames.count());
@@ -241,7 +241,7 @@ class CameraSubpathTracer {
     if (!multiply(branch, factors, strands_, by_ratio, roulette)) branches_.drop();
   }
 
-  /// `giver`: its source, blamed if it is negative or not finite.
+  /// Adds light. `giver` returns its source, which is blamed if it is negative or not finite.
   template <class WhoGave>
   void add(const CameraSubpath& path, const Brought& brought, WhoGave&& giver) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
@@ -252,7 +252,7 @@ class CameraSubpathTracer {
       });
     });
   }
-  /// Of light without strands that is summed up before it is added.
+  /// Adds the part of light without strands that is summed up before it is added.
   void add_to_part(const CameraSubpath& path, const Brought& brought) {
     for_each_strand(strands_.of(path.strands), brought.frames, [&](FrameSet alike, const Rgb& own) {
       const Rgb seen = path.throughput * own * brought.radiance;

@@ -9,7 +9,8 @@
 
 namespace dspm {
 
-/// One camera path per pixel, in parallel over tiles. `map`: of the light subpaths' vertices; empty without merging.
+/// Traces one camera path per pixel, in parallel over tiles. `map` holds the light subpaths' vertices; it is empty
+/// without merging.
 void trace_camera_subpaths(const VcmPass& pass, const LightSubpaths& light, const LightVertexMap& map,
                            SeenLightSums& sums, Statistics& statistics);
 

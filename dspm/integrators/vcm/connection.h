@@ -35,7 +35,7 @@ struct CameraVertex {
   VcmWays ways;  // there
 };
 
-/// What light brings along one way, in some frames. `strands`: the light subpath's, to be multiplied.
+/// What light brings along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
 struct Brought {
   FrameSet frames;
   Rgb radiance;
@@ -47,7 +47,7 @@ class LightSubpath {
  public:
   void load(const Scene& scene, std::span<const LightVertex> vertices, const StrandTable& strands);
 
-  /// Calls fn(const Brought&) for what each vertex sends by way of the camera vertex, where nothing is in between.
+  /// Calls fn(const Brought&) for what each vertex sends by way of the camera vertex, if nothing is in between.
   template <class Fn>
   void for_each_connection(const VcmPass& pass, const CameraVertex& camera, PathCounts& counts, Fn&& fn) const {
     for (const End& end : ends_) {

@@ -13,12 +13,13 @@
 
 namespace dspm {
 
-/// Whether the light's own vertex is a direction rather than a point, so that densities do not fall with the distance.
+/// Returns whether the light's own vertex is a direction rather than a point, so that densities do not fall with the
+/// distance.
 inline bool is_parallel(const Light& light, const EmissionPdf& pdf) {
   return light.is_infinite() || pdf.delta_direction;
 }
 
-/// Of the choice of the light, the start and the direction of a light subpath. 0: unknown.
+/// Returns the density of choosing the light, the start and the direction of a light subpath; 0 if it is unknown.
 inline float emission_density(const VcmPass& pass, const SceneLight& light, const Light& state, const LightStart& start,
                               const EmissionPdf& pdf) {
   return pdf.position * pdf.direction *
@@ -29,9 +30,9 @@ inline float emission_density(const VcmPass& pass, const SceneLight& light, cons
   return emission_density(pass, light, state, start, state.pdf_emit(start.ray, start.normal, start.primitive));
 }
 
-/// The sums of a light subpath at its first vertex. `distance2`: of the first segment; `cosine`: at the vertex.
-/// The start's density is what the other ways take it for, rather than that of the numbers that were drawn: a light
-/// need not tell its numbers.
+/// Returns the sums of a light subpath at its first vertex. `distance2` is the squared length of the first segment,
+/// `cosine` that at the vertex. The start's density is what the other ways take it for, rather than that of the numbers
+/// that were drawn: a light need not tell its numbers.
 inline SubpathWeights weights_at_first_vertex(const VcmPass& pass, const SceneLight& scene_light, const Light& light,
                                               const Emission& emission, const SurfacePoint& point, float distance2,
                                               float cosine) {
@@ -50,8 +51,8 @@ inline SubpathWeights weights_at_first_vertex(const VcmPass& pass, const SceneLi
   return SubpathWeights::leaving_light(next_event, emitted, cosine_at_light).arrived(distance2, cosine);
 }
 
-/// A light subpath's density, by area, at a vertex that a shadow ray connects to the light, over that of the shadow
-/// ray.
+/// Returns a light subpath's density, by area, at a vertex that a shadow ray connects to the light, over that of the
+/// shadow ray.
 inline float emission_over_next_event(const VcmPass& pass, const LightSample& sample, const SurfacePoint& point) {
   const Illumination& lit = sample.lit;
   const LightStart start = start_of(lit, point.p);

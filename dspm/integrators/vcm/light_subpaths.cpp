@@ -174,7 +174,7 @@ class LightPathTracer {
     });
   }
 
-  /// To the camera, as a radiance that is flux f times the pixels that a unit of area covers.
+  /// Sends light to the camera, as a radiance that is flux f times the pixels that a unit of area covers.
   void send(const LightVertex& light, const Vertex& vertex, const Sighting& sight, const Inside& inside,
             FrameSet seeing) {
     const float pdf_a = sight.pixels_per_area * std::abs(dot(sight.w, vertex.point.ng));

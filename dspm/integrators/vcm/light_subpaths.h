@@ -19,7 +19,7 @@
 
 namespace dspm {
 
-/// A vertex on a surface that scatters not only by specular lobes.
+/// A vertex on a surface that scatters by lobes other than specular ones, too.
 struct LightVertex {
   Vec3 p, wi;      // towards where the flux came from
   ShapeFace face;  // that it has come to
@@ -48,10 +48,10 @@ struct LightTrace {
 
 class LightSubpaths {
  public:
-  /// Traces all of an iteration in parallel.
+  /// Traces all light subpaths of an iteration in parallel.
   void trace(const VcmPass& pass);
   const std::vector<LightTrace>& traces() const { return traces_; }
-  /// Of path `index`; `strands` becomes the table of their strands.
+  /// Returns the vertices of path `index`; `strands` becomes the table of their strands.
   std::span<const LightVertex> of(std::uint64_t index, const StrandTable*& strands) const;
   void account(Statistics& statistics) const;
   std::size_t bytes() const;

@@ -14,10 +14,10 @@ namespace dspm {
 
 class LightVertexMap {
  public:
-  /// Of a scene with that many frames. The traces must outlive the map.
+  /// Builds the map for a scene with that many frames. The traces must outlive the map.
   void build(const std::vector<LightTrace>& traces, int frames, float radius);
   std::size_t bytes() const;
-  /// Light subpaths that ended on surfaces that turn, with light that only merging finds.
+  /// The light subpaths that ended on surfaces that turn, with light that only merging finds.
   const CurvePhotons& on_curves() const { return on_curves_; }
 
   /// Calls fn(const LightVertex&, const Strand*) for all vertices within sqrt(radius2) of p that exist in some of

@@ -16,7 +16,7 @@ struct PixelRange {
   int begin, end;
 };
 
-/// Those within [low, high) whose centres are no further than `radius` from the place.
+/// Returns the pixels within [low, high) whose centres are no further than `radius` from the place.
 PixelRange pixels_near(float place, float radius, int low, int high) {
   const float first = std::ceil(place - radius - 0.5f), last = std::floor(place + radius - 0.5f);
   const auto bounded = [&](float pixel) {

@@ -16,7 +16,7 @@
 
 namespace dspm {
 
-/// Which ways there are, besides camera paths that hit lights and shadow rays to lights.
+/// The ways that there are besides camera paths that hit lights and shadow rays to lights.
 struct VcmWays {
   float merging = 0;        // eta = N pi r^2, for N light subpaths; 0: vertices are not merged
   float sighting = 0;       // N if vertices of light subpaths are connected to the camera, else 0
@@ -25,7 +25,8 @@ struct VcmWays {
   VcmWays without_merging() const { return {0, sighting, connecting}; }
 };
 
-/// What merges count where light arrives that was scattered with this density, by solid angle; 0 if it was emitted.
+/// Returns what merges count where light arrives that was scattered with this density, by solid angle; 0 if it was
+/// emitted.
 inline float merging_after(const VcmWays& ways, float light_pdf_w) {
   constexpr float kNarrow = 1;  // per steradian: a reflecting lobe of roughness 0.28; 1 / pi at most if matte
   return !ways.connecting || light_pdf_w >= kNarrow ? ways.merging : 0;
@@ -36,22 +37,23 @@ struct SubpathWeights {
   float vc = 0;   // d_VC, over the solid angle of the last segment's reverse: all shorter subpaths
   float vm = 0;   // likewise, of a camera subpath: merges at the vertex before, if light leaves this one narrowly
 
-  /// A light's point or direction, of density `emission` together with the segment, and `next_event` when a shadow ray
-  /// samples it. `cosine`: at the light; 0 for a delta light, which no ray can hit, and 1 at infinity.
+  /// Starts at a light's point or direction, of density `emission` together with the segment, and `next_event` if a
+  /// shadow ray samples it. `cosine` is that at the light; 0 for a delta light, which no ray can hit, and 1 at
+  /// infinity.
   static SubpathWeights leaving_light(float next_event, float emission, float cosine) {
     return {next_event / emission, cosine / emission};
   }
-  /// The camera's first vertex, whose density by area is `pdf_a`.
+  /// Starts at the camera's first vertex, whose density by area is `pdf_a`.
   static SubpathWeights at_first_vertex(const VcmWays& ways, float pdf_a) { return {ways.sighting / pdf_a, 0}; }
 
-  /// Arrives at a surface; the segment's squared length counts as 1 if it comes from infinity. (31), (32), (34), (35)
-  /// A walk through a body has the same density both ways but for the cosines at its ends, as a straight segment has,
+  /// Arrives at a surface; the segment's squared length counts as 1 if it comes from infinity. (31), (32), (34), (35) A
+  /// walk through a body has the same density both ways except for the cosines at its ends, as a straight segment has,
   /// and no connection replaces it.
   SubpathWeights arrived(float distance2, float cosine, bool walked = false) const {
     return {walked ? 0 : vcm * distance2 / cosine, vc / cosine, vm / cosine};
   }
-  /// A light subpath scatters with these densities, by solid angle, of the new segment and of the reverse of the last
-  /// one. `merging`: what merges count here.
+  /// Scatters a light subpath with these densities, by solid angle, of the new segment and of the reverse of the last
+  /// one. `merging` is what merges count here.
   SubpathWeights light_scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine,
                                  float merging) const {
     return scattered(ways, pdf_w, reverse_pdf_w, cosine, merging, 0);
@@ -59,14 +61,14 @@ struct SubpathWeights {
   SubpathWeights camera_scattered(const VcmWays& ways, float pdf_w, float reverse_pdf_w, float cosine) const {
     return scattered(ways, pdf_w, reverse_pdf_w, cosine, 0, ways.merging);
   }
-  /// Both directions determine each other.
+  /// Scatters at a mirror: both directions determine each other.
   SubpathWeights mirrored(float cosine) const { return {0, (vc + vm) * cosine, 0}; }
 
-  /// All ways with a shorter subpath, given the density of the last segment's reverse.
+  /// Sums all ways with a shorter subpath, given the density of the last segment's reverse.
   float shorter(const VcmWays& ways, float reverse_pdf_w) const {
     return vcm + reverse_pdf_w * before(ways, reverse_pdf_w);
   }
-  /// Those without the last segment, over that density.
+  /// Sums the ways without the last segment, over that density.
   float before(const VcmWays& ways, float reverse_pdf_w) const {
     return vc + (merging_after(ways, reverse_pdf_w) > 0 ? vm : 0);
   }
@@ -86,26 +88,27 @@ struct SubpathEnd {
   float pdf_a = 0;      // of arriving here, by area, over the density of the way in question
   float merging = 0;    // what merges here count
 
-  /// All ways with a shorter subpath on this side, and merges at its end.
+  /// Sums all ways with a shorter subpath on this side, and merges at its end.
   float others(const VcmWays& ways) const { return pdf_a * (merging + weights.shorter(ways, reverse_pdf_w)); }
 };
 
-/// The camera subpath hits a light. `next_event`: the density of a shadow ray to there, over that of the hit;
-/// `emission`: of a light subpath's start there. (37), (43)
+/// The weight if the camera subpath hits a light. `next_event` is the density of a shadow ray to that point, over that
+/// of the hit; `emission` is that of a light subpath's start there. (37), (43)
 inline float weight_of_hit(const VcmWays& ways, float next_event, float emission, const SubpathWeights& camera) {
   return 1 / (1 + next_event + emission * camera.before(ways, 0));
 }
-/// A shadow ray to a light. `hit`: the density of hitting it, over that of the shadow ray. (37), (44), (45)
+/// The weight of a shadow ray to a light. `hit` is the density of hitting it, over that of the shadow ray. (37), (44),
+/// (45)
 inline float weight_of_next_event(const VcmWays& ways, float hit, const SubpathEnd& camera) {
   return 1 / (1 + hit + camera.others(ways));
 }
-/// (37), (40), (41)
+/// The weight of a connection. (37), (40), (41)
 inline float weight_of_connection(const VcmWays& ways, const SubpathEnd& light, const SubpathEnd& camera) {
   return 1 / (1 + light.others(ways) + camera.others(ways));
 }
-/// (37), (46)
+/// The weight of a light subpath's end that the camera sees. (37), (46)
 inline float weight_of_sighting(const VcmWays& ways, const SubpathEnd& light) { return 1 / (1 + light.others(ways)); }
-/// The ends are one vertex. (37) to (39)
+/// The weight of a merge: both ends are one vertex. (37) to (39)
 inline float weight_of_merging(const VcmWays& ways, const SubpathEnd& light, const SubpathEnd& camera) {
   const float shorter =
       light.weights.shorter(ways, light.reverse_pdf_w) + camera.weights.shorter(ways, camera.reverse_pdf_w);

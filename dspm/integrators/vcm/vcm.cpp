@@ -47,8 +47,9 @@ namespace {
 
 enum Step { kEmission, kLightPaths, kMap, kCameraPaths };
 
-/// A part of the median of the radii that dsppm begins with, over frames of the whole file: whichever frames are
-/// rendered, all their light paths have the same weights. Merging pays where connections fail, and costs everywhere.
+/// Returns a part of the median of the radii that dsppm begins with, over frames of the whole file: whichever frames
+/// are rendered, all their light paths have the same weights. Merging pays where connections fail, and costs
+/// everywhere.
 float usual_radius(const Scene& sample, const RenderSettings& render, int max_depth) {
   constexpr float kPart = 0.25f;
   constexpr double kPilotPixels = 4096;
@@ -69,7 +70,7 @@ VcmPass pass_of(const VcmSettings& settings, const Scene& scene, const RenderSet
   return {scene, render, settings, iteration, radius, ways, guides};
 }
 
-/// Where light paths start that shadow rays cannot replace.
+/// Learns where light paths start that shadow rays cannot replace.
 std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& settings, const Scene& scene,
                                                         const RenderSettings& render, Statistics& statistics) {
   PhotonSettings photon;
@@ -81,7 +82,7 @@ std::shared_ptr<const LearnedEmission> learned_emission(const VcmSettings& setti
   return learned;
 }
 
-/// Of the light paths and their map, from a small sample of iteration 0.
+/// Returns the bytes of the light paths and their map, from a small sample of iteration 0.
 std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, const RenderSettings& render) {
   constexpr int kPaths = 4096;
   constexpr double kSlack = 1.25, kWithCells = 1.5;  // chunks differ; a few vertices have few cells
@@ -99,7 +100,7 @@ std::size_t light_path_bytes(const VcmSettings& settings, const Scene& scene, co
 
 class Vcm final : public SummingIntegrator {
  public:
-  /// `sample`: of the file, if it has been made.
+  /// `sample` is the sample of the file, or null if none has been made.
   Vcm(const VcmSettings& settings, const Scene& scene, const RenderSettings& render,
       std::shared_ptr<const Scene> sample)
       : SummingIntegrator(scene, render, statistics_at_start(scene, render)),

@@ -50,7 +50,7 @@ struct SubpathScattering {
   }
 };
 
-/// Nullopt: absorbed. The factor is the sample's weight.
+/// Returns nullopt if the light is absorbed. The factor is the sample's weight.
 inline std::optional<SubpathScattering> scatter(const PathState& path, const Vertex& vertex, FrameSet frames,
                                                 const Bsdf& bsdf, Transport transport) {
   const LobeSet lobes = bsdf.all_lobes();
@@ -61,7 +61,7 @@ inline std::optional<SubpathScattering> scatter(const PathState& path, const Ver
   return SubpathScattering{frames, sample->weight, *sample, reverse};
 }
 
-/// Whether paths can be connected or merged here.
+/// Returns whether paths can be connected or merged here.
 inline bool can_connect(const Bsdf& bsdf) { return bsdf.lobes(kLeastRoughness) != 0; }
 
 }  // namespace dspm
