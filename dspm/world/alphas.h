@@ -17,7 +17,7 @@ class Alphas {
   Alphas(const SceneDescription& description, Looks& looks, Diagnostics& diagnostics)
       : description_(description), looks_(looks), diagnostics_(diagnostics) {}
 
-  /// A number of Looks; -1 if there is none.
+  /// Returns a number of Looks; -1 if there is none.
   int of(const ShapeUse& use);
   /// Sets what the shape says of its holes, for that number in that state.
   void set(WorldShape& shape, int alpha, int state) const;

@@ -1,4 +1,4 @@
-// What paths need know of the bodies of a scene.
+// What paths need to know of the bodies of a scene.
 #pragma once
 
 #include "dspm/scene/scene.h"
@@ -7,7 +7,7 @@ namespace dspm {
 
 /// Sets which materials bound bodies, if these absorb light or differ in priority.
 void find_bodies(Scene& scene);
-/// Sets the bodies that the camera lies in. The scene is finished but for these.
+/// Sets the bodies that the camera lies in. Everything else in the scene must be finished.
 void find_bodies_around_camera(Scene& scene);
 
 }  // namespace dspm

@@ -12,7 +12,7 @@ struct BoundingSphere {
   float radius = 1;  // of an empty scene
 };
 
-/// Around the box's corners; the radius is never 0.
+/// Returns a sphere around the box's corners; the radius is never 0.
 inline BoundingSphere sphere_around(const Bounds3& bounds) {
   if (bounds.empty()) return {};
   const Vec3 center = bounds.center();

@@ -1,4 +1,4 @@
-// What an object is made of, as 128 bits: equal for equal contents, and for others as likely as not at all.
+// What an object is made of, as 128 bits: equal contents have equal keys; different contents almost certainly do not.
 #pragma once
 
 #include <compare>
@@ -25,7 +25,7 @@ class ContentKey {
     a_ = mix_bits(a_ ^ value) + kStep;
     b_ = mix_bits(b_ + kStep * (value + 1));
   }
-  /// The object's own bytes.
+  /// Adds the object's own bytes.
   template <class T>
   void add_bytes_of(const T& object) {
     static_assert(std::is_trivially_copyable_v<T>);

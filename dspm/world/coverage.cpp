@@ -31,7 +31,7 @@ bool is_within(const WorldShape& shape, const BoundingSphere& sphere) {
   return box.empty() || is_within(box, sphere);
 }
 
-/// Faults, and the frames that have them.
+/// Collects faults, and the frames that have them.
 class Faults {
  public:
   explicit Faults(const FileFrames& frames) : frames_(frames) {}

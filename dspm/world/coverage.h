@@ -14,8 +14,8 @@
 
 namespace dspm {
 
-/// An error for each reason why it does not, with the frames that are rendered and have it: their images would lack
-/// light.
+/// Reports an error for each reason why it does not, with the frames that are rendered and have it: their images would
+/// lack light.
 void expect_covered(const SceneDescription& description, const std::function<bool(FileFrame)>& is_rendered,
                     const Geometry& geometry, const BoundingSphere& sphere, const std::vector<WorldLight>& lights,
                     const LightChoices& choices, Diagnostics& diagnostics);

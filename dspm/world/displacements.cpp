@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-/// All frames have the same edges.
+/// Returns the first placement that has an inverse, so that all frames have the same edges.
 Transform first_placement(const ShapeUse& use, const FileFrames& frames) {
   for (FileFrame f(0); f.index() < frames.count(); ++f)
     if (const Matrix4 matrix = use.world_from_object.at(frames.moment(f)); matrix.is_affine() && matrix.inverse())
@@ -26,7 +26,7 @@ class Displacer {
   Displacer(const ShapeUse& use, const SceneDescription& description, Looks& looks, Diagnostics& diagnostics)
       : use_(use), looks_(looks), diagnostics_(diagnostics), to_world_(first_placement(use, description.frames)) {}
 
-  /// Its number among those of Looks; -1: not displaced.
+  /// Returns the number of its displacement among the numbers of Looks; -1 if it is not displaced.
   int number_of(const SourceShape& made) {
     if (!made.displacement) return -1;
     const ValueOrTexture<float>& distance = made.displacement->distance;

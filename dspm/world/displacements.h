@@ -14,7 +14,7 @@
 
 namespace dspm {
 
-/// What a Shape directive made, by index. Shapes may be shared with other scenes that have them; those are not changed.
+/// One shape that a Shape directive made. Shapes may be shared with other scenes that have them; those are not changed.
 struct SourceShape {
   std::shared_ptr<Shape> shape;
   std::optional<FileMaterial> material;

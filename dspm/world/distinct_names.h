@@ -1,4 +1,4 @@
-// Names that tell things apart which have none, or the same: "sphere", "sphere.2", "sphere.3".
+// Distinct names for things that have none, or the same: "sphere", "sphere.2", "sphere.3".
 #pragma once
 
 #include <map>

@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// The shape's own AreaLightSource, else what its material emits.
+/// Returns the shape's own AreaLightSource, else what its material emits.
 EmissionUse Geometry::emission(const ShapeUse& use, const Shape& shape, int material) {
   const bool glows = material >= 0 && looks_.emits(material);
   if (use.area_light < 0 && !glows) return {};

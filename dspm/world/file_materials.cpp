@@ -16,7 +16,7 @@ Param file_param(const char* name, const std::filesystem::path& file, const Sour
   return param_of(ParamType::text, name, std::vector{file.string()}, where);
 }
 
-/// Its imagemap. A picture of numbers holds no colours, whatever its format.
+/// Returns the picture's imagemap. A picture of numbers holds no colours, whatever its format.
 TextureUse texture_use(const FileTexture& picture, const SourceLocation& where) {
   TextureUse use;
   use.type = "imagemap", use.name = picture.name, use.is_spectrum = picture.is_spectrum;
@@ -27,7 +27,7 @@ TextureUse texture_use(const FileTexture& picture, const SourceLocation& where) 
   return use;
 }
 
-/// As parameters of the material.
+/// Adds holes and light as parameters of the material.
 void add_holes_and_light(ParamList& params, std::vector<FileTexture>& textures, const FileMaterial& file,
                          const SourceLocation& where) {
   if (!file.alpha.empty()) {
@@ -41,7 +41,7 @@ void add_holes_and_light(ParamList& params, std::vector<FileTexture>& textures, 
   }
 }
 
-/// Moves those that a picture has among the material's.
+/// Moves the picture's parameters, which are among the material's, to the picture.
 void take_params_of_picture(TextureUse& picture, ParamList& material) {
   const std::string ending = of_picture("", picture.name);
   for (Param& param : material.params)
@@ -52,7 +52,7 @@ void take_params_of_picture(TextureUse& picture, ParamList& material) {
   std::erase_if(material.params, [](const Param& param) { return param.name.empty(); });
 }
 
-/// The material's relief: a picture of heights or, for what it is, one of normals.
+/// Sorts out the material's relief: a picture of heights or, if it holds them, one of normals.
 void sort_out_relief(ParamList& params, const std::vector<FileTexture>& textures) {
   const auto displacement = std::find_if(params.params.begin(), params.params.end(),
                                          [](const Param& param) { return param.name == "displacement"; });

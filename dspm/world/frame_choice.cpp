@@ -19,7 +19,7 @@ bool matches_any(const Glob& glob, const std::vector<std::string>& names) {
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return glob.matches(name); });
 }
 
-/// A hint for a pattern that matches nothing.
+/// Returns a hint for a pattern that matches nothing.
 std::string names_in_words(const std::string& pattern, const std::vector<Combination>& combinations) {
   std::vector<std::string> names;
   for (const Combination& each : combinations) names.push_back(each.name);
@@ -48,7 +48,7 @@ std::vector<bool> chosen_variations(const SceneDescription& description, const s
   return chosen;
 }
 
-/// By frame of the file. After errors, it may lack some.
+/// Returns which frames of the file an earlier run rendered. After errors, some may be missing.
 std::vector<bool> rendered_before(const FileFrames& file, const Choices& choices) {
   std::vector<bool> rendered(static_cast<std::size_t>(file.count()));
   if (!choices.known) return rendered;

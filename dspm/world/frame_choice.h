@@ -16,11 +16,11 @@ class MovedFrames {
  public:
   MovedFrames(const KnownFrames& known, const FileFrames& now);
 
-  /// By combination then: its number now. None: it is not there any more.
+  /// The present number of each earlier combination; nullopt if it is not there any more.
   const std::vector<std::optional<int>>& combinations() const { return combinations_; }
   int combination_then(FileFrame frame) const { return static_cast<int>(then_.combination_of(frame)); }
   std::optional<FileFrame> at(FileFrame frame) const;
-  /// Those that are still there, ascending.
+  /// Returns the frames that are still there, ascending.
   std::vector<FileFrame> of(const std::vector<FileFrame>& frames) const;
 
  private:
@@ -34,7 +34,8 @@ class NothingNew : public UsageError {
   using UsageError::UsageError;
 };
 
-/// Ascending. Throws UsageError if an option chooses none, with the names that may have been meant.
+/// Returns the chosen frames, ascending. Throws UsageError if an option chooses none, with the names that may have been
+/// meant.
 std::vector<FileFrame> chosen_frames(const SceneDescription& description, const Choices& choices);
 
 }  // namespace dspm

@@ -12,7 +12,7 @@ namespace dspm {
 
 class FrameRanges {
  public:
-  /// In ascending order.
+  /// Adds a frame; frames must come in ascending order.
   void add(FileFrame f) {
     if (!ranges_.empty() && ranges_.back().end == f.index())
       ++ranges_.back().end;
@@ -21,12 +21,12 @@ class FrameRanges {
   }
 
   bool contains(FileFrame f) const { return any(f, FileFrame(f.index() + 1)); }
-  /// Whether it holds any frame from `first` to before `end`.
+  /// Returns whether it holds any frame from `first` to before `end`.
   bool any(FileFrame first, FileFrame end) const {
     const auto range = after(first.index());
     return range != ranges_.end() && std::max(range->first, first.index()) < end.index();
   }
-  /// Those of `frames`, which ascend, as bits.
+  /// Returns which of `frames`, which ascend, it holds, as bits.
   FrameSet among(std::span<const FileFrame> frames) const {
     FrameSet set;
     if (frames.empty()) return set;
@@ -49,7 +49,7 @@ class FrameRanges {
   struct Range {
     int first, end;
   };
-  /// The first range that ends after that frame.
+  /// Returns the first range that ends after that frame.
   std::vector<Range>::const_iterator after(int frame) const {
     return std::upper_bound(ranges_.begin(), ranges_.end(), frame, [](int f, const Range& r) { return f < r.end; });
   }

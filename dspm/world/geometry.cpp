@@ -23,7 +23,7 @@
 namespace dspm {
 namespace {
 
-/// The union of box_of(primitive).
+/// Returns the union of box_of(primitive).
 template <class BoxOf>
 Bounds3 union_of(int primitives, const BoxOf& box_of) {
   constexpr int kGrain = 4096;
@@ -54,7 +54,7 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   find_bounds();
 }
 
-/// What lies within the box so far cannot widen it, so of a million trees few are looked at leaf by leaf.
+/// What lies within the box so far cannot widen it, so only few of a million trees are looked at leaf by leaf.
 void Geometry::find_bounds() {
   std::unordered_map<const Shape*, Bounds3> boxes;  // in their own spaces
   for (const WorldShape& shape : shapes_) {
@@ -81,7 +81,8 @@ void Geometry::refuse_unknown_objects() {
                          did_you_mean(use.name, names));
 }
 
-/// What has no file and may absorb others is made again; if it is what it was, the scene gets the shape from before.
+/// Takes shapes from the scene before, if they are what they were: those without a file that may absorb others have
+/// been made again.
 void Geometry::share_kept(Source& source) const {
   if (kept_ == nullptr) return;
   for (std::size_t s = 0; s < source.keys.size(); ++s) {
@@ -120,7 +121,7 @@ void Geometry::add_source(const ShapeUse& use, const std::vector<const ObjectUse
   for (const ObjectUse* instance : instances) place(use, instance, source, instances.size() == 1);
 }
 
-/// As in pbrt: a surface that is not there emits nothing.
+/// Leaves out the lights of surfaces that are not there: as in pbrt, they emit nothing.
 void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
   for (std::size_t i = 0; i < source.materials.size(); ++i) {
     if (source.lights[i].use == nullptr) continue;
@@ -132,7 +133,7 @@ void Geometry::leave_out_lights_of_unseen(const ShapeUse& use, Source& source) {
   }
 }
 
-/// Normals of curves are those of the ray.
+/// Warns of relief on curves, whose normals are those of the ray.
 void Geometry::warn_of_relief(const ShapeUse& use, const Source& source) {
   for (std::size_t i = 0; i < source.materials.size(); ++i)
     if (source.made.front()[i].shape->turns() && source.materials[i] >= 0 && looks_.bends_normals(source.materials[i]))

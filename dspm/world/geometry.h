@@ -35,7 +35,7 @@ struct WorldShape {
   std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames
 };
 
-/// Why a shape emits light: its AreaLightSource, or its material. Null: it does not.
+/// Why a shape emits light: its AreaLightSource, or its material. Both are null if it does not.
 struct EmissionUse {
   const AreaLightUse* use = nullptr;
   int of_material = -1;  // whose light it is, in Looks; -1: the directive's
@@ -47,19 +47,19 @@ struct Emitter : EmissionUse {
   bool is_hidden = false;   // a hole everywhere, in all frames: its light is there, but cannot be seen
 };
 
-/// In some of the first frames.
+/// Returns whether the shape is there in any of the first `frames` frames.
 inline bool is_there(const WorldShape& shape, int frames) { return shape.present.any(FileFrame(0), FileFrame(frames)); }
 
 class Geometry {
  public:
-  /// `kept`: of scenes before; null if nothing is kept.
+  /// `kept` holds the geometry of earlier scenes; null if nothing is kept.
   Geometry(const SceneDescription& description, bool check_meshes, Looks& looks, KeptGeometry* kept,
            Diagnostics& diagnostics);
 
   const std::deque<WorldShape>& shapes() const { return shapes_; }  // addresses are stable
   const std::vector<Emitter>& emitters() const { return emitters_; }
   const Bounds3& bounds() const { return bounds_; }  // over the base of the file's frames
-  /// By PlacedShape::object.
+  /// The names by PlacedShape::object.
   const std::vector<std::string>& object_names() const { return objects_.all(); }
 
  private:

@@ -1,4 +1,4 @@
-// Geometry: what a directive has made, at each of its places, and the lights that this makes of it.
+// Geometry: what a directive has made, at each of its places, and the lights that come of it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Timeline<Matrix4> placements(const ShapeUse& use, const ObjectUse* instance, con
       [](const Matrix4& matrix) { return Likeness().add(matrix).number(); });
 }
 
-/// Its mesh file without folder and extension, else its type.
+/// Returns its mesh file without folder and extension, else its type.
 std::string name_in_file(const ShapeUse& use) {
   const Param* file = use.params.find("filename");
   const auto* texts = file != nullptr ? std::get_if<std::vector<std::string>>(&file->values) : nullptr;
@@ -90,8 +90,8 @@ Timeline<Geometry::Place> Geometry::places_of(const Source& source, const Timeli
       [](const Place& p) { return Likeness().add(p.geometry).add(p.matrix).add(p.alpha).number(); });
 }
 
-/// The only matrix that places each geometry in the base of the file's frames, or in all if it is in none of these; -1
-/// if there are several.
+/// Returns the only matrix that places each geometry in the base of the file's frames, or in all frames if it is in
+/// none of these; -1 if there are several.
 std::vector<int> Geometry::only_matrices(const Timeline<Place>& places, std::size_t geometries, int base) {
   constexpr int kNone = -2, kSeveral = -1;
   std::vector<int> only(geometries, kNone);
@@ -107,7 +107,7 @@ std::vector<int> Geometry::only_matrices(const Timeline<Place>& places, std::siz
   return only;
 }
 
-/// Over the frames of the file.
+/// The places of a directive's shapes over the frames of the file.
 struct Geometry::Placement {
   struct OfMade {
     std::vector<Place> states;
@@ -196,7 +196,7 @@ void Geometry::place(const ShapeUse& use, const ObjectUse* instance, Source& sou
   }
 }
 
-/// Its light is made for all frames at once, and so are its holes.
+/// Adds an emitter: its light is made for all frames at once, and so are its holes.
 void Geometry::add_emitter(Emitter emitter) {
   const auto shape = [&](int s) -> WorldShape& { return shapes_[static_cast<std::size_t>(s)]; };
   const int base = description_.frames.base().count();

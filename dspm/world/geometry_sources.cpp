@@ -1,4 +1,4 @@
-// What Shape directives make: by many threads, and in the order of the directives.
+// What Shape directives make, on many threads but in the order of the directives.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace dspm {
 namespace {
 
-/// But for their parameters, among which only holes matter here.
+/// Compares everything but the parameters, among which only holes matter here.
 bool are_alike(const ShapeUse& a, const ShapeUse& b) {
   return a.type == b.type && a.name == b.name && a.reverse_orientation == b.reverse_orientation &&
          a.material.index == b.material.index && a.material.name == b.material.name && a.area_light == b.area_light &&
@@ -58,7 +58,7 @@ void leave_out_empty(const ShapeUse& use, Source& source, Diagnostics& diagnosti
 }  // namespace
 
 /// Adds sources in the order of the directives. Hair may have a directive for each of a million strands: what is alike
-/// becomes one shape, where shapes allow that.
+/// becomes one shape, if shapes allow that.
 class Geometry::Joining {
  public:
   Joining(Geometry& geometry, const std::vector<const ObjectUse*>& instances)
@@ -95,7 +95,7 @@ class Geometry::Joining {
     first_ = &use, open_ = std::move(source);
   }
 
-  /// Those that cannot be absorbed, or that have messages, become directives of their own.
+  /// Adds a run. Shapes that cannot be absorbed, or that have messages, become directives of their own.
   void add_run(const ShapeUse& first) {
     constexpr std::size_t kTogether = 256, kAtATime = 64 * kTogether;
     const std::size_t count = first.run->count();
@@ -129,8 +129,8 @@ void Geometry::add_sources(const std::vector<ShapeUse>& uses, const std::vector<
   joining.finish();
 }
 
-/// Of a part of the run of `first`, which is there and has one state: one shape. Nullopt if there is none, or anything to
-/// say of it.
+/// Makes one shape of a part of the run of `first`, which is there and has one state. Returns nullopt if there is none,
+/// or if there is anything to report about it.
 std::optional<Geometry::Source> Geometry::make_source(const ShapeUse& first, std::size_t begin, std::size_t end) const {
   const ShapeMaker maker(*shape_plugins().find(first.type), first, description_.main_directory(), kept_);
   ParamList params = first.params;

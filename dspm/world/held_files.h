@@ -1,4 +1,4 @@
-// Files that are not there yet, of frames that are not rendered: a simulation may still be writing its cache.
+// Files that are not there yet, for frames that are not rendered: a simulation may still be writing its cache.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-/// Whatever sampling derives from the file, it derives from all frames. Where a file of a numbered sequence is missing
-/// in a frame that is not rendered, that frame takes the file before it, and a note says so.
+/// Fills gaps in numbered sequences, because sampling derives what it derives from all frames of the file. If a file is
+/// missing in a frame that is not rendered, that frame takes the file before it, and a note says so.
 void hold_missing_files(SceneDescription& description, const std::vector<FileFrame>& rendered,
                         Diagnostics& diagnostics);
 

@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// pbrt's integrators that converge to the same images without a medium, if with less noise or more.
+/// pbrt's integrators that converge to the same images without a medium, though with less noise or more.
 struct StandIn {
   std::string_view name, by;
 };
@@ -35,7 +35,7 @@ void set_integer(ParamList& list, std::string_view name, int value) {
   list.params.push_back(std::move(param));
 }
 
-/// As many for each pixel of a quick look as the scene asks for; -1 means one for each pixel anyway.
+/// Gives each pixel of a quick look as many photons as the scene asks for; -1 means one for each pixel anyway.
 void take_photons_in_proportion(ParamList& list, const std::vector<ParamInfo>& described) {
   const auto known =
       std::find_if(described.begin(), described.end(), [](const ParamInfo& info) { return info.name == "photons"; });
@@ -47,7 +47,7 @@ void take_photons_in_proportion(ParamList& list, const std::vector<ParamInfo>& d
   set_integer(list, "photons", quick_photons(asked));
 }
 
-/// The plugin for the scene's own directive.
+/// Returns the plugin for the scene's own directive.
 const IntegratorPlugin* find_by_directive(const PluginUse& use, Diagnostics& diagnostics) {
   const std::string_view by = stand_in_for(use.type);
   const bool is_stood_in_for = !by.empty() && integrator_plugins().find(use.type) == nullptr;
@@ -72,7 +72,7 @@ void keep_known(ParamList& list, const PluginUse& use, const Plugin<MakeIntegrat
   });
 }
 
-/// In a .pbrt file, sppm without parameters is what pbrt makes of it; dspm's own defaults are others.
+/// Makes sppm without parameters what pbrt makes of it in a .pbrt file; dspm's own defaults differ.
 void add_pbrt_defaults(ParamList& list, const SourceLocation& where) {
   const auto add = [&](std::string_view name, ParamType type, Param::Values value) {
     if (list.find(name) == nullptr) list.params.push_back(param_of(type, std::string(name), std::move(value), where));

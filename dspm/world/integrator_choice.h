@@ -14,23 +14,24 @@ struct IntegratorChoice {
   SourceLocation where;
 };
 
-/// The command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. If it replaces the scene's
-/// integrator, parameters that it does not know are left out.
-/// `own`: a variation's, which stands in place of the scene's; may be null.
+/// Returns the command line's integrator, else the scene's, else dsppm for .dsc and path for .pbrt. If it replaces the
+/// scene's integrator, parameters that it does not know are left out. `own` is a variation's integrator, which replaces
+/// the scene's; it may be null.
 IntegratorChoice choose_integrator(const SceneDescription& description, const Choices& choices,
                                    Diagnostics& diagnostics, const PluginUse* own = nullptr);
 
-/// Of those that pbrt has and dspm does not: the integrator that renders in its place, unless a module has one of that
-/// name. Empty: none does. "vcm" does it without merging, as bidirectional path tracing.
+/// Returns the integrator that renders in place of one that pbrt has and dspm does not, unless a module has one of that
+/// name; empty if there is none. "vcm" stands in without merging, as bidirectional path tracing.
 std::string_view stand_in_for(std::string_view name);
 
-/// Photons of a quick look, as many for each of its fewer pixels as `photons` of the whole picture.
+/// Returns the photons of a quick look, as many for each of its fewer pixels as `photons` are for each of the whole
+/// picture.
 int quick_photons(int photons);
 
-/// How the integrator describes its parameters.
+/// Returns the parameters as the integrator describes them.
 std::vector<ParamInfo> params_of(const Plugin<MakeIntegrator>& plugin);
 
-/// The plugin that the option names; throws UsageError if there is none.
+/// Returns the plugin that the option names; throws UsageError if there is none.
 template <class AnyPlugin>
 const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const char* option, const std::string& name) {
   Diagnostics diagnostics;
@@ -39,7 +40,7 @@ const AnyPlugin* find_by_option(const PluginTable<AnyPlugin>& plugins, const cha
   throw UsageError(std::string("--") + option + " " + name + ": " + diagnostics.all().front().hint);
 }
 
-/// The value of an integer parameter of the list, `fallback` if it is absent.
+/// Returns the value of an integer parameter of the list, or `fallback` if it is absent.
 int integer_of(const ParamList& list, std::string_view name, int fallback);
 
 }  // namespace dspm

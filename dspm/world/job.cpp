@@ -38,13 +38,13 @@ bool asks_for_shadow_catchers(const SceneDescription& description) {
          });
 }
 
-/// pbrt's paths per pixel where the scene names none, for scenes that were written for it.
+/// Returns pbrt's paths per pixel for a scene written for it that names none.
 int usual_samples(const SceneDescription& description) {
   if (description.dialect != Dialect::pbrt) return RenderSettings().default_iterations;
   return description.sampler && description.sampler->type == "independent" ? 4 : 16;
 }
 
-/// The object that a directive before WorldBegin asks for, or one of the usual type.
+/// Makes the object that a directive before WorldBegin asks for, or one of the usual type.
 template <class Make>
 auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const std::optional<PluginUse>& use,
               Diagnostics& diagnostics) {
@@ -59,7 +59,7 @@ auto make_one(const PluginTable<Plugin<Make>>& plugins, const char* usual, const
   return plugin->make(reader);
 }
 
-/// A plugin's weights may be anything.
+/// Checks a plugin's weights, which may be anything.
 void expect_density(const PixelFilter& filter, const SceneDescription& description, Diagnostics& diagnostics) {
   constexpr int kSteps = 4096;
   const Vec2 radius = filter.radius();
@@ -120,7 +120,8 @@ float number_of(const ParamList& list, std::string_view name, float fallback) {
   return values != nullptr && values->size() == 1 ? values->front() : fallback;
 }
 
-/// In dspm's language a shutter asks for what moves while it is open; pbrt's also exposes the film.
+/// Refuses a shutter in dspm's language, in which it would ask for what moves while it is open; pbrt's also exposes the
+/// film.
 void refuse_shutter(const std::optional<CameraUse>& camera, Diagnostics& diagnostics) {
   if (!camera) return;
   for (const Param& param : camera->params.params)
@@ -129,7 +130,7 @@ void refuse_shutter(const std::optional<CameraUse>& camera, Diagnostics& diagnos
                                      "with --lenient, the shutter has no effect: each frame shows one moment");
 }
 
-/// The camera's shutter is open from shutteropen to shutterclose.
+/// Returns the seconds from shutteropen to shutterclose.
 float shutter_seconds(const SceneDescription& description, Diagnostics& diagnostics) {
   if (description.dialect == Dialect::dsc) {
     refuse_shutter(description.camera, diagnostics);
@@ -143,7 +144,7 @@ float shutter_seconds(const SceneDescription& description, Diagnostics& diagnost
   return seconds > 0 ? seconds : 1;
 }
 
-/// The command line's, else the scene's if dspm has it; pbrt's trees change nothing in the image.
+/// Returns the command line's accelerator, else the scene's if dspm has it; pbrt's trees change nothing in the image.
 std::string accel_of(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics) {
   if (!choices.accel.empty()) return std::string(find_by_option(accel_plugins(), "accel", choices.accel)->name);
   const std::optional<PluginUse>& use = description.accelerator;
@@ -162,7 +163,7 @@ void check_integrator(const Job& job, const ParamList& params, const SourceLocat
   check(*job.plugin, reader, Scene{}, job.settings);
 }
 
-/// One integrator renders all, with a variation's settings where there are some.
+/// Adds the settings that variations give. One integrator renders all frames.
 void add_own_integrators(const SceneDescription& description, const Choices& choices, Job& job,
                          Diagnostics& diagnostics) {
   for (const VariationAxis& axis : description.axes)
@@ -181,7 +182,7 @@ void add_own_integrators(const SceneDescription& description, const Choices& cho
     }
 }
 
-/// Of the scene's frames, which have the same; null: the job's.
+/// Returns the settings of the scene's frames, which share them; null if they are the job's.
 const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
   if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
   const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());

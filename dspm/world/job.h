@@ -18,7 +18,7 @@
 
 namespace dspm {
 
-/// If the scene names none.
+/// The pixel filter of scenes that name none.
 inline constexpr const char* kUsualPixelFilter = "gaussian";
 
 struct Job {
@@ -37,7 +37,7 @@ struct Job {
   const IntegratorPlugin* plugin = nullptr;
   ParamList params;      // of the integrator
   SourceLocation where;  // of the Integrator directive
-  /// Of variations with settings of their own for it.
+  /// A variation's own settings for the integrator.
   struct OwnIntegrator {
     const PluginUse* use;
     ParamList params;
@@ -48,25 +48,27 @@ struct Job {
   bool quick = false;      // a quarter of the iterations
   double until_error = 0;  // ends the render, see error_estimate.h; 0: iterations do
 
-  /// The frame's moment, and the name of its variation; empty: none.
+  /// The frame's moment. variation() is the name of its variation, empty if there is none.
   Moment moment(FileFrame frame) const { return description->frames.moment(frame); }
   const std::string& variation(FileFrame frame) const { return description->frames.variation(frame); }
-  /// "25 frames", "8 variations" or "200 frames (8 variations)".
+  /// Returns "25 frames", "8 variations" or "200 frames (8 variations)".
   std::string frames_in_words() const;
 
-  /// How many to do in all: as chosen; else 0 (until stopped) if an error is to be reached; else as the integrator says.
+  /// Returns how many iterations to do in all: as chosen; else 0 (until stopped) if an error is to be reached; else as
+  /// many as the integrator says.
   int iterations(const Integrator& made) const;
-  /// `memory`: bytes that it may hold; 0: no bound. Throws NotEnoughMemory if they are too few.
+  /// Makes an integrator that may hold `memory` bytes; 0 means that there is no bound. Throws NotEnoughMemory if they
+  /// are too few.
   std::unique_ptr<Integrator> make_integrator(const Scene& scene, Diagnostics& diagnostics,
                                               std::size_t memory = 0) const;
-  /// The same without the estimate of the error, for who does not see all iterations.
+  /// Makes the integrator without the estimate of the error, for callers that do not see all iterations.
   std::unique_ptr<Integrator> make_without_error(const Scene& scene, Diagnostics& diagnostics,
                                                  std::size_t memory = 0) const;
-  /// What `make` returns, with that estimate.
+  /// Returns what `make` returns, with the estimate of the error.
   std::unique_ptr<Integrator> with_error(const MakeWithin& make, const Scene& scene, std::size_t memory) const;
 };
 
-/// Errors go to `diagnostics`. Throws UsageError if the command line does not fit this scene.
+/// Reports errors to `diagnostics`. Throws UsageError if the command line does not fit this scene.
 Job make_job(const SceneDescription& description, const Choices& choices, Diagnostics& diagnostics);
 
 }  // namespace dspm

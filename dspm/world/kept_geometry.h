@@ -27,12 +27,13 @@ class KeptGeometry {
   using Clock = std::chrono::system_clock;
   using Owned = std::shared_ptr<const Shape>;
 
-  /// What was made of that; nothing if it is unknown or a file that was read for it has changed.
+  /// Returns what was made for that key; nullopt if it is unknown or a file that was read for it has changed.
   std::optional<MadeShapes> find(const ContentKey& key);
-  /// `begin`: before the first of `files` was read. What may have been read while its file was saved is not kept.
+  /// Keeps what was made. `begin` is a time before the first of `files` was read. What may have been read while its
+  /// file was being saved is not kept.
   void keep(const ContentKey& key, const MadeShapes& made, const FilesReadHere& files, Clock::time_point begin);
 
-  /// What make() returns, which is a function of `shapes` and `what`.
+  /// Returns what make() returns, which must be a function of `shapes` and `what`.
   template <class T, class Make>
   std::shared_ptr<T> derived(std::vector<Owned> shapes, const ContentKey& what, Make&& make) {
     if (const std::shared_ptr<void> known = derived_before(shapes, what)) return std::static_pointer_cast<T>(known);
@@ -42,8 +43,8 @@ class KeptGeometry {
   }
 
   using MakeTree = std::function<std::unique_ptr<Accel>(std::span<const PlacedShape>)>;
-  /// The tree that make() builds over shapes without holes, which `owners` hold. An accelerator is a function of `which`
-  /// (its name and parameters), of the shapes, and of their places and frames.
+  /// Returns the tree that make() builds over shapes without holes, which `owners` hold. An accelerator is a function
+  /// of `which` (its name and parameters), of the shapes, and of their places and frames.
   std::unique_ptr<Accel> tree(const ContentKey& which, const std::vector<PlacedShape>& shapes,
                               std::vector<Owned> owners, FrameSet frames, const MakeTree& make);
 
@@ -75,7 +76,7 @@ class KeptGeometry {
   std::vector<std::shared_ptr<const KeptTree>> trees_;  // the latest last
 };
 
-/// The same without `kept`, which may be null.
+/// Calls kept->derived(), or make() if `kept` is null.
 template <class T, class Make>
 std::shared_ptr<T> derived(KeptGeometry* kept, std::vector<KeptGeometry::Owned> shapes, const ContentKey& what,
                            Make&& make) {

@@ -7,7 +7,8 @@
 namespace dspm {
 namespace {
 
-// A frame parts from the others rather than have less of its photons. All photons are then traced once more.
+// A frame parts from the others rather than have a smaller part of its photons than this. All photons are then traced
+// once more.
 constexpr double kLeastWorth = 0.6;
 constexpr int kRounds = 3;
 
@@ -34,7 +35,7 @@ class Choices {
  public:
   Choices(std::vector<Kind>& kinds, std::size_t lights) : kinds_(kinds), lights_(lights) { find_means(1); }
 
-  /// Until each kind is worth enough: the one that fares worst gets a choice of its own, and others join it.
+  /// Parts the kinds until each is worth enough: the one that fares worst gets a choice of its own, and others join it.
   void part() {
     while (means_.size() < LightChoices::kMostChoices) {
       const auto worst = std::min_element(kinds_.begin(), kinds_.end(),

@@ -17,26 +17,26 @@ struct LightChoices {
   std::size_t base = 0;                           // so many frames decide about the choices, the first ones
   std::vector<std::vector<float>> probabilities;  // by choice and light
 
-  /// Of a photon path.
+  /// The probability with which a photon path of the frame chooses the light.
   float probability(FileFrame frame, std::size_t light) const {
     return probabilities[static_cast<std::size_t>(of_frame[frame.slot()])][light];
   }
-  /// In the scene of these frames.
+  /// Returns the choices in the scene of these frames.
   std::vector<LightChoice> in(const std::vector<FileFrame>& frames) const;
-  /// At most kMostChoices frames, spread over the base, and one of each choice at least.
+  /// Returns at most kMostChoices frames, spread over the base, and at least one of each choice.
   std::vector<FileFrame> sample() const;
-  /// See SceneLight::choice_shares.
+  /// Returns SceneLight::choice_shares.
   std::vector<float> shares(const WorldLight& light) const;
 };
 
-/// At most kMostChoices. The first `base` frames decide; the others take the choice that suits them best.
+/// Makes at most kMostChoices choices. The first `base` frames decide; the others take the choice that suits them best.
 LightChoices make_light_choices(const std::vector<WorldLight>& lights, int base, int frames);
 
-/// By light: power times the scene's factor.
+/// Returns each light's power times the scene's factor.
 std::vector<double> weights_in(const std::vector<WorldLight>& lights, FileFrame frame);
 
-/// The flux of lights of such powers is as noisy, if photon paths choose them with such probabilities, as with this
-/// fraction of the photons if they chose by power. 1 if all is dark.
+/// Returns the fraction of photons with which the flux of lights of these powers would be as noisy if photon paths
+/// chose them by power, as it is if they choose with these probabilities. 1 if all is dark.
 double worth_of_choice(const std::vector<double>& powers, const std::vector<float>& probabilities);
 
 }  // namespace dspm

@@ -38,7 +38,7 @@ class LightMaker {
              const BoundingSphere& sphere, Diagnostics& diagnostics)
       : description_(description), geometry_(geometry), looks_(looks), sphere_(sphere), diagnostics_(diagnostics) {}
 
-  /// Of the frames in which the light, or what variations put in its place, is of that type.
+  /// Makes the light for the frames in which it, or what variations put in its place, is of that type.
   std::optional<WorldLight> make(const LightUse& own, const PluginUse& typed) {
     if (is_of_shapes(typed)) return std::nullopt;
     const auto* plugin = light_plugins().find(typed.type, typed.type_where, diagnostics_);
@@ -108,7 +108,7 @@ class LightMaker {
                                      use.name, emitter.use->type, use.type));
     return {light_params(description_, use, use.name, f), {}, shape, emitter.is_hidden, nullptr, &use};
   }
-  /// Where the surface has no holes only: a hole has no material.
+  /// Emits only where the surface has no holes: a hole has no material.
   std::optional<LightState> of_material(const Emitter& emitter, int shape, FileFrame f) const {
     const MaterialLight& light = looks_.light(emitter.of_material, f);
     if (light.is_dark() || emitter.is_hidden) return std::nullopt;
@@ -184,8 +184,8 @@ class LightMaker {
   Diagnostics& diagnostics_;
 };
 
-/// Over all frames of the file, so that a frame's photons do not depend on which others are rendered. States after the
-/// first `base` change no group of these.
+/// Groups over all frames of the file, so that a frame's photons do not depend on which others are rendered. States
+/// after the first `base` do not change how these are grouped.
 std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<const Light>>& states, int base) {
   std::vector<std::vector<int>> groups;
   const auto at = [&](int s) -> const Light& { return *states[static_cast<std::size_t>(s)]; };
@@ -204,7 +204,7 @@ std::vector<std::vector<int>> group_alike(const std::vector<std::shared_ptr<cons
   return groups;
 }
 
-/// Over the first frames.
+/// Returns the mean power over the first `frames` frames.
 float mean_power(const WorldLight& light, int frames) {
   double sum = 0;
   for (FileFrame f(0); f.index() < frames; ++f) sum += light.power(f);
@@ -228,7 +228,7 @@ void refuse_unknown_replacements(const SceneDescription& description, const Geom
                             did_you_mean(scale.light, names));
 }
 
-/// Of the light, and of what variations put in its place: the first use of each.
+/// Returns the first use of each type of the light, and of what variations put in its place.
 std::vector<const PluginUse*> types_of(const SceneDescription& description, const LightUse& own) {
   std::vector<const PluginUse*> types{&own};
   if (own.name.empty()) return types;

@@ -25,18 +25,18 @@ struct WorldLight {
   std::string short_name;  // as the scene gives it, or of its type or its shape
   const PluginUse* use = nullptr;
 
-  /// In a frame of the file; 0 if it is not there.
+  /// Returns the power in a frame of the file; 0 if the light is not there.
   double power(FileFrame frame) const {
     const int state = states.at(frame);
     return state < 0 ? 0 : static_cast<double>(powers[static_cast<std::size_t>(state)]);
   }
 };
 
-/// The directives' lights, then the geometry's emitters in their order.
+/// Returns the directives' lights, then the geometry's emitters in their order.
 std::vector<WorldLight> make_lights(const SceneDescription& description, const Geometry& geometry, const Looks& looks,
                                     const BoundingSphere& sphere, Diagnostics& diagnostics);
 
-/// See SceneLight::alike; of a light that exists in these frames of the file.
+/// Returns SceneLight::alike of a light in the scene of these frames of the file.
 std::vector<SceneLight::Alike> alike_in(const WorldLight& light, const std::vector<FileFrame>& frames);
 
 }  // namespace dspm

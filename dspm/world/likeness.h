@@ -1,5 +1,5 @@
-// A number that two states have in common if they are the same, so that a state of ten thousand frames need not be
-// compared with each of the others. Those that are not the same seldom have it in common.
+// A number that equal states have in common, so that a state of ten thousand frames need not be compared with each of
+// the others. Different states seldom have it in common.
 #pragma once
 
 #include <bit>
@@ -36,7 +36,7 @@ class Likeness {
       for (const double value : row) add(value);
     return *this;
   }
-  /// In any order, see ParamList::same_values.
+  /// Adds the parameters, in any order: see ParamList::same_values.
   Likeness& add(const ParamList& list) {
     std::uint64_t sum = 0;
     for (const Param& param : list.params) sum += Likeness().add(param).number();

@@ -28,7 +28,7 @@ struct Definition {
   std::vector<std::size_t> use_of;  // by combination of variations
 };
 
-/// If two axes replace the same name, the later one wins.
+/// Returns the definition of a name. If two axes replace it, the later one wins.
 Definition definition_of(const SceneDescription& scene, const MaterialUse& own);
 Definition definition_of(const SceneDescription& scene, const TextureUse& own);
 

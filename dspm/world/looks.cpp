@@ -55,7 +55,8 @@ struct Source {
   }
 };
 
-/// Counts the lookups of its textures in turn. Deep nesting would exhaust the stack, wide nesting would never end.
+/// The most lookups of textures within one another, counted in turn: deep nesting would exhaust the stack, wide nesting
+/// would never end.
 constexpr int kMostLookups = 1000;
 int lookups_for(const Recipe& recipe) {
   int sum = 1;

@@ -1,6 +1,6 @@
-// Textures and materials of a scene, with their states over the frames of the file. All of them are made once up front,
-// so that errors show before anything is rendered. If there are many frames, those that only some frames need are made
-// again for each scene that needs them.
+// Textures and materials of a scene, with their states over the frames of the file. All of them are made once before
+// rendering, so that errors show early. If there are many frames, those that only some frames need are made again for
+// each scene that needs them.
 #pragma once
 
 #include <algorithm>
@@ -37,46 +37,49 @@ class Looks {
  public:
   Looks(const SceneDescription& description, Diagnostics& diagnostics);
 
-  /// Index of the current material, pbrt's default if there is none; an unknown name is an error.
+  /// Returns the index of the current material, or of pbrt's default if there is none; an unknown name is an error.
   int find(const MaterialRef& ref);
-  /// A material from a geometry file, or the scene's of the same name.
+  /// Adds a material from a geometry file, or returns the scene's of the same name.
   int add(const FileMaterial& material, const SourceLocation& where);
-  /// A texture of numbers without a name, of that type. Returns its index.
+  /// Adds a texture of numbers without a name, of that type. Returns its index.
   int add_number(std::string type, ParamList params, const SourceLocation& where);
-  /// The same for a parameter that is a number or names a texture, with keys or without.
+  /// Adds a parameter that is a number or names a texture, with keys or without. Returns its index.
   int add_number(ParamList value, const SourceLocation& where) {
     for (Param& param : value.params) param.name = "tex";
     return add_number("scale", std::move(value), where);
   }
-  /// Its state, by frame of the file.
+  /// The number's state in each frame of the file.
   const std::vector<int>& states_of_number(int number) const { return numbers_[slot(number)].recipes.state_of; }
-  /// The texture in a state; throws SceneError if a file has changed since the first time.
+  /// Returns the texture in a state; throws SceneError if a file has changed since the first time.
   TexturePtr<float> number(int number, int state) const;
-  /// The number that is `of_shape` (-1: 1) times the material's own alpha; `of_shape` itself if it has none.
+  /// Returns the number that is `of_shape` (-1 stands for 1) times the material's own alpha; `of_shape` itself if it
+  /// has none.
   int opacity(int material, int of_shape);
-  /// Its value in a state if it is the same everywhere; not known of a texture of which only some frames of many need
-  /// that state.
+  /// Returns its value in a state if it is the same everywhere. The value is unknown if only some frames of many need
+  /// that state of the texture.
   std::optional<float> constant(int number, int state) const;
-  /// Variations may replace materials of geometry files, so their names are checked once these have been read.
+  /// Reports names that no material has. Variations may replace materials of geometry files, so call it once these have
+  /// been read.
   void refuse_unknown_replacements();
 
-  /// By index, in these frames of the file. Throws SceneError if a file has changed since the first time.
+  /// Returns the materials, by index, in these frames of the file. Throws SceneError if a file has changed since the
+  /// first time.
   std::vector<FrameStates<Material>> materials_in(const std::vector<FileFrame>& frames) const;
 
-  /// How many pictures are in memory for textures.
+  /// The number of pictures in memory for textures.
   int pictures_held() const { return images_.alive(); }
 
   int material_count() const { return static_cast<int>(materials_.size()); }
-  /// The material's state, by frame of the file.
+  /// The material's state in each frame of the file.
   const std::vector<int>& states_of(int material) const { return look(material).recipes.state_of; }
-  /// Whether light passes into bodies of this material, in some frame.
+  /// Returns whether light passes into bodies of this material, in some frame.
   bool bounds_a_body(int material) const { return look(material).bounds_a_body; }
-  /// Whether it emits light in some frame.
+  /// Returns whether it emits light in some frame.
   bool emits(int material) const;
   const MaterialLight& light(int material, FileFrame frame) const {
     return look(material).lights[static_cast<std::size_t>(look(material).recipes.at(frame))];
   }
-  /// Whether it bends normals in some frame.
+  /// Returns whether it bends normals in some frame.
   bool bends_normals(int material) const {
     const auto& states = look(material).recipes.states;
     return std::any_of(states.begin(), states.end(), [](const Recipe& recipe) {
@@ -84,20 +87,20 @@ class Looks {
              recipe.params.find("displacement") != nullptr;
     });
   }
-  /// As the scene or the geometry file names it; empty: it has no name.
+  /// The name that the scene or the geometry file gives it; empty if it has none.
   const std::string& own_name(int material) const { return look(material).own_name; }
-  /// Whether its shapes are there in a frame of the file.
+  /// Returns whether its shapes are there in a frame of the file.
   bool is_seen(int material, FileFrame frame) const {
     return look(material).seen[static_cast<std::size_t>(look(material).recipes.at(frame))];
   }
-  /// Its definition in a frame of the file.
+  /// Returns its definition in a frame of the file.
   const PluginUse& use_of(int material, FileFrame frame) const {
     const Timeline<Recipe>& recipes = look(material).recipes;
     return *recipes.states[static_cast<std::size_t>(recipes.at(frame))].use;
   }
-  /// `material "glass"`, for messages.
+  /// Returns `material "glass"`, for messages.
   const std::string& name_of(int material) const { return look(material).name; }
-  /// By index, distinct: what the scene or the geometry file calls it, else its type.
+  /// Distinct names by index: what the scene or the geometry file calls the material, else its type.
   const std::vector<std::string>& material_names() const { return material_names_.all(); }
 
  private:
@@ -125,9 +128,10 @@ class Looks {
   MaterialLight own_light(const MaterialLook& look, const Recipe& recipe) const;
   MaterialLight mixed_light(const MaterialLook& look, int state) const;
   bool has_holes(const MaterialLook& look, int state) const;
-  /// How much of a material is there; null: all.
+  /// Returns how much of a material is there; null if all of it is.
   TexturePtr<float> opacity_of(const Ingredient<Material>& material, Diagnostics& diagnostics) const;
-  /// What multiplies the number in a state (of none: -1) by how much of the material is there in a state.
+  /// Returns the recipe for the shape's number in a state (-1 for none) times how much of the material is there in a
+  /// state.
   Recipe opacity_recipe(const TextureUse& use, const MaterialLook& material, int state, int of_shape,
                         int state_of_shape) const;
 
@@ -141,16 +145,16 @@ class Looks {
   void look_at_texture(Look<Texture<T>>& look, const TextureUse& own);
   template <class T>
   void make_states(Look<Texture<T>>& look, const TextureUse& own);
-  /// `name`: for messages; `public_name`: see material_names.
+  /// Adds a material. `name` is for messages; for `public_name`, see material_names.
   int add_material(const MaterialUse& own, std::string name, const std::string& public_name);
 
   Timeline<Recipe> recipes_of(const Definition& definition) const;
   template <class T>
   void add_ingredients(std::vector<Ingredient<Texture<T>>>& list, const ParamList& params, FileFrame frame) const;
   void add_ingredients(std::vector<Ingredient<Material>>& list, const ParamList& params, FileFrame frame) const;
-  /// Whether a state, once made, is held as long as the world exists.
+  /// Returns whether a state, once made, is held as long as the world exists.
   bool is_kept(const std::vector<int>& state_of, int state) const;
-  /// Makes every state by `make(recipe, textures)` to find errors, and holds those with is_kept().
+  /// Makes every state by `make(recipe, textures)` to find errors, and holds those for which is_kept().
   template <class T, class Make>
   bool look_at(Look<T>& look, Make&& make);
 

@@ -1,4 +1,4 @@
-// How textures and materials are made of their recipes, after those that they name.
+// How textures and materials are made from their recipes, after those that they name.
 #include <fmt/format.h>
 
 #include "dspm/colour/rgb.h"
@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-/// pbrt's older words for a surface that is not there.
+/// Replaces pbrt's older words for a surface that is not there.
 std::string_view material_type(const PluginUse& use) {
   return use.type.empty() || use.type == "none" ? std::string_view("interface") : std::string_view(use.type);
 }

@@ -56,7 +56,7 @@ const Param* alpha_of(const Recipe& recipe) {
 
 }  // namespace
 
-/// The parameters have been checked when the material was made.
+/// Returns the material's own light. Its parameters were checked when the material was made.
 MaterialLight Looks::own_light(const MaterialLook& look, const Recipe& recipe) const {
   MaterialLight light;
   if (!has_holes_and_light(recipe.use->type) || recipe.params.find("emission") == nullptr) return light;
@@ -72,7 +72,7 @@ MaterialLight Looks::own_light(const MaterialLook& look, const Recipe& recipe) c
   return light;
 }
 
-/// Its parts have been made before it.
+/// Returns the light of a mix, whose parts have been made before it.
 MaterialLight Looks::mixed_light(const MaterialLook& look, int state) const {
   std::array<MaterialLight, 2> lights;
   const std::vector<Ingredient<Material>>& parts = look.recipes.states[slot(state)].materials;

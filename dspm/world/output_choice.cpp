@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kAllLightGroups = "lights";  // in --aov
 
-/// The names of outputs that one in --aov stands for.
+/// Returns the outputs that one name in --aov stands for.
 std::vector<std::string> expanded(const std::string& name, const SceneDescription& description) {
   if (name == kAllLightGroups) return light_group_outputs(description);
   std::vector<std::string> parts = cryptomatte_outputs(name);
@@ -32,7 +32,7 @@ std::string way_out(const std::string& name, const std::vector<std::string>& nam
   return guess.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : guess;
 }
 
-/// The names that --aov takes, given what an integrator declares.
+/// Returns the names that --aov takes, given what an integrator declares.
 std::vector<std::string> names_for_aov(const std::vector<OutputInfo>& declared) {
   std::vector<std::string> names, groups;
   const auto add = [&](const OutputInfo& output) {

@@ -13,10 +13,11 @@
 
 namespace dspm {
 
-/// Those of the Film, then the chosen ones. Names that stand for several outputs ("lights", "cryptoobject") become them.
+/// Returns the Film's outputs, then the chosen ones. Names that stand for several outputs ("lights", "cryptoobject")
+/// become them.
 std::vector<std::string> outputs_of(const FilmSettings& film, const Choices& choices,
                                     const SceneDescription& description);
-/// With those that the denoiser takes, if there is one.
+/// Appends the outputs that the denoiser takes, if there is one.
 std::vector<std::string> with_denoiser_inputs(std::vector<std::string> outputs, std::optional<Denoiser> denoiser);
 /// The outputs of all light groups that the text names, in the order of Scene::light_groups.
 std::vector<std::string> light_group_outputs(const SceneDescription& description);
@@ -25,7 +26,7 @@ std::vector<std::string> light_group_outputs(const SceneDescription& description
 void expect_room(const FilmSettings& film, const std::vector<std::string>& outputs,
                  const SceneDescription& description);
 
-/// What an integrator declares must suit a file.
+/// Reports an error if what an integrator declares does not suit a file.
 void check_outputs(const std::vector<OutputInfo>& declared, const std::vector<std::string>& asked,
                    const std::string& integrator, Diagnostics& diagnostics);
 

@@ -25,7 +25,7 @@ std::string place_of(const SourceLocation& where) {
   return where.file == nullptr ? std::string() : fmt::format(" ({}:{})", where.file->name, where.line);
 }
 
-/// Of a material in a frame of the scene.
+/// Returns the state of a material in a frame of the scene.
 const Material* state_of(const Scene& scene, int material, Frame frame) {
   const Material* found = nullptr;
   scene.materials[static_cast<std::size_t>(material)].for_each(

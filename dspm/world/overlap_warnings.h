@@ -12,8 +12,8 @@
 
 namespace dspm {
 
-/// One warning for each pair of materials, or of directives with one material, at most a few. `shapes`: those of the
-/// scene.
+/// Warns once for each pair of materials, or of directives with one material, but only a few times. `shapes` are those
+/// of the scene.
 void warn_of(const std::vector<Overlap>& overlaps, const Scene& bodies, const std::vector<const WorldShape*>& shapes,
              const Looks& looks, const FileFrames& frames, Diagnostics& diagnostics);
 

@@ -28,7 +28,7 @@ Bounds3 bounds_of(const PlacedShape& shape) {
 }
 Bounds3 common_of(const Bounds3& a, const Bounds3& b) { return {max(a.low, b.low), min(a.high, b.high)}; }
 
-/// A ray through all bodies. What it has entered and not left yet is a value, as frames may part.
+/// A ray through all bodies. What it has entered and not yet left is a value, as frames may part.
 class Probe {
  public:
   Probe(const Scene& bodies, float least_depth, std::map<std::pair<int, int>, Overlap>& found)
@@ -58,8 +58,8 @@ class Probe {
     }
   }
 
-  /// Bodies may consist of several shapes. What has been entered after the body that is left here, and is still around,
-  /// overlaps it. To leave what has not been entered tells that the surfaces are boundaries, not those of bodies.
+  /// Leaves a body, which may consist of several shapes. What was entered after it and is still around overlaps it. If
+  /// the ray leaves a body that it has not entered, the surfaces are boundaries, not those of bodies.
   void leave(std::vector<Entered>& inside, const FrameHit& part, const Vertex& vertex, float at) {
     const auto last = [&](auto&& is_it) {
       const auto found = std::find_if(inside.rbegin(), inside.rend(), is_it);

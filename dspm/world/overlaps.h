@@ -15,7 +15,8 @@ struct Neighbours {
   Bounds3 common;
 };
 
-/// Pairs of bodies of which nothing says which is there, as far as their boxes tell. The scene needs no accelerator.
+/// Returns the pairs of bodies whose boxes meet, if nothing says which of the two is there. The scene needs no
+/// accelerator.
 std::vector<Neighbours> neighbours(const Scene& bodies);
 
 /// A place where two bodies overlap.
@@ -26,12 +27,12 @@ struct Overlap {
   float depth = 0;  // along the ray
 };
 
-/// The overlaps that rays through these boxes find, each pair of shapes at its deepest. A body that lies wholly within
-/// another one does not overlap it. The scene's shapes are all bodies.
+/// Returns the overlaps that rays through these boxes find, each pair of shapes at its deepest. A body that lies wholly
+/// within another one does not overlap it. The scene's shapes are all bodies.
 std::vector<Overlap> find_overlaps(const Scene& bodies, const std::vector<Neighbours>& pairs);
 
-/// Of the two shapes' bodies in these frames: those in which neither has the higher priority, or the higher one hides
-/// where the other one would have to scatter light.
+/// Returns the frames in which neither shape's body has the higher priority, or the higher one hides where the other
+/// one would have to scatter light.
 FrameSet undecided(const Scene& bodies, int shape, int other, FrameSet frames);
 
 }  // namespace dspm

@@ -18,7 +18,7 @@ void add(ContentKey& key, const std::vector<bool>& flags) {
   for (const bool flag : flags) key.add(std::uint64_t{flag});
 }
 
-/// A text may name a file, which is looked for next to the file that says so first.
+/// Adds texts. A text may name a file, which is looked for next to the file that names it first.
 void add(ContentKey& key, const std::vector<std::string>& texts, const std::filesystem::path& folder) {
   for (const std::string& text : texts) {
     std::error_code ignored;

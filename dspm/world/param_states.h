@@ -16,7 +16,7 @@
 
 namespace dspm {
 
-/// The directive's parameters, state by state.
+/// Returns the directive's parameters, state by state.
 inline Timeline<ParamList> param_states(ParamList params, const FileFrames& frames, const std::vector<bool>& present) {
   if (params.is_keyed())
     return Timeline<ParamList>::of_moments(

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// By frame: around what is in it; the file's sphere if it is empty.
+/// Returns the sphere around what is in each frame; the file's sphere if the frame is empty.
 std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphere& of_file, int frames) {
   std::vector<Bounds3> bounds(static_cast<std::size_t>(frames));
   for (const WorldShape& shape : geometry.shapes()) {
@@ -23,7 +23,7 @@ std::vector<BoundingSphere> spheres(const Geometry& geometry, const BoundingSphe
   return all;
 }
 
-/// Its power is then what falls on the file's whole sphere.
+/// Returns whether the light is infinitely far away. Its power is then what falls on the file's whole sphere.
 bool is_infinitely_far(const WorldLight& light, const Vec3& center) {
   const auto& states = light.states.states;
   return std::any_of(states.begin(), states.end(), [&](const std::shared_ptr<const Light>& state) {

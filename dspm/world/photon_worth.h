@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Of one frame; both are 1 in a file that holds this frame alone.
+/// The worth for one frame; both numbers are 1 in a file that holds this frame alone.
 struct PhotonWorth {
   /// The flux of the frame's lights is as noisy as with this fraction of the photons in a file of its own.
   double by_choice = 1;
@@ -19,7 +19,7 @@ struct PhotonWorth {
   double by_reach = 1;
 };
 
-/// By frame of the file, whose sphere and choices these are.
+/// Returns the worth for each frame of the file that has this sphere and these choices.
 std::vector<PhotonWorth> photon_worth(const Geometry& geometry, const std::vector<WorldLight>& lights,
                                       const LightChoices& choices, const BoundingSphere& sphere);
 

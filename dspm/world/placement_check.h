@@ -1,4 +1,4 @@
-// Placements that cannot be used: keys may be sound, and what lies between them, or several of them multiplied, not.
+// Placements that cannot be used: keys may be sound, but not what lies between them, nor the product of several.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace dspm {
 
-/// Has an inverse in single precision as well.
+/// Returns whether the matrix has an inverse in single precision as well.
 bool is_sound(const Matrix4& matrix);
 
-/// `light "point"` or the like is not placed in the frames in which the matrix is a scale of 0, with a note, nor, after
-/// an error, in those in which it has no inverse: they become absent.
+/// Makes `light "point"` or the like absent from the frames in which the matrix is a scale of 0, with a note, and,
+/// after an error, from those in which it has no inverse.
 void leave_out_unplaced(Timeline<Matrix4>& matrices, const FileFrames& frames, const std::string& subject,
                         const SourceLocation& where, Diagnostics& diagnostics);
 
-/// The error for a matrix that has no inverse.
+/// Reports the error for a matrix that has no inverse.
 void report_singular(const std::string& subject, const std::string& frame, const SourceLocation& where,
                      Diagnostics& diagnostics);
 

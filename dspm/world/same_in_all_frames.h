@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// An error if the directive gives this parameter a key.
+/// Reports an error if the directive gives this parameter a key.
 inline void expect_same_in_all_frames(const PluginUse& use, std::string_view name, Diagnostics& diagnostics) {
   const std::vector<Param>& params = use.params.params;
   const auto keyed =

@@ -9,7 +9,7 @@
 namespace dspm {
 namespace {
 
-/// pbrt's samplers have different parameters; here each accepts all, so a scene may change its sampler alone.
+/// Reads a sampler. pbrt's have different parameters; here each accepts all, so a scene may change its sampler alone.
 SamplerSettings read(ParamReader& reader, const std::string& type) {
   SamplerSettings settings;
   const int samples = reader.integer("pixelsamples", type == "independent" ? 4 : 16, "",

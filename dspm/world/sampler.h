@@ -16,7 +16,7 @@ struct SamplerSettings {
 
 SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics);
 
-/// pbrt's samplers, which are all the same here but for the parameters that they have.
+/// Returns the names of pbrt's samplers, which are all the same here except for the parameters that they have.
 const std::vector<std::string>& sampler_names();
 std::vector<ParamInfo> sampler_params(const std::string& name);
 

@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// Its parameters stand where the directive's do.
+/// Moves the parameters of what was made to the directive's place.
 void move_to(const SourceLocation& where, MadeShapes& made) {
   for (SourceShape& shape : made)
     if (shape.material)

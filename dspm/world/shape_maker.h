@@ -24,11 +24,12 @@ struct MadeOfParams {
 
 class ShapeMaker {
  public:
-  /// `kept`: null if nothing is kept.
+  /// `kept` is null if nothing is kept.
   ShapeMaker(const Plugin<MakeShape>& plugin, const ShapeUse& use, std::filesystem::path main_directory,
              KeptGeometry* kept);
 
-  /// By any thread. What is known has no message; what has one is made again, and says it again.
+  /// Makes shapes; any thread may call it. Only what gave no message is known from before; what gave one is made again,
+  /// and gives it again.
   MadeOfParams make(const ParamList& params, Diagnostics& diagnostics) const;
 
  private:
@@ -42,7 +43,7 @@ class ShapeMaker {
   KeptGeometry* const kept_;
 };
 
-/// Those absorb no others.
+/// Returns whether all of them are meshes, which absorb no others.
 bool are_meshes(const MadeShapes& made);
 
 }  // namespace dspm

@@ -13,7 +13,7 @@ namespace {
 
 std::string counted(std::size_t n, const char* word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); }
 
-/// How many of a thing's states occur in the frames; "not there" is one of them.
+/// Returns how many of a thing's states occur in the frames; "not there" is one of them.
 std::size_t states_in(const std::vector<int>& state_of, std::span<const FileFrame> frames) {
   std::set<int> seen;
   for (const FileFrame f : frames) seen.insert(state_of[f.slot()]);
@@ -96,7 +96,7 @@ bool has_inner_blocks(const SceneDescription& description, int block) {
                      [&](const DynamicBlock& inner) { return inner.outer == block; });
 }
 
-/// The names of what these shapes are parts of: all of them, or the first few.
+/// Returns the names of what these shapes are parts of: all of them, or the first few.
 std::string named(const std::vector<const WorldShape*>& shapes, const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 12;
   std::vector<std::string> list;

@@ -15,14 +15,14 @@
 
 namespace dspm {
 
-/// About the scene of these frames of the file, one sentence per line.
+/// Explains the scene of these frames of the file, one sentence per line.
 std::vector<std::string> explain_sharing(const SceneDescription& description, const Geometry& geometry,
                                          const Looks& looks, const std::vector<WorldLight>& lights,
                                          const Timeline<std::shared_ptr<const Camera>>& camera,
                                          std::span<const FileFrame> frames);
 
-/// Which frames choose lights for their photons on their own; and if photons are worth less to some of these frames
-/// than in files of their own, how much, and why.
+/// Explains which frames choose lights for their photons on their own; and, if photons are worth less to some of these
+/// frames than in files of their own, how much less, and why.
 std::vector<std::string> explain_worth(const FileFrames& file, const LightChoices& choices,
                                        const std::vector<PhotonWorth>& worth, std::span<const FileFrame> frames);
 

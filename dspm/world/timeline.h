@@ -18,11 +18,12 @@ struct Timeline {
   std::vector<State> states;
   std::vector<int> state_of;  // by frame of the file; -1: absent
 
-  /// States by a number that those which are the same have in common (see likeness.h): few are compared.
+  /// Indexes states by a number that equal ones have in common (see likeness.h), so that few are compared.
   using Index = std::unordered_map<std::uint64_t, std::vector<int>>;
   static std::uint64_t unknown(const State&) { return 0; }  // compares all
 
-  /// The states that `at(frame)` (an optional State) takes over `frames` frames, each once, in order of first use.
+  /// Collects the states that `at(frame)` (an optional State) takes over `frames` frames, each once, in order of first
+  /// use.
   template <class At, class Same, class Likeness = decltype(unknown)>
   static Timeline of(int frames, At&& at, Same&& same, Likeness&& likeness = unknown) {
     Timeline line;
@@ -34,8 +35,8 @@ struct Timeline {
     return line;
   }
 
-  /// Of a thing that is there in `present` (by frame of the file) and whose state, `at(moment)`, depends on the moment
-  /// alone.
+  /// Collects the states of a thing that is there in `present` (by frame of the file) and whose state, `at(moment)`,
+  /// depends on the moment alone.
   template <class At, class Same, class Likeness = decltype(unknown)>
   static Timeline of_moments(const FileFrames& frames, const std::vector<bool>& present, At&& at, Same&& same,
                              Likeness&& likeness = unknown) {
@@ -53,7 +54,7 @@ struct Timeline {
     return line;
   }
 
-  /// The index of that state, which is added if it is new.
+  /// Returns the index of that state, which is added if it is new.
   template <class Same, class Likeness>
   int place(State state, Index& index, Same&& same, Likeness&& likeness) {
     std::vector<int>& alike = index[likeness(state)];
@@ -65,7 +66,7 @@ struct Timeline {
     return alike.back();
   }
 
-  /// How many states the first frames have: they come first.
+  /// Returns how many states the first frames have; these states come first.
   int states_of_first(int frames) const {
     int count = 0;
     for (FileFrame f(0); f.index() < frames; ++f) count = std::max(count, at(f) + 1);
@@ -75,7 +76,8 @@ struct Timeline {
   int at(FileFrame f) const { return state_of[f.slot()]; }
 };
 
-/// The frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered ones.
+/// Returns the frames of `rendered` (frames of the file) in which `line` is in that state, as bits of the rendered
+/// ones.
 template <class State>
 FrameSet frames_in_state(const Timeline<State>& line, int state, const std::vector<FileFrame>& rendered) {
   FrameSet set;

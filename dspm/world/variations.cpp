@@ -14,7 +14,7 @@ const BlockSwitch* find_switch(const Variation& variation, const std::string& bl
   return found == variation.switches.end() ? nullptr : &*found;
 }
 
-/// By variation of the axis.
+/// Returns, for each variation of the axis, whether it shows the block.
 std::vector<bool> shown_along(const VariationAxis& axis, const std::string& block) {
   const bool is_alternative = std::any_of(axis.variations.begin(), axis.variations.end(), [&](const Variation& each) {
     const BlockSwitch* const found = find_switch(each, block);
@@ -34,7 +34,7 @@ float scale_of(const LightScale& scale, Moment moment) {
   return numbers_of(*scale.params.at(moment).find("scale")).front();
 }
 
-/// Of the frame's variations, for lights of that name.
+/// Returns the product of the factors that the frame's variations give to lights of that name.
 float factor_of(const SceneDescription& scene, const std::string& light, FileFrame frame) {
   float factor = 1;
   for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
@@ -45,7 +45,7 @@ float factor_of(const SceneDescription& scene, const std::string& light, FileFra
   return factor;
 }
 
-/// Of the frame's variations, the one that puts a block of its own in the place of that block; null: none.
+/// Returns the one of the frame's variations that replaces the block by one of its own; null if there is none.
 const Variation* replacer(const SceneDescription& scene, const std::string& block, FileFrame frame) {
   return replacement(scene.axes, scene.choices(frame), [&](const Variation& each) -> const Variation* {
     const auto& replaced = each.replaced_blocks;
@@ -61,7 +61,7 @@ bool is_replaced_somewhere(const SceneDescription& scene, const std::string& blo
   });
 }
 
-/// The variation whose block it is; null: the scene's.
+/// Returns the variation whose block it is; null if it is the scene's.
 const Variation* owner(const SceneDescription& scene, const DynamicBlock& block) {
   if (block.axis < 0 || block.axis >= static_cast<int>(scene.axes.size())) return nullptr;  // or after an error
   return &scene.axes[static_cast<std::size_t>(block.axis)].variations[static_cast<std::size_t>(block.variation)];

@@ -12,12 +12,12 @@ namespace dspm {
 
 inline constexpr int kAlwaysThere = -1;  // instead of a Dynamic block: static
 
-/// In which frames of the file the contents of a Dynamic block are there. A block that one variation of an axis shows
-/// is hidden in the axis's others; it is there if neither an axis nor a block around it hides it.
+/// Returns in which frames of the file the contents of a Dynamic block are there. A block that one variation of an axis
+/// shows is hidden in the axis's others; it is there if neither an axis nor a block around it hides it.
 std::vector<bool> presence(const SceneDescription& scene, int dynamic_block);
 
-/// A light's parameters in a frame of the file; `scale` is multiplied by the factors that the frame's variations give
-/// to lights of that name.
+/// Returns a light's parameters in a frame of the file; `scale` is multiplied by the factors that the frame's
+/// variations give to lights of that name.
 ParamList light_params(const SceneDescription& scene, const PluginUse& use, const std::string& name, FileFrame frame);
 
 }  // namespace dspm

@@ -30,7 +30,7 @@ const CameraUse& camera_use(const SceneDescription& description, FileFrame frame
   return use != nullptr ? *use : fallback;
 }
 
-/// make_camera() has refused matrices that have no inverse.
+/// Inverts a matrix; make_camera() has refused those that have no inverse.
 Transform inverted(const Matrix4& camera_from_world) {
   return Transform(camera_from_world.inverse().value_or(Matrix4()));
 }
@@ -80,7 +80,7 @@ Timeline<std::shared_ptr<const Camera>> make_camera(const SceneDescription& desc
   return cameras;
 }
 
-/// The language knows media, the renderer does not.
+/// Reports media as errors: the language knows them, the renderer does not.
 void refuse_media(const SceneDescription& description, Diagnostics& diagnostics) {
   for (const MediumUse& use : description.media)
     diagnostics.unsupported(use.where, "medium \"" + use.name + "\": dspm does not render participating media",
@@ -195,7 +195,7 @@ struct World::Impl {
 
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames, Contents contents) const;
 
-  /// Looks at the frames that stand for the file.
+  /// Warns of overlaps in the frames that stand for the file.
   void warn_of_overlaps(Diagnostics& diagnostics) const;
 
   std::unique_ptr<Accel> make_accel(const Scene& scene, Contents contents) const {

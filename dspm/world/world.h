@@ -1,5 +1,5 @@
-// From the description (plain data) to objects: everything a scene file says about geometry, looks, light and camera,
-// made once for all frames of the file; the scenes of frame intervals are cut from it.
+// From the description (plain data) to objects: everything that a scene file says about geometry, looks, light and
+// camera, made once for all frames of the file; the scenes of frame intervals are cut from it.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ struct WorldOptions {
   const std::vector<FileFrame>* rendered = nullptr;  // ascending, of the file's frames; null: all
 };
 
-/// Where the camera of a frame stands, and what it does to points.
+/// The camera's place in a frame, and what it does to points.
 struct CameraMatrices {
   Matrix4 camera_from_world;
   std::optional<Matrix4> image_from_world;  // see Camera::image_from_camera
@@ -34,27 +34,27 @@ struct CameraMatrices {
 
 class World {
  public:
-  /// Errors and warnings go to `diagnostics`; after an error, scenes cannot be made. `description` must outlive the
-  /// world.
+  /// Reports errors and warnings to `diagnostics`; after an error, scenes cannot be made. `description` must outlive
+  /// the world.
   World(const SceneDescription& description, const WorldOptions& options, Diagnostics& diagnostics);
   ~World();
 
   int frame_count() const;
-  /// The scene of these frames of the file: ascending, at most kMaxFrames. The world outlives its scenes. All scenes of
-  /// a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
+  /// Makes the scene of these frames of the file: ascending, at most kMaxFrames. The world must outlive its scenes. All
+  /// scenes of a world agree on what sampling derives from the scene (light probabilities, bounding sphere).
   std::unique_ptr<Scene> scene(std::span<const FileFrame> frames) const;
-  /// At most 16 frames, spread over the file.
+  /// Returns at most 16 frames, spread over the file.
   std::vector<FileFrame> sample_frames() const;
-  /// In a text, what the file's first frames decide of sampling in all: the same text, the same sampling.
+  /// Returns a text that is equal if sampling is the same: what the file's first frames decide of it.
   std::string sampling() const;
-  /// The directive that an element of scene(frames) comes from, in its frame j.
+  /// Returns the directive that an element of scene(frames) comes from, in its frame j.
   const PluginUse& use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const;
   CameraMatrices camera_matrices(FileFrame frame) const;
-  /// How many pictures are in memory for textures: those of this world's scenes, and those that the world keeps.
+  /// The number of pictures in memory for textures: those of this world's scenes, and those that the world keeps.
   int pictures_held() const;
-  /// An upper estimate of the bytes that the trees of that scene take while it is made, without making it.
+  /// Returns an upper estimate of the bytes that the trees of that scene take while it is made, without making it.
   std::size_t tree_bytes_at_most(std::span<const FileFrame> frames) const;
-  /// What is shared between frames and what is not, and why: one sentence per line, for --explain.
+  /// Explains what is shared between frames and what is not, and why: one sentence per line, for --explain.
   std::vector<std::string> explain(std::span<const FileFrame> frames) const;
 
  private:
