@@ -1,4 +1,4 @@
-// A checkpoint goes on although variations were edited or removed since: the frames that have them start anew, the others
+// A checkpoint goes on although variations were edited or removed since: frames that have them start anew, the others
 // keep their state.
 #pragma once
 
@@ -15,18 +15,18 @@ namespace dspm {
 
 class Changes {
  public:
-  /// `sampling`: World::sampling() of the scene as it is now. Throws SceneError, with all that has changed, if no frame
-  /// can go on, or something has changed that matters to all of them.
+  /// `sampling` is World::sampling() of the scene as it is now. Throws SceneError, with all that has changed, if no
+  /// frame can go on, or something has changed that matters to all of them.
   Changes(const Job& job, const CheckpointFile::Render& then, const std::string& sampling);
 
   bool any() const { return !diagnostics_.all().empty(); }
-  /// What starts anew and why, and what is not there any more.
+  /// Warnings of what starts anew and why, and of what is not there any more.
   const Diagnostics& warnings() const { return diagnostics_; }
   /// For a run that would not render what starts anew: shows the warnings and throws UsageError.
   [[noreturn]] void refuse_only_new(Messages& messages) const;
-  /// An interval's, in the file as it is now. Frames that do not go on are given up.
+  /// Returns an interval's places in the file as it is now. Frames that do not go on are given up.
   Places after(const Places& then) const;
-  /// Of an interval, those that start anew, in their places now.
+  /// Returns the frames of an interval that start anew, in their places now.
   FrameList anew(const Places& then) const;
 
  private:

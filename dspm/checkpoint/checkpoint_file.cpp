@@ -39,7 +39,7 @@ void persist(IntervalState& interval, StateStream& state) {
   state.value(interval.size);
 }
 
-/// One by one: a large count without contents must not allocate.
+/// Saves or loads intervals one by one: a large count without contents must not allocate.
 void persist(std::vector<IntervalState>& all, StateStream& state) {
   std::uint64_t count = all.size();
   state.value(count);
@@ -71,7 +71,7 @@ void persist(Part& part, StateStream& state) {
   if (part.number < 1 || part.number > part.of || part.of > Part::kMost) fail("it is damaged");
 }
 
-/// A forged file could name frames that do not exist.
+/// Throws if frames are not possible: a forged file could name frames that do not exist.
 void expect_possible(const KnownFrames& frames, const std::vector<IntervalState>& intervals) {
   const FramesPart &base = frames.base, all = frames.all();
   const bool is_possible = base.moments >= 1 && base.combinations >= 1 && base.moments <= all.moments &&
@@ -103,7 +103,7 @@ std::uint64_t head_bytes(CheckpointFile::Render& render, std::vector<IntervalSta
 
 constexpr std::uint64_t kHeadAt = kMagic.size();
 
-/// Calls fn(block) for the next `count` bytes, a block at a time. False: they could not be read.
+/// Calls fn(block) for the next `count` bytes, a block at a time. Returns false if they could not be read.
 template <class Fn>
 bool for_each_block(std::istream& file, std::uint64_t count, Fn&& fn) {
   std::vector<char> block(static_cast<std::size_t>(std::min<std::uint64_t>(LoadingStream::kBlock, count)));

@@ -57,7 +57,7 @@ class CheckpointFile {
   void add(std::size_t interval, Integrator& integrator) const;
   const std::filesystem::path& path() const { return path_; }
 
-  /// Whether `path` names this very file now.
+  /// Returns whether `path` names this very file now.
   bool is_at(const std::filesystem::path& path) const;
 
   /// An interval's state to save.
@@ -65,7 +65,7 @@ class CheckpointFile {
     std::size_t interval;
     Integrator& integrator;
   };
-  /// Writes `path` anew, with the state of one interval or of none; the other states come from `before`, where
+  /// Writes `path` anew, with the state of one interval or of none. The other states come from `before`, where
   /// `intervals` say; it may be null or the file that is replaced. Throws WriteError; the old file then stays.
   static std::unique_ptr<const CheckpointFile> write(const std::filesystem::path& path, const Render& render,
                                                      std::vector<IntervalState> intervals, const NewState* state,
@@ -77,7 +77,7 @@ class CheckpointFile {
   void open(const std::filesystem::path& path);
   template <class Stream>
   void load_by(std::size_t interval, Integrator& integrator) const;
-  /// False: it could not be read.
+  /// Returns false if the state could not be read.
   bool copy(const IntervalState& state, SavingStream& to) const;
 
   std::filesystem::path path_;

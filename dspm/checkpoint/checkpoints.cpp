@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr Interval kEvery{.seconds = 600};
 
-/// Of all intervals' states, each in proportion to its frames.
+/// Estimates the bytes of all intervals' states, each in proportion to its frames.
 std::uint64_t bytes_of_all(const std::vector<FrameList>& intervals, std::uint64_t first) {
   std::size_t frames = 0;
   for (const FrameList& interval : intervals) frames += interval.size();
@@ -53,7 +53,7 @@ void refuse_to_overwrite(const fs::path& path) {
                                path.string(), path.string()));
 }
 
-/// What no fact says.
+/// Refuses another part of the render, which no fact tells.
 void refuse_another_part(const CheckpointFile::Render& then, const CheckpointFile::Render& now,
                          const std::string& file) {
   if (then.part != now.part)
@@ -65,7 +65,7 @@ void refuse_another_part(const CheckpointFile::Render& then, const CheckpointFil
                                  then.memory == 0 ? "none" : fmt::format("--memory {}", then.memory)));
 }
 
-/// For a file that is not this run's.
+/// Leaves a file to others if it is not this run's.
 void leave_to_others(const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(path, ignored)) throw WriteError(path, "another program has put a file of its own there");
@@ -103,7 +103,7 @@ Checkpoints::Checkpoints(const Job& job, const std::string& sampling, const Chec
   while (kept_ < states_.size() && !is_among(states_[kept_].places.going_on(), job.frames)) ++kept_;
 }
 
-/// A run that could not begin must not stand in the way of the next.
+/// Removes what a run that could not begin has written: it must not stand in the way of the next.
 Checkpoints::~Checkpoints() {
   std::error_code ignored;
   if (takes_name_ && std::uncaught_exceptions() > 0 && last_ != nullptr && last_->is_at(path_))

@@ -23,10 +23,9 @@ struct CheckpointSettings {
 
 class Checkpoints {
  public:
-  /// `sampling`: World::sampling() of the job's. `resumed`: the file of settings.resume, null if there is none; it goes
-  /// on with the job's frames, and keeps others as they are. Warns of those that start anew. Throws UsageError if a
-  /// checkpoint would be lost, SceneError with what has changed since the one to resume, std::runtime_error if it is
-  /// damaged.
+  /// `sampling` is the job's World::sampling(). `resumed` is the file of settings.resume, or null; the run goes on with
+  /// the job's frames, and keeps others as they are. Warns of frames that start anew. Throws UsageError if a checkpoint
+  /// would be lost, SceneError with what has changed since the one to resume, std::runtime_error if it is damaged.
   Checkpoints(const Job& job, const std::string& sampling, const CheckpointSettings& settings,
               std::unique_ptr<const CheckpointFile> resumed, Messages& messages);
 
@@ -34,14 +33,14 @@ class Checkpoints {
   Checkpoints(const Checkpoints&) = delete;
   Checkpoints& operator=(const Checkpoints&) = delete;
 
-  /// Of the intervals that the resumed run began and this one goes on with; empty if there are none.
+  /// Returns the places of the intervals that the resumed run began and this one goes on with; empty if there are none.
   std::vector<Places> begun() const;
-  /// Of the resumed run, over all intervals.
+  /// The seconds of the resumed run, over all intervals.
   double seconds() const;
 
-  /// Before the first iteration. Throws if the file cannot be written or is too large for the disk.
+  /// Call this before the first iteration. Throws if the file cannot be written or is too large for the disk.
   void begin(const std::vector<FrameList>& intervals, Integrator& first);
-  /// Loads the interval's state and returns its progress; without a state, it is at its beginning.
+  /// Loads the interval's state and returns its progress; without a state, the interval is at its beginning.
   IntervalProgress resume(std::size_t interval, Integrator& integrator);
   bool due(int iterations) { return writes() && schedule_.due(iterations); }
   /// Does nothing if no checkpoint is written. Throws WriteError.

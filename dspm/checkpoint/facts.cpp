@@ -54,7 +54,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   if (s.file != nullptr && s.file->given()) facts.push_back(digest_fact("the guide (--guide)", *s.file->given()));
 }
 
-/// It decides ties and how lights are chosen.
+/// Adds the order of the elements, which decides ties and how lights are chosen.
 void add_order(const std::vector<ElementDigest>& elements, const PartOfScene& part, std::vector<Fact>& facts) {
   std::string names;
   for (const ElementDigest& element : elements)
@@ -62,7 +62,8 @@ void add_order(const std::vector<ElementDigest>& elements, const PartOfScene& pa
   facts.push_back(digest_fact("the order of the scene's parts", digest(names)));
 }
 
-/// Which Dynamic blocks each variation of the product has, at each moment: one that no frame has leaves no trace.
+/// Adds which Dynamic blocks each variation of the product has, at each moment; a block that no frame has leaves no
+/// trace.
 void add_presence(const SceneDescription& description, const PartOfScene& part,
                   const std::vector<ElementDigest>& elements, const FramesPart& frames, std::vector<Fact>& facts) {
   std::vector<std::string> present(static_cast<std::size_t>(frames.combinations));
@@ -81,13 +82,13 @@ void add_presence(const SceneDescription& description, const PartOfScene& part,
   }
 }
 
-/// As the scene names it, so that its folder may be moved.
+/// Returns the name as the scene writes it, so that its folder may be moved.
 fs::path short_name(const fs::path& file, const fs::path& folder) {
   const fs::path relative = file.lexically_relative(folder);
   return relative.empty() || *relative.begin() == ".." ? file : relative;
 }
 
-/// Except for the scene's text, of which only the meaning counts.
+/// Adds the files, except for the scene's text, of which only the meaning counts.
 void add_files(const SceneDescription& description, bool may_be_new, std::vector<Fact>& facts) {
   std::set<fs::path> texts;
   std::error_code ignored;
@@ -100,7 +101,7 @@ void add_files(const SceneDescription& description, bool may_be_new, std::vector
     }
 }
 
-/// The facts that the other list does not have, in their order.
+/// Returns the facts that the other list does not have, in their order.
 std::vector<const Fact*> unmatched(const std::vector<Fact>& facts, const std::vector<Fact>& others) {
   std::map<std::pair<std::string_view, std::string_view>, std::size_t> counts;
   for (const Fact& other : others) ++counts[{other.name, other.text}];

@@ -27,33 +27,34 @@ struct Fact {
   bool may_be_new = false;    // it matters to no frame of the part; not kept either
 };
 
-/// To be called after the world is made, as the files read for it are included. Settings that change no pixel are not
-/// (names of images, iterations to go, threads, the accelerator), nor is the memory bound, which only changes rounding,
-/// nor which frames are rendered. `part`: of the file's frames; more may have been added.
+/// Returns the facts of a job. Call it after the world is made, as the files read for it are included. Settings that
+/// change no pixel are not included (names of images, iterations to go, threads, the accelerator), nor is the memory
+/// bound, which only changes rounding, nor which frames are rendered. `part` is that of the file's frames; more may
+/// have been added.
 std::vector<Fact> facts_of(const Job& job, const FramesPart& part);
-/// Those of the scene itself: its description and the files that were read.
+/// Returns the facts of the scene itself: its description and the files that were read.
 std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& part);
-/// A digest of all of them, and of the version of dspm: two machines that have the same render the same.
+/// Returns a digest of all facts, and of the version of dspm: two machines with the same digest render the same.
 std::string digest_of(const Job& job);
-/// All frames of the file.
+/// Returns all frames of the file.
 FramesPart all_frames(const Job& job);
 
-/// Whose facts `then` are, and the hint to each error.
+/// What an earlier list of facts belongs to, and the hint for each error.
 struct Since {
   const char* what = "the checkpoint";
   const char* way_out = "a checkpoint continues only the same scene; to start over, use another checkpoint";
 };
-/// A fact that has changed, or is in one of the lists only: the other pointer is null then.
+/// A fact that has changed, or is in only one of the lists; the other pointer is then null.
 struct Difference {
   const Fact *then, *now;
 
-  /// "material "legs" has changed since the checkpoint"
+  /// Returns "material "legs" has changed since the checkpoint" and the like.
   std::string in_words(const Since& since = {}) const;
   SourceLocation where() const { return now != nullptr ? now->where : SourceLocation(); }
 };
-/// In the order of `now`, but for what may be new, then those only in `then`.
+/// Returns the differences in the order of `now`, except for what may be new; then those that are only in `then`.
 std::vector<Difference> differences(const std::vector<Fact>& then, const std::vector<Fact>& now);
-/// An error for each.
+/// Reports an error for each difference.
 void compare(const std::vector<Fact>& then, const std::vector<Fact>& now, Diagnostics& diagnostics,
              const Since& since = {});
 

@@ -17,7 +17,7 @@
 namespace dspm {
 namespace {
 
-// The file: kMagic, a digest of the rest, the scene's facts, what was learned.
+// The file holds kMagic, a digest of the rest, the scene's facts, and what was learned.
 constexpr std::string_view kMagic = "dspm guide 3\n";
 constexpr const char* kWayOut =
     "a guide suits only the scene that it was learned for; without --guide, dspm learns anew";
@@ -34,7 +34,7 @@ std::string digest_in_bytes(std::string_view bytes) {
   return saved.all;
 }
 
-/// Without the magic and the digest.
+/// Returns the bytes without the magic and the digest.
 std::string_view content_of(std::string_view bytes) {
   if (!bytes.starts_with(kMagic)) throw std::runtime_error("it is not a guide of this version of dspm");
   bytes.remove_prefix(kMagic.size());

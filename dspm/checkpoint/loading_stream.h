@@ -1,4 +1,4 @@
-// A state on its way out of a file; and on its way to that of other parts, to which it is added.
+// A state on its way out of a file, and on its way to that of other parts, to which it is added.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class LoadingStream : public StateStream {
   std::uint64_t left_;
 };
 
-/// Adds what adds up.
+/// Adds what parts add up.
 class AddingStream final : public LoadingStream {
  public:
   using LoadingStream::LoadingStream;

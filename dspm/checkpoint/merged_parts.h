@@ -1,4 +1,4 @@
-// --merge: the checkpoints of a render's parts, added up. In the order of the parts' numbers, so that the bits are the
+// --merge: the checkpoints of a render's parts, added up in the order of the parts' numbers, so that the bits are the
 // same in whatever order the files are named.
 #pragma once
 
@@ -21,19 +21,19 @@ class MergedParts {
   /// if one is damaged.
   explicit MergedParts(const std::vector<std::string>& files);
 
-  /// The first part's.
+  /// The render of the first part.
   const CheckpointFile::Render& render() const { return files_.front()->render(); }
-  /// Throws SceneError, for each file, with what has changed since.
+  /// Throws SceneError, for each file, with what has changed since it was written.
   void expect_same(const Job& job);
   /// Says what they hold: missing parts, parts of different length, machines that differ.
   void describe(Messages& messages) const;
 
-  /// By their places in the job's file.
+  /// The intervals, by their places in the job's file.
   const std::vector<FrameList>& intervals() const { return intervals_; }
-  /// Of an interval, all parts together.
+  /// Returns the progress of an interval, all parts together.
   IntervalProgress progress(std::size_t interval) const;
   void load(std::size_t interval, Integrator& integrator) const;
-  /// Whether no iteration is missing before the last one, so that a render can go on from there.
+  /// Returns whether no iteration is missing before the last one, so that a render can go on from there.
   bool are_whole() const;
 
  private:

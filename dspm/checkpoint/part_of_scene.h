@@ -16,9 +16,9 @@ class PartOfScene {
  public:
   PartOfScene(const SceneDescription& scene, const FramesPart& part);
 
-  /// Whether the element has a place among others, whose order matters.
+  /// Returns whether the element has a place among others, whose order matters.
   bool places(const ElementDigest& element) const;
-  /// Whether the frames would be the same without it.
+  /// Returns whether the frames would be the same without it.
   bool can_do_without(const ElementDigest& element) const;
   /// Calls fn(FileFrame) for each frame that has the Dynamic block.
   template <class Fn>

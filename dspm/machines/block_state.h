@@ -1,5 +1,5 @@
-// What a machine makes of a block of iterations: one term of the sum over all of them. The terms are added in the order of
-// their numbers, so the bits do not depend on which machine did which, nor on how many there are.
+// What a machine makes of a block of iterations: one term of the sum over all of them. The terms are added in the order
+// of their numbers, so the bits depend neither on which machine did which, nor on how many machines there are.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace dspm {
 
-/// The state that the block's iterations make of `zero`, which is that before any. Throws what iterations throw; the
-/// integrator's own state is then lost.
+/// Returns the state that the block's iterations make of `zero`, the state before any iteration. Throws what iterations
+/// throw; the integrator's own state is then lost.
 std::string rendered(const Block& block, Integrator& integrator, const Scene& scene, const std::string& zero);
 /// Adds a state to the integrator's.
 void add(const std::string& state, Integrator& integrator);

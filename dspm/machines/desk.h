@@ -12,32 +12,33 @@ namespace dspm {
 
 class Desk {
  public:
-  /// A machine holds at most so many rendered blocks: then it waits until one has been fetched.
+  /// The most rendered blocks that a machine holds; then it waits until one has been fetched.
   static constexpr int kMostHeld = 2;
-  /// So many are on their way or here before it is their turn, besides those of the machine itself.
+  /// The most blocks that are on their way or here before it is their turn, besides those of the machine itself.
   static constexpr int kAhead = 2;
 
-  /// Blocks of `size` iterations from iteration `begin` on, of `all`; 0: endless. Forgets all that was before.
+  /// Starts blocks of `size` iterations at iteration `begin`, up to `all` iterations; 0 means endless. Forgets
+  /// everything from before.
   void open(int begin, int all, int size);
-  /// No block is handed out until it is opened again.
+  /// Hands out no block until open() is called again.
   void close() { open_ = false; }
 
-  /// The next block for a machine; nullopt: none now. A machine that holds as many as it may is the faster one by as many
-  /// blocks than that which renders the block whose turn it is: it gets that block once more.
+  /// Returns the next block for a machine; nullopt if there is none now. A machine that holds kMostHeld blocks is
+  /// faster than the one that is still rendering the block whose turn it is, so it gets that block as well.
   std::optional<Block> hand_out(int machine);
-  /// Blocks that begin earlier have been taken.
+  /// All blocks that begin earlier have been taken.
   int wanted_from() const { return blocks_.empty() ? next_ : blocks_.begin()->first; }
   /// The machine holds the block from now on.
   void rendered(int machine, int begin);
-  /// Which machine is to bring which block now, in the order of their turns; each once. They may be a few before it is
-  /// their turn, so that they are there then.
+  /// Which machine must send which block now. to_fetch() returns each fetch once, in the order of the blocks' turns,
+  /// and some of them a little before their turn, so that the blocks are here in time.
   struct Fetch {
     int machine, begin;
   };
   std::vector<Fetch> to_fetch();
   void arrived(int begin, std::string state);
   bool is_here(int begin) const;
-  /// The state of the block, if it has arrived; the next one's turn has come then.
+  /// Returns the block's state, if it has arrived; then it is the next block's turn.
   std::optional<std::string> take(int begin);
 
  private:

@@ -17,15 +17,15 @@ bool is_above_one(const char* name) {
   return value != nullptr && std::atoi(value) > 1;
 }
 
-/// By what Open MPI, and schedulers that start its programs themselves, leave in the environment. Schedulers do so for
-/// single processes, too, which need no MPI.
+/// Returns whether Open MPI, or a scheduler that starts its programs itself, has left its variables in the environment.
+/// Schedulers do so for single processes, too, which need no MPI.
 bool was_started_by_mpi() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr ||
          (std::getenv("PMI_RANK") != nullptr && is_above_one("PMI_SIZE")) ||
          (std::getenv("PMIX_RANK") != nullptr && is_above_one("SLURM_STEP_NUM_TASKS"));
 }
 
-/// Next to the library that this code is in.
+/// Returns the path of the module, next to the library that this code is in.
 std::filesystem::path module_file() {
   Dl_info info{};
   dladdr(reinterpret_cast<const void*>(&find_link), &info);

@@ -7,8 +7,8 @@
 
 namespace dspm {
 
-/// Null if the program was started by itself. Throws UsageError if it was started by mpirun, and the module for MPI is
-/// missing.
+/// Returns null if the program was started by itself. Throws UsageError if it was started by mpirun, and the module for
+/// MPI is missing.
 std::unique_ptr<Link> find_link();
 
 }  // namespace dspm

@@ -52,7 +52,7 @@ std::optional<Order> Helper::next_order(int edition) {
   return has_ended() ? std::nullopt : std::exchange(order_, std::nullopt);
 }
 
-/// By the thread of the post.
+/// Called by the thread of the post.
 void Helper::open(Letter letter) {
   const std::lock_guard lock(mutex_);
   if (letter.kind == LetterKind::order) order_ = read<Order>(letter.text);

@@ -1,4 +1,4 @@
-// A machine that helps: it renders the blocks that the leader orders, and keeps what comes of them until it is fetched.
+// A machine that helps: it renders the blocks that the leader orders, and keeps the results until they are fetched.
 #pragma once
 
 #include <condition_variable>
@@ -15,21 +15,21 @@ namespace dspm {
 
 class Helper {
  public:
-  /// `on_end` is called when the leader says that it is over, or that the scene was edited, by the thread of the post.
+  /// Calls `on_end`, on the thread of the post, when the leader says that it is over, or that the scene was edited.
   Helper(Link& link, std::function<void()> on_end);
   /// Says goodbye.
   ~Helper() { post_.send(0, LetterKind::bye); }
 
-  /// What is to be loaded; nullopt: it is over.
+  /// Returns what to load; nullopt if it is over.
   std::optional<Edition> edition();
-  /// Until the leader says that it is over, or that there is another edition.
+  /// Renders until the leader says that it is over, or that there is another edition.
   void render(const LoadedScene& loaded, Messages& messages, const Hello& hello);
-  /// Says that it cannot help with this edition, and waits likewise.
+  /// Says that it cannot help with this edition, and waits until it is over, or there is another edition.
   void fail(const Failure& failure);
 
  private:
   void open(Letter letter);
-  /// nullopt: there are no more of this edition.
+  /// Returns nullopt if there are no more orders of this edition.
   std::optional<Order> next_order(int edition);
 
   std::function<void()> on_end_;

@@ -36,7 +36,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     next_ = Block::from(begin, extent_.iterations, extent_.block).end;
   }
 
-  /// Work is that of this machine.
+  /// Counts the work of this machine alone.
   Statistics statistics() const override {
     Statistics statistics = inner_->statistics();
     const Statistics own = renderer_->statistics();
@@ -46,7 +46,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
   }
 
  private:
-  /// At the beginning, after a resume, and if more iterations are wanted than were at first.
+  /// Opens the desk at the beginning, after a resume, and if more iterations are wanted than were at first.
   void reopen(int begin) {
     if (begin >= extent_.iterations) extent_.iterations = 0;
     rendering_.reset();
@@ -55,7 +55,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     leader_.serve();
   }
 
-  /// False: it has not come yet.
+  /// Returns false if the block has not come yet.
   bool add_block(int begin) {
     std::unique_lock lock(leader_.mutex_);
     if (!leader_.failure_.empty()) throw MachineFailed(leader_.failure_);
@@ -67,7 +67,8 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     return true;
   }
 
-  /// One iteration of a block of the leader's own, so that what comes meanwhile is soon added. False: there is none.
+  /// Renders one iteration of a block of the leader's own, so that what arrives in the meantime is soon added. Returns
+  /// false if there is no block.
   bool render_on(int begin, const Scene& scene) {
     if (rendering_ && rendering_->begin < begin) rendering_.reset();  // another machine was faster
     const bool is_next = rendering_ && rendering_->begin == begin;
@@ -94,7 +95,7 @@ class Leader::SharedIterations final : public WrappingIntegrator {
     return true;
   }
 
-  /// Not for long, as an end may be wanted.
+  /// Waits for a moment only, as an end may be wanted.
   void wait_for(int begin) {
     std::unique_lock lock(leader_.mutex_);
     leader_.changed_.wait_for(lock, std::chrono::milliseconds(100),
@@ -157,7 +158,7 @@ std::unique_ptr<Integrator> Leader::share_out(std::unique_ptr<Integrator> sum, s
   return std::make_unique<SharedIterations>(std::move(sum), std::move(own), *this, extent);
 }
 
-/// By the thread of the post.
+/// Called by the thread of the post.
 void Leader::open(Letter letter) {
   const std::lock_guard lock(mutex_);
   const auto is_now = [&](const Rendered& each) { return each.interval == order_.interval; };
@@ -183,7 +184,7 @@ void Leader::open(Letter letter) {
   changed_.notify_all();
 }
 
-/// Orders to those that wait for one; the mutex is held.
+/// Sends orders to those that wait for one. The mutex must be held.
 void Leader::serve() {
   for (; digest_ && !ready_.empty(); ready_.pop_front()) {
     const Hello hello = read<Hello>(ready_.front().text);
@@ -204,7 +205,7 @@ void Leader::serve() {
   waiting_ = std::move(still);
 }
 
-/// What is to be added next comes here while others render; the mutex is held.
+/// Fetches what is to be added next while others render. The mutex must be held.
 void Leader::fetch() {
   for (const auto& [machine, begin] : desk_.to_fetch()) {
     if (machine == 0) continue;
@@ -214,7 +215,8 @@ void Leader::fetch() {
   }
 }
 
-/// A machine may take long to render, but its post answers at once. The mutex is held.
+/// Reports machines that do not answer. A machine may take long to render, but its post answers at once. The mutex must
+/// be held.
 void Leader::look_for_silence() {
   for (const auto& [block, asked] : asked_)
     if (Clock::now() - asked.when > patience_) {

@@ -1,5 +1,5 @@
-// The machine that leads: it renders as the others do, adds up everybody's blocks, and alone writes images and
-// checkpoints, shows progress and answers to its user.
+// The machine that leads: it renders as the others do, adds up everybody's blocks, and is the only one that writes
+// images and checkpoints, shows progress and answers to its user.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace dspm {
 
-/// Another machine cannot go on.
+/// Thrown if another machine cannot go on.
 class MachineFailed final : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -31,39 +31,44 @@ class MachineFailed final : public std::runtime_error {
 
 class Leader {
  public:
-  /// States that it holds besides two integrators: that before any iteration, and blocks whose turn has not come.
+  /// The states that it holds besides two integrators: the state before any iteration, and blocks whose turn has not
+  /// come.
   static constexpr std::size_t kStates = 1 + Desk::kMostHeld + Desk::kAhead + 1;
-  /// How long a machine may take to send a block that it has, or to say goodbye: far longer than any network does.
+  /// The seconds that a machine may take to send a block that it has, or to say goodbye: far longer than any network
+  /// does.
   static constexpr double kPatience = 600;
 
-  /// `end_wanted`: by the user; a block that another machine is still rendering is then not waited for. `patience`: in
-  /// seconds.
+  /// `end_wanted` returns whether the user wants an end; a block that another machine is still rendering is then not
+  /// waited for. `patience` is in seconds.
   Leader(Link& link, std::function<bool()> end_wanted, double patience = kPatience);
-  /// As end(), but throws nothing.
+  /// Ends as end() does, but throws nothing.
   ~Leader();
 
-  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their last
-  /// letters are taken. Throws MachineFailed if one does not answer, and abandons the link then.
+  /// Tells all others that it is over, and waits until they have nothing more to say: MPI does not end before their
+  /// last letters are taken. If one does not answer, abandons the link and throws MachineFailed.
   void end();
 
-  /// A digest of the scene, to be called before the first order. Helpers whose scene has another one fail.
+  /// Sets the digest of the scene; call it before the first order. Helpers whose scene has another one fail.
   void expect(std::string digest);
-  /// The scene was edited: the others are to read it anew, before the next expect(). Not while an interval is shared out.
+  /// Tells the others that the scene was edited and that they must read it anew, before the next expect(). Must not be
+  /// called while an interval is shared out.
   void begin_anew(const std::optional<std::array<double, 9>>& look_at);
 
-  /// How the iterations of an interval are shared out: so many, 0: endless; in blocks of that size, see Block::from.
+  /// How the iterations of an interval are shared out: how many (0 means endless), in blocks of which size; see
+  /// Block::from.
   struct Extent {
     int iterations, block;
   };
-  /// What all machines together do of an interval: an integrator whose iterate(i) leaves it with iteration i and all that
-  /// follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader. `sum` and `own` are alike: the
-  /// one adds up everybody's blocks, the other renders the leader's, both made with RenderSettings::learn_at_once, or each
-  /// block would learn anew. `memory`: bytes that each machine's may hold; 0: no bound.
+  /// Returns an integrator that stands for what all machines together do of an interval: its iterate(i) leaves it with
+  /// iteration i and all that follow in its block. Its iterate() throws MachineFailed. It must not outlive the leader.
+  /// `sum` adds up everybody's blocks, `own`, which is alike, renders the leader's; both must be made with
+  /// RenderSettings::learn_at_once, or each block would learn anew. `memory` is the number of bytes that each machine's
+  /// integrator may hold; 0 means that there is no bound.
   std::unique_ptr<Integrator> share_out(std::unique_ptr<Integrator> sum, std::unique_ptr<Integrator> own,
                                         const FrameList& frames, std::size_t memory, const Extent& extent);
 
   int machines() const { return link_.machines(); }
-  /// That went between them so far.
+  /// The bytes that went between the machines so far.
   std::uint64_t bytes() const { return post_.bytes(); }
 
  private:

@@ -49,7 +49,7 @@ struct Order {
   }
 };
 
-/// A block that is rendered. In a letter of the kind `state` it is followed by what was made of it.
+/// A block that is rendered. In a letter of the kind `state`, the state follows it.
 struct Rendered {
   std::uint64_t interval = 0;
   int begin = 0;  // of the block
@@ -58,7 +58,7 @@ struct Rendered {
   friend auto operator<=>(const Rendered&, const Rendered&) = default;
 };
 
-/// What is rendered, of a scene that is edited while a page shows it.
+/// What is to be rendered, of a scene that is edited while a page shows it.
 struct Edition {
   int number = 0;                                     // of edits so far
   std::optional<std::array<double, 9>> look_at = {};  // see Choices
@@ -73,7 +73,7 @@ struct Edition {
   }
 };
 
-/// A helper introduces itself.
+/// A helper's introduction.
 struct Hello {
   std::string host, digest;  // the machine's name, and what its scene is
   int edition = 0;
@@ -91,7 +91,8 @@ struct Failure {
   void persist(StateStream& state) { state.value(edition), state.text(why, 1 << 20); }
 };
 
-/// Anything with persist(), as the text of a letter, and back. Throws std::runtime_error if it is not one.
+/// Writes anything with persist() as the text of a letter. read() is the way back, and throws std::runtime_error if the
+/// text is not one.
 template <class T>
 std::string written(T value) {
   return state_of(value);

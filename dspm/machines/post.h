@@ -16,17 +16,17 @@ namespace dspm {
 
 class Post {
  public:
-  /// `open` is called for each letter that comes, by the thread of the post: it may send, but must not wait.
+  /// Calls `open` for each letter that arrives, on the thread of the post: it may send, but must not wait.
   Post(Link& link, std::function<void(Letter)> open);
-  /// Once all letters are gone.
+  /// Waits until all letters are gone.
   ~Post();
   Post(const Post&) = delete;
   Post& operator=(const Post&) = delete;
 
   void send(int machine, LetterKind kind, std::string text = {});
-  /// No letter is waited for any more, see Link::abandon.
+  /// From now on no letter is waited for: see Link::abandon.
   void abandon() { abandoned_ = true; }
-  /// Of all letters so far, both ways.
+  /// The bytes of all letters so far, both ways.
   std::uint64_t bytes() const { return bytes_; }
 
  private:

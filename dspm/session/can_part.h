@@ -1,4 +1,4 @@
-// What a render must be for machines to share its iterations out.
+// What machines can share out the iterations of.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Throws UsageError, which begins with `asked_by`, unless the integrator can.
+/// Throws UsageError, which begins with `asked_by`, unless the integrator can share out its iterations.
 void expect_parts(const Job& job, const Integrator& integrator, const std::string& asked_by);
-/// Likewise, unless each part gets an iteration.
+/// Throws UsageError, which begins with `asked_by`, unless each part gets an iteration.
 void expect_enough_iterations(int all, const Part& part, const std::string& asked_by);
 
 }  // namespace dspm

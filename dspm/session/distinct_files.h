@@ -12,7 +12,7 @@ struct NamedFile {
   std::string what;  // "the video"
 };
 
-/// However they are spelled, and whether or not they exist.
+/// Returns whether both names mean the same file, however they are spelled, and whether or not it exists.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Throws UsageError, naming both, if a file is written under two names or is both read and written.

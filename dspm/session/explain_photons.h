@@ -9,8 +9,9 @@
 
 namespace dspm {
 
-/// One sentence each, for --explain; none if it learns nothing. Learning is left to this call and takes about as long
-/// as a few iterations; a render of these frames then knows it. Throws SceneError if the integrator cannot be made.
+/// Returns one sentence each, for --explain; none if it learns nothing. Learning is left to this call and takes about
+/// as long as a few iterations; a render of these frames then knows it. Throws SceneError if the integrator cannot be
+/// made.
 std::vector<std::string> explain_photons(const LoadedScene& loaded, const FrameList& frames, Messages& messages);
 
 }  // namespace dspm

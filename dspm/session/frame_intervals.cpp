@@ -16,7 +16,7 @@ std::size_t frames_in(FrameSpans spans) {
   return sum;
 }
 
-/// Packs of consecutive spans, each of as many as fit.
+/// Packs consecutive spans, as many as fit into each pack.
 std::vector<FrameSpans> packed(FrameSpans spans, std::size_t together) {
   std::vector<FrameSpans> packs;
   for (std::size_t first = 0; first < spans.size();) {
@@ -28,7 +28,7 @@ std::vector<FrameSpans> packed(FrameSpans spans, std::size_t together) {
   return packs;
 }
 
-/// The same number of packs, of nearly equal numbers of spans.
+/// Returns the same number of packs, with nearly equal numbers of spans.
 std::vector<FrameSpans> evened(FrameSpans spans, std::size_t packs) {
   std::vector<FrameSpans> even;
   for (std::size_t i = 0; i < packs; ++i) {

@@ -1,4 +1,4 @@
-// How the frames of a run are divided into intervals if not all are rendered together: so that the frames of an
+// How the frames of a run are divided into intervals if not all are rendered together, so that the frames of an
 // interval share as much as possible.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace dspm {
 using FrameList = std::vector<FileFrame>;
 using FrameSpan = std::span<const FileFrame>;
 
-/// Those of an interval's integrator.
+/// The frames of an interval's integrator.
 struct Places {
   FrameList frames;  // ascending; one that has the places of given-up frames is there several times
   FrameSet given_up = {};
@@ -24,15 +24,15 @@ struct Places {
 
 class FrameIntervals {
  public:
-  /// Frames with different settings of the integrator are never together. Factors that move paths vary slowest, then
+  /// Never puts frames with different settings of the integrator together. Factors that move paths vary slowest, then
   /// those with the most places: frames that differ only in looks stay together.
   FrameIntervals(const SceneDescription& scene, const FrameList& frames);
 
-  /// Intervals of at most `together` frames, in the order of their first frames. If whole inner products of the
+  /// Cuts intervals of at most `together` frames, in the order of their first frames. If whole inner products of the
   /// factors fit, an interval holds whole ones; lengths are as equal as that allows.
   std::vector<FrameList> cut(int together) const;
-  /// For so many machines at most, each with nearly as many frames as the others: cut as intervals are, unless that
-  /// makes more of them than there are machines.
+  /// Deals the frames to at most that many machines, each with nearly as many frames as the others: cut as intervals
+  /// are, unless that makes more of them than there are machines.
   std::vector<FrameList> deal(int machines) const;
 
  private:

@@ -10,11 +10,11 @@ namespace dspm {
 
 class LearnedBefore {
  public:
-  /// Of a run that may have ended before it had learned anything.
+  /// Keeps what a run has learned, which may have ended before it had learned anything.
   void keep(const Job& job) {
     if (job.settings.file->has_learned()) learned_ = job.settings.file->learned();
   }
-  /// The job learns nothing of its own.
+  /// Makes the job use it and learn nothing of its own.
   void give(Job& job) const { job.settings.file = learned_.empty() ? nullptr : std::make_shared<FileSample>(learned_); }
 
  private:

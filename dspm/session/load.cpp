@@ -55,7 +55,7 @@ SceneDescription with_files_held(SceneDescription description, const Choices& ch
   return description;
 }
 
-/// A scene that mirrors its view, as pbrt's do by Scale -1 1 1, goes on doing so.
+/// Places the camera. A scene that mirrors its view, as pbrt's do by Scale -1 1 1, continues to do so.
 void place_camera(CameraUse& camera, const std::array<double, 9>& v) {
   const std::optional<Matrix4> place = Matrix4::look_at({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]});
   if (!place) return;

@@ -9,11 +9,12 @@
 
 namespace dspm {
 
-/// All modules in the folders of DSPM_PLUGIN_PATH (separated by colons), and `files`, those of --plugin. Throws
+/// Loads all modules in the folders of DSPM_PLUGIN_PATH (separated by colons), and `files`, those of --plugin. Throws
 /// UsageError.
 void load_modules(const std::vector<std::string>& files);
 
-/// Those that the scene names: relative to the file that names them, else to the main file, else in DSPM_PLUGIN_PATH.
+/// Loads the modules that the scene names: relative to the file that names them, else to the main file, else in
+/// DSPM_PLUGIN_PATH.
 void load_modules(const SceneDescription& description, Diagnostics& diagnostics);
 
 }  // namespace dspm

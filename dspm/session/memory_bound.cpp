@@ -38,7 +38,7 @@ int longest(const std::vector<FrameList>& intervals) {
   return static_cast<int>(length);
 }
 
-/// The lengths that the longest interval can have, in descending order.
+/// Returns the lengths that the longest interval can have, in descending order.
 std::vector<int> interval_lengths(const FrameIntervals& frames, int together) {
   std::vector<int> lengths;
   for (int most = together; most > 0; --most)
@@ -53,7 +53,7 @@ std::string in_words(std::size_t intervals, int length, int batches) {
          (batches == 1 ? "" : fmt::format(", photons in {} batches", batches));
 }
 
-/// Those in none of the intervals.
+/// Returns the frames that are in none of the intervals.
 FrameList without(const FrameList& frames, const std::vector<FrameList>& intervals) {
   std::set<FileFrame> taken;
   for (const FrameList& interval : intervals) taken.insert(interval.begin(), interval.end());
@@ -68,7 +68,7 @@ FrameList without(const FrameList& frames, const std::vector<FrameList>& interva
 /// Makes what a run would make for an interval, and remembers why it did not fit.
 class MemoryBound::Trials {
  public:
-  /// Of an interval that fits.
+  /// The result for an interval that fits.
   struct Result {
     std::size_t share;  // bytes that its integrator may hold
     int batches;        // of photons in an iteration
@@ -122,7 +122,7 @@ class MemoryBound::Trials {
     }
   }
 
-  /// One each; empty if one does not fit.
+  /// Returns one result each; none if one interval does not fit.
   std::vector<Result> of(const std::vector<FrameList>& intervals) {
     std::vector<Result> results;
     for (const FrameList& interval : intervals) {

@@ -17,24 +17,25 @@ namespace dspm {
 
 class MemoryBound {
  public:
-  /// To be made before the scene is read; from then on there is one thread. 0: no bound.
+  /// Must be made before the scene is read; from then on there is only one thread. 0 means that there is no bound.
   explicit MemoryBound(std::size_t bytes);
 
   /// What is held besides the scene and its integrator.
   struct Besides {
-    /// Bytes, while images are written.
+    /// The bytes held while images are written.
     std::size_t writing = 0;
-    /// Of the integrator, if several machines add up theirs: then there is a second integrator, too.
+    /// The number of the integrator's states, if several machines add up theirs: then there is a second integrator,
+    /// too.
     std::size_t states = 0;
   };
 
-  /// The frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the figures if
-  /// not even single frames fit. `given`: the intervals of a resumed run, which are kept and come first, or none.
-  /// `observer`: may want an end.
+  /// Returns the frames' intervals, as long as the bound allows and cut alike. Throws std::runtime_error with the
+  /// figures if not even single frames fit. `given` holds the intervals of a resumed run, which are kept and come
+  /// first; it may be empty. The `observer` may want an end.
   std::vector<FrameList> plan(const Job& job, const World& world, const Besides& besides,
                               const std::vector<FrameList>& given, const Messages& messages,
                               const SessionObserver& observer);
-  /// How many bytes the integrator of the plan's i-th interval may hold; 0: no bound.
+  /// Returns how many bytes the integrator of the plan's i-th interval may hold; 0 means that there is no bound.
   std::size_t for_integrator(std::size_t i) const { return bytes_ == 0 ? 0 : shares_[i]; }
 
  private:

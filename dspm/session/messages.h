@@ -14,13 +14,13 @@ namespace dspm {
 
 class Messages {
  public:
-  /// quiet: warnings only.
+  /// Shows only warnings if `quiet`.
   explicit Messages(bool quiet) : quiet_(quiet) {}
   virtual ~Messages() = default;
 
-  /// Warnings and, unless quiet, notes; each once. Errors are left to throw_if_errors.
+  /// Shows warnings and, unless quiet, notes; each once. Errors are left to throw_if_errors.
   void show(const Diagnostics& diagnostics);
-  /// A warning without a place in a scene.
+  /// Shows a warning without a place in a scene.
   void warn(std::string message, std::string hint = {});
 
   template <class... Values>
@@ -28,11 +28,11 @@ class Messages {
     if (!quiet_) print(fmt::format("dspm: {}\n", fmt::format(format, std::forward<Values>(values)...)));
   }
 
-  /// Even if quiet.
+  /// Shows an error, even if quiet.
   void fail(const std::string& message) const { print(fmt::format("dspm: {}\n", message)); }
 
  protected:
-  /// Whole lines.
+  /// Prints whole lines.
   virtual void print(std::string_view text) const;
 
  private:

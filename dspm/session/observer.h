@@ -20,27 +20,30 @@ struct IntervalProgress {
 
 class SessionObserver {
  public:
-  /// Of an interval: those after an iteration, those that a failed iteration leaves, or its last ones.
+  /// Which images of an interval are due: those after an iteration, those that a failed iteration leaves, or the last
+  /// ones.
   enum class Images { so_far, after_failure, last };
 
   virtual ~SessionObserver() = default;
-  /// A step begins that may take a long time ("iteration 3"). `who` does the work; may be empty.
+  /// Called before a step that may take a long time ("iteration 3"). `who` does the work; it may be empty.
   virtual void step_begins(const std::string& /*step*/, const std::string& /*who*/) {}
-  /// The first interval is ready to be rendered. `iterations`: of each interval; 0: until stopped.
+  /// Called when the first interval is ready to be rendered. `iterations` is the number for each interval; 0 means
+  /// until stopped.
   virtual void ready(const Scene&, Integrator&, int /*iterations*/) {}
   /// May load an earlier state into the integrator; returns its progress.
   virtual IntervalProgress interval_begins(std::size_t index, Integrator&) { return {.index = index}; }
   virtual void iteration_done(const IntervalProgress&, Integrator&) {}
-  /// Time to save the images of this interval.
+  /// Called when it is time to save the images of this interval.
   virtual void images_due(const IntervalProgress&, Integrator&, Images) {}
-  /// An iteration threw, and the exception leaves the session. If there are images, images_due comes first.
+  /// Called after an iteration threw; the exception then leaves the session. If there are images, images_due comes
+  /// first.
   virtual void iteration_failed() {}
   virtual void interval_ends(const IntervalProgress&, const Scene&, Integrator&) {}
 
-  /// Called between iterations: whether to end here and write the images so far.
+  /// Returns whether to end here and write the images so far. Called between iterations.
   virtual bool end_wanted() const { return false; }
   virtual bool images_wanted() { return false; }
-  /// The interval has all of its iterations: how many more are wanted. May wait for an answer.
+  /// Returns how many more iterations are wanted, once the interval has all of its own. May wait for an answer.
   virtual int more_iterations(const IntervalProgress&, Integrator&) { return 0; }
 };
 

@@ -7,10 +7,10 @@
 
 namespace dspm {
 
-/// Whether an allocation failed, or was for so much that it was not even tried.
+/// Returns whether an allocation failed, or was for so much that it was not even tried.
 bool is_out_of_memory(const std::exception& error);
 
-/// The message for a step ("iteration 3"); in a catch clause.
+/// Returns the message for a step ("iteration 3"); call it in a catch clause.
 std::string out_of_memory(const std::string& step);
 
 /// Returns task(). If it runs out of memory, throws a std::runtime_error that names step().

@@ -14,9 +14,9 @@ struct Part {
   int number = 1, of = 1;
 
   bool is_all() const { return of == 1; }
-  /// The number of the iteration that follows `done` ones of the part; they count from 0.
+  /// Returns the number of the iteration that follows `done` iterations of the part; they count from 0.
   int iteration(int done) const { return number - 1 + done * of; }
-  /// How many iterations of so many are the part's.
+  /// Returns how many of so many iterations are the part's.
   int share_of(int iterations) const { return (iterations - number + of) / of; }
   std::string in_words() const { return is_all() ? "all iterations" : fmt::format("part {}/{}", number, of); }
   friend bool operator==(const Part&, const Part&) = default;

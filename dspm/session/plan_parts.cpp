@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Machines for the frames times machines for the iterations.
+/// A way to share out: machines for the frames times machines for the iterations.
 struct Way {
   int frames, iterations;
   double seconds = 0;     // of each machine
@@ -42,7 +42,8 @@ double seconds_of(Work&& work) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Tries the way's largest part; `loading`: seconds until the scene is there. False: frames or iterations are too few.
+/// Tries the way's largest part; `loading` is the time until the scene is loaded, in seconds. Returns false if there
+/// are too few frames or iterations.
 bool try_out(Way& way, const LoadedScene& loaded, double loading, Messages& messages) {
   const FrameIntervals frames(*loaded.description, loaded.job.frames);
   std::vector<FrameList> parts = frames.deal(way.frames);

@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// A table of the ways for so many machines, and for one, with the time and memory of a part on machines like this one:
-/// from two iterations of each way's largest part. `loading`: the seconds that the scene took. Throws UsageError if the
-/// render has no end, or there is no way.
+/// Returns a table of the ways for that many machines, and for one, with the time and memory of a part on machines like
+/// this one, from two iterations of each way's largest part. `loading` is the time that the scene took, in seconds.
+/// Throws UsageError if the render has no end, or there is no way.
 std::string plan_parts(const LoadedScene& loaded, double loading, int machines, Messages& messages);
 
 }  // namespace dspm

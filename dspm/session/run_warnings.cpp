@@ -36,8 +36,8 @@ struct CutPart {
   int x = 0, y = 0;    // in the middle of where most is lost, in pixels of the full image
 };
 
-/// Of a region's light, the share that is cut off, as that half of the sample says that says less. `faint`: luminance
-/// that is added to the region's.
+/// Returns the share of a region's light that is cut off, by the half of the sample in which it is smaller. `faint` is
+/// luminance that is added to the region's.
 double share_cut(const CutLight& region, float faint) {
   const auto of_half = [&](std::size_t half) {
     const float all = region.arrived[half] + region.cut[half] + faint;
@@ -48,9 +48,9 @@ double share_cut(const CutLight& region, float faint) {
 
 double sum(const std::array<float, 2>& halves) { return static_cast<double>(halves[0] + halves[1]); }
 
-/// The regions that lack more than a share of `least`, in the frame that the cut changes most. Dark corners, which are lit
-/// after many scatterings, lack a larger share of their light than anybody sees: so every region counts as brighter by
-/// half of the median.
+/// Returns the regions that lack more than a share of `least`, in the frame that the cut changes most. Dark corners,
+/// which are lit after many scatterings, lack a larger share of their light than anybody sees: so every region counts
+/// as brighter by half of the median.
 CutPart part_cut(const std::vector<CutLight>& regions, const PixelRect& crop, double least) {
   constexpr float kFaint = 0.5f;
   const int count = region_count(crop);
@@ -79,7 +79,7 @@ CutPart part_cut(const std::vector<CutLight>& regions, const PixelRect& crop, do
   return worst;
 }
 
-/// Much of the picture lacks some light, or a small part of it much. Else nothing.
+/// Returns the part if much of the picture lacks some light, or a small part of it lacks much; otherwise nullopt.
 std::optional<CutPart> visible_cut(const std::vector<CutLight>& regions, const PixelRect& crop) {
   struct Rule {
     double lost, picture;
@@ -101,7 +101,7 @@ bool says(const ParamList& params, const char* name, const char* value) {
   return texts != nullptr && !texts->empty() && texts->front() == value;
 }
 
-/// Of the ways to more photons, those that the scene does not go yet.
+/// Returns the ways to more photons that the scene does not use yet.
 std::string hint_for_photons(const ParamList& params) {
   std::string hint = "give the integrator more \"integer photons\"";
   if (says(params, "emission", "power")) hint += ", \"string emission\" \"guided\"";
@@ -109,7 +109,7 @@ std::string hint_for_photons(const ParamList& params) {
   return hint + ", or more iterations";
 }
 
-/// More iterations do not help soon: they bring as many new specks.
+/// Returns a hint for lone photons, against which more iterations do not help soon: they bring as many new specks.
 std::string hint_for_lone_photons(const ParamList& params) {
   std::string hint = "give the integrator several times as many \"integer photons\"";
   if (says(params, "emission", "power")) hint += ", or \"string emission\" \"guided\"";

@@ -1,5 +1,5 @@
-// Warns when a run goes badly, by what its integrator has counted, and says what to do. Each warning comes once in a
-// run: early if the rest of the run cannot mend it, else at the end of a frame interval.
+// Warns if a run goes badly, by what its integrator has counted, and says what to do. Each warning comes once in a run:
+// early if the rest of the run cannot mend it, else at the end of a frame interval.
 #pragma once
 
 #include <set>
@@ -15,14 +15,15 @@ namespace dspm {
 class RunWarnings {
  public:
   static constexpr int kFirstLook = 8;
-  /// The photons and the radius of shorter runs are not judged: their pictures are expected to be rough.
+  /// Runs of fewer iterations are not judged by their photons and radius: their pictures are expected to be rough.
   static constexpr int kMoreThanAPreview = 32;
 
   RunWarnings(const Job& job, Messages& messages) : job_(job), messages_(messages) {}
 
-  /// After iterations of a frame interval, of so many in all: those done at its end; 0: unknown.
+  /// Looks at the statistics after iterations of a frame interval. `all` is the number of iterations in all, or those
+  /// done if the interval has ended; 0 if it is unknown.
   void look(const Statistics& statistics, int all);
-  /// At the end of an interval of these frames: those whose error is zero, and what errors do not tell.
+  /// Looks at the errors at the end of an interval of these frames: those that are zero, and what errors do not tell.
   void look_at_errors(const Statistics& statistics, const std::vector<FileFrame>& frames);
 
  private:

@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// What make(diagnostics) returns, once these are shown.
+/// Returns what make(diagnostics) returns, once the diagnostics are shown.
 template <class Make>
 std::unique_ptr<Integrator> made(Messages& messages, Make&& make) {
   Diagnostics diagnostics;

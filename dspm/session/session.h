@@ -27,9 +27,9 @@ struct SessionSettings {
   // state and are not cancelled.
   double long_iteration = 5;
   Part part = {};  // of all iterations
-  /// Makes of an interval's integrator, and of another one like it, one that other machines help: its iterate(i) does all
-  /// iterations of a block of that size. `frames`: the integrator's; `all`: iterations of the interval, 0: until stopped.
-  /// Empty: the integrator iterates alone.
+  /// Makes an integrator that other machines help, from an interval's integrator and another one like it: its
+  /// iterate(i) does all iterations of a block of that size. `frames` are the integrator's; `all` is the number of
+  /// iterations of the interval, 0 if it runs until stopped. If empty, the integrator iterates alone.
   std::function<std::unique_ptr<Integrator>(std::size_t interval, const FrameList& frames, std::unique_ptr<Integrator>,
                                             std::unique_ptr<Integrator>, int all)>
       share_out = {};
@@ -39,38 +39,39 @@ struct SessionSettings {
 
 class Session {
  public:
-  /// `intervals`: from `memory`.plan(). All arguments must outlive the session.
+  /// `intervals` come from `memory`.plan(). All arguments must outlive the session.
   Session(const LoadedScene& loaded, const std::vector<FrameList>& intervals, const MemoryBound& memory,
           const SessionSettings& settings, Messages& messages, SessionObserver& observer);
 
-  /// All intervals, or until the observer wants an end. Throws SceneError if the scene cannot be rendered after all,
-  /// UsageError if the render would never end, and whatever an iteration throws.
+  /// Renders all intervals, or until the observer wants an end. Throws SceneError if the scene cannot be rendered after
+  /// all, UsageError if the render would never end, and whatever an iteration throws.
   void run();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// An interval's time. It begins before the scene is made.
+  /// An interval's share of the time. It begins before the scene is made.
   struct Share {
     Clock::time_point begin;
     double limit;  // seconds
   };
 
-  /// Of an interval; 0: until stopped.
+  /// Returns the iterations of an interval; 0 if it runs until stopped.
   int iterations_of(const Integrator& integrator) const;
   void render_interval(std::size_t index);
   IntervalProgress iterate_to_the_end(std::size_t index, const Scene& scene, Integrator& integrator, int iterations,
                                       const Share& time);
-  /// False: the iteration was cancelled. `expected`: seconds that it may take.
+  /// Returns false if the iteration was cancelled. `expected` is the number of seconds that it may take.
   bool iterate(const IntervalProgress& before, const Scene& scene, Integrator& integrator, double expected);
-  /// Whether a copy of the integrator's state can be afforded.
+  /// Returns whether a copy of the integrator's state can be afforded.
   bool can_copy(Integrator& integrator, std::size_t index) const;
   void iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
                            double expected) const;
   /// Says what the interval has come to.
   void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
-  /// Seconds for the interval: an equal share of the time that the intervals before it left. Infinite without a limit.
+  /// Returns the seconds for the interval: an equal share of the time that the intervals before it left. Infinite
+  /// without a limit.
   double time_share(std::size_t index) const;
 
   const LoadedScene& loaded_;
@@ -87,7 +88,7 @@ class Session {
 /// Shows warnings; throws SceneError if the integrator cannot be made.
 std::unique_ptr<Integrator> make_integrator(const Job& job, const Scene& scene, Messages& messages,
                                             std::size_t memory = 0);
-/// Likewise, see Job::make_without_error.
+/// Makes the integrator as Job::make_without_error does; shows warnings and throws likewise.
 std::unique_ptr<Integrator> make_without_error(const Job& job, const Scene& scene, Messages& messages,
                                                std::size_t memory);
 

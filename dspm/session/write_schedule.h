@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-/// Every so many seconds or iterations; both zero: never.
+/// Every so many seconds or iterations; never if both are zero.
 struct Interval {
   double seconds = 0;
   int iterations = 0;
@@ -15,10 +15,10 @@ struct Interval {
 class WriteSchedule {
  public:
   explicit WriteSchedule(const Interval& every) : every_(every) {}
-  /// Iterations count from here: those of a frame interval, `done` of which a checkpoint held. The clock goes on.
+  /// Counts iterations from here: those of a frame interval, `done` of which a checkpoint held. The clock goes on.
   void begin(int done) { asked_ = done; }
-  /// Whether to write after that many iterations, which may be several more than at the last call; if so, the clock
-  /// starts anew.
+  /// Returns whether to write after that many iterations, which may be several more than at the last call; if so, the
+  /// clock starts anew.
   bool due(int iterations) {
     const std::chrono::duration<double> passed = Clock::now() - last_;
     const int before = std::exchange(asked_, iterations);

@@ -1,4 +1,4 @@
-// Letters by MPI: a module for programs that mpirun has started, with one function.
+// Letters by MPI: a module with one function, for programs that mpirun has started.
 #include <mpi.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace dspm {
 namespace {
 
-/// A letter's kind and the size of its text go first, so that there is room for the text when it comes.
+/// Sends a letter's kind and the size of its text first, so that there is room for the text when it arrives.
 class MpiLink final : public Link {
  public:
   MpiLink() {
@@ -108,5 +108,5 @@ class MpiLink final : public Link {
 }  // namespace
 }  // namespace dspm
 
-/// The caller owns the link, and its process has one.
+/// Returns a new link, which the caller owns. A process may have only one.
 extern "C" dspm::Link* dspm_link() { return new dspm::MpiLink; }
