@@ -15,7 +15,7 @@ namespace {
 
 std::string full_name(const CatalogueEntry& entry) { return entry.kind + ":" + entry.name; }
 
-/// One line per parameter under a line of headings, in columns as wide as their contents.
+/// Returns one line per parameter under a line of headings, in columns as wide as their contents.
 std::string table_of(std::vector<ParamInfo> params) {
   params.insert(params.begin(), {"type", "name", "default", "", "meaning"});
   std::size_t types = 0, names = 0, defaults = 0;
@@ -32,7 +32,7 @@ std::string table_of(std::vector<ParamInfo> params) {
   return text;
 }
 
-/// All plugins, and what scenes give parameters without any.
+/// Returns all plugins, and what scenes give parameters without any.
 std::vector<CatalogueEntry> all_described() {
   std::vector<CatalogueEntry> all = all_plugins();
   for (const std::string& name : sampler_names())
@@ -43,7 +43,7 @@ std::vector<CatalogueEntry> all_described() {
   return all;
 }
 
-/// For a plugin that is of another kind than the name says: `light:diffuse`.
+/// Returns a hint for a plugin that is of another kind than the name says: `light:diffuse`.
 std::string of_other_kinds(std::string_view name, const std::vector<CatalogueEntry>& entries) {
   const std::size_t colon = name.find(':');
   if (colon == name.npos) return "";

@@ -6,9 +6,9 @@
 
 namespace dspm {
 
-/// Every kind with its plugins, one per line.
+/// Lists every kind with its plugins, one per line.
 std::string list_plugins();
-/// The parameters of a `kind:name`, or of each plugin of that name; throws UsageError if there is none.
+/// Describes the parameters of a `kind:name`, or of each plugin of that name; throws UsageError if there is none.
 std::string describe_plugins(std::string_view name);
 
 }  // namespace dspm

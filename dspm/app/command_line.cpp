@@ -34,7 +34,8 @@
 namespace dspm {
 namespace {
 
-/// `others`: machines that MPI has started together with this one, or null. Only the first does what is no render.
+/// `others` are machines that MPI has started together with this one, or null. Only the first machine does tasks that
+/// do not render.
 int run(const Options& options, Link* others) {
   const bool is_render = options.task == Task::render && !are_images(options);
   if (others == nullptr && options.block) throw UsageError("--block: of which machines? It is for mpirun");

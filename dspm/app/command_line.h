@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// Carries out what the arguments (without the program's name) ask for. 0 done, 1 scene or render error, 2 usage, 128 +
-/// signal.
+/// Carries out what the arguments (without the program's name) ask for. Returns 0 if it is done, 1 after a scene or
+/// render error, 2 after a usage error, 128 + signal after a signal.
 int run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// After how many iterations an error will be reached, foretold from the errors so far.
+// Predicts, from the errors so far, after how many iterations an error will be reached.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class ErrorTrend {
     int iterations;
     double error;
   };
-  /// The last estimate at half of the iterations or fewer; else the first.
+  /// Returns the last estimate at half of the iterations or fewer; else the first.
   std::vector<Estimate>::const_iterator half_way() const {
     const auto later = std::find_if(errors_.begin(), errors_.end(),
                                     [&](const Estimate& e) { return 2 * e.iterations > errors_.back().iterations; });

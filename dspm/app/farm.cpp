@@ -34,7 +34,7 @@ std::string escaped(const std::string& text, std::string_view special) {
 
 int parts_of(const Options& options) { return options.farm_parts.value_or(8); }
 
-/// Rather than jobs that fail on each machine of the farm.
+/// Throws UsageError if parts cannot render, rather than let jobs fail on each machine of the farm.
 void expect_parts_can_render(const Options& options) {
   const ThreadLimit threads(options.threads);
   Messages messages(true);  // of the scene, parts show them

@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Their names.
+/// Returns the names of the kinds of farms.
 std::vector<std::string> farms();
-/// A script or a template of the kind options.farm, for this command line.
+/// Returns a script or a template of the kind options.farm, for this command line.
 std::string farm_job(const Options& options);
 
 }  // namespace dspm

@@ -8,7 +8,7 @@
 namespace dspm {
 
 void add_image_options(CLI::App& app, Options& options);
-/// CLI11 shows an optional value by its default.
+/// Shows optional values as they are typed: CLI11 shows them by their defaults.
 void show_optional_values(std::string& help);
 
 }  // namespace dspm

@@ -39,7 +39,8 @@ std::atomic<pid_t> program = 0;  // the process, from the start of main() to its
 
 void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
 
-/// True for the first thread; false if that thread fails again while it speaks. Other threads wait here for the end.
+/// Returns true for the first thread, and false if that thread fails again while it speaks. Other threads wait here for
+/// the end.
 bool first_to_speak() {
   static std::atomic<pid_t> speaker = 0;
   pid_t nobody = 0;
@@ -104,7 +105,8 @@ void on_exit() {
   if (rendering || program == getpid()) end_as_called("exit() was called");
 }
 
-/// By a module, whose exit code would stand for that of the run. Programs that are about to be started are no concern.
+/// Speaks if a module is ending the process: its exit code would stand for that of the run. Programs that are about to
+/// be started are no concern.
 void on_end_of_process(const char* function) {
   if (program == getpid() && module_on_stack() != nullptr) end_as_called(function);
 }
@@ -120,7 +122,7 @@ void on_crash(int number) {
   raise(number);  // takes effect when this returns
 }
 
-/// Handlers of others stay, such as a sanitizer's.
+/// Handles crashes. Handlers of others stay, such as a sanitizer's.
 void handle_crashes() {
   static std::array<char, 1 << 16> stack;  // the main thread's own may be exhausted
   const stack_t room{stack.data(), 0, stack.size()};

@@ -7,15 +7,15 @@
 
 namespace dspm {
 
-/// From now on such an end is reported on standard error and leaves no temporary file. A crash ends the process by its
-/// signal, others have exit code 1.
-/// Until end_as_meant(), exit(), and whatever a module calls to end the process, is such an end.
+/// Makes such an end report itself on standard error from now on, and leave no temporary file. A crash ends the process
+/// by its signal, other ends have exit code 1. Until end_as_meant(), exit(), and whatever a module calls to end the
+/// process, is such an end.
 void prepare_last_words();
-/// The exit code, as main() returns it.
+/// Returns the exit code, as main() must return it.
 int end_as_meant(int code);
 
-/// While it lives, a render is under way: exit() is a failure, and last words say what was being done, which module was
-/// running, and what the render leaves behind. At most one at a time.
+/// While a LastWords exists, a render is under way: exit() is a failure, and last words say what was being done, which
+/// module was running, and what the render leaves behind. At most one may exist.
 class LastWords {
  public:
   LastWords();
@@ -23,9 +23,9 @@ class LastWords {
   LastWords(const LastWords&) = delete;
   LastWords& operator=(const LastWords&) = delete;
 
-  /// A step begins: "iteration 3". `own`: who does it if no module is found at work; may be empty.
+  /// Begins a step: "iteration 3". `own` names who does it if no module is found at work; it may be empty.
   void begin(std::string_view step, std::string_view own);
-  /// What has been rendered so far and where it lies, in words.
+  /// Remembers what has been rendered so far and where it lies, in words.
   void keep(std::string_view files);
 
  private:

@@ -5,8 +5,8 @@
 
 namespace dspm {
 
-/// Adds up the checkpoints of a render's parts, and writes what a run of all their iterations would have written. The
-/// exit code; throws like render_scene().
+/// Adds up the checkpoints of a render's parts, and writes what a run of all their iterations would have written.
+/// Returns the exit code; throws like render_scene().
 int merge_parts(const Options& options);
 
 }  // namespace dspm

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene's line for a kind: the usual one, and the one with the new plugin.
+/// The scene's lines for a kind: the usual one, and the one with the new plugin.
 struct SceneLine {
   const char *kind, *usual, *own;
 };
@@ -50,13 +50,13 @@ Words words_of(std::string_view kind, const std::string& name) {
   return words;
 }
 
-/// The name of a kind as one word, on the command line and in the names of templates.
+/// Returns the name of a kind as one word, for the command line and the names of templates.
 std::string word_of(std::string kind) {
   std::replace(kind.begin(), kind.end(), ' ', '-');
   return kind;
 }
 
-/// The kind as the tables of plugins name it.
+/// Returns the kind as the tables of plugins name it.
 std::string kind_of(const std::string& word) {
   std::vector<std::string> words;
   for (const SceneLine& line : kSceneLines) {
@@ -81,14 +81,14 @@ void check(const std::string& kind, const std::string& name, const fs::path& fol
     throw UsageError(fmt::format("--new-plugin: {} exists already, and is not an empty folder", folder.string()));
 }
 
-/// The option by which CMake finds the package of this very program; empty if CMake looks there anyway.
+/// Returns the option by which CMake finds the package of this very program; empty if CMake looks there anyway.
 std::string package_place(const fs::path& program) {
   const fs::path folder = program.parent_path(), prefix = folder.parent_path();
   if (folder.filename() != "bin" || prefix == "/usr" || prefix == "/usr/local") return {};
   return " -DCMAKE_PREFIX_PATH=" + shell_word(prefix.string());
 }
 
-/// Commands that build, test and try it.
+/// Returns the commands that build, test and try it.
 std::string commands(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kShare = 20;  // of the time, as a divisor
 
-/// The terminal of stderr: it answers to its own device, whatever standard input is.
+/// Asks the terminal of stderr: it answers to its own device, whatever standard input is.
 TerminalGraphics graphics_of_stderr() {
   if (isatty(STDERR_FILENO) == 0) return {};
   const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY);

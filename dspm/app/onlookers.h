@@ -20,13 +20,13 @@ namespace dspm {
 
 class Onlookers {
  public:
-  /// Throws std::runtime_error if the address makes no sense. A terminal that shows no images is a sentence.
+  /// Throws std::runtime_error if the address makes no sense. Warns if the terminal shows no images.
   Onlookers(const Job& job, const OnlookerSettings& settings, const View& view, Messages& messages);
   ~Onlookers();
   Onlookers(const Onlookers&) = delete;
   Onlookers& operator=(const Onlookers&) = delete;
 
-  /// What they may hold at a time: images on their way to the server, and those of the preview.
+  /// Returns what they may hold at a time: images on their way to the server, and those of the preview.
   static std::size_t bytes_at_most(const Job& job, const OnlookerSettings& settings);
 
   bool any() const { return server_ != nullptr || terminal_ != nullptr; }
@@ -35,7 +35,8 @@ class Onlookers {
 
  private:
   struct Terminal;
-  /// Looking takes a twentieth of the time at most, apart from the first time and the last.
+  /// Returns whether there is time to look: looking takes a twentieth of the time at most, apart from the first time
+  /// and the last.
   bool can_be_afforded() const;
   void send(const FrameList& interval, const Integrator& integrator);
   void draw(const FrameList& interval, const Integrator& integrator);

@@ -17,7 +17,7 @@ struct OptionGroup {
 
 extern const OptionGroup scene_options, task_options, work_options, file_options, looking_options, part_options;
 
-/// Else "" would count as an option that is not given.
+/// Rejects "", which would otherwise count as an option that is not given.
 inline const CLI::Validator kNamesAFile(
     [](const std::string& name) { return name.empty() ? "a file's name is missing" : ""; }, "");
 

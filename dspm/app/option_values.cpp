@@ -34,7 +34,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// Four numbers between commas.
+/// Reads four numbers between commas.
 template <class Number>
 std::optional<std::array<Number, 4>> four(std::string_view text) {
   const std::vector<std::string_view> parts = split(text, ',');
@@ -57,7 +57,7 @@ double seconds_of(char unit) {
   }
 }
 
-/// 1 for "" and "B", 1e9 for "G" and "GB", 2^30 for "Gi" and "GiB", in any letter case; else 0.
+/// Returns 1 for "" and "B", 1e9 for "G" and "GB", 2^30 for "Gi" and "GiB", in any letter case; otherwise 0.
 double bytes_of(std::string_view unit) {
   if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.remove_suffix(1);
   if (unit.empty()) return 1;
@@ -82,7 +82,7 @@ std::optional<FrameRange> frame_range(std::string_view text) {
   return FrameRange{*first, *last, *step};
 }
 
-/// `-Seed=3` to `seed`, for comparison.
+/// Turns `-Seed=3` into `seed`, for comparison.
 std::string plain_name(std::string_view argument) {
   std::string name;
   for (const char c : argument.substr(0, argument.find('=')))

@@ -18,7 +18,7 @@ constexpr const char* kDescription =
     "dspm renders all frames of a scene together and shares the work that they have in common.\n"
     "Exit codes: 0 done, 1 the scene or the render failed, 2 usage, 130 interrupted (images are written).\n";
 
-/// In the order of --help.
+/// The groups in the order of --help.
 constexpr const OptionGroup* kGroups[] = {&scene_options, &task_options,    &work_options,
                                           &file_options,  &looking_options, &part_options};
 
@@ -33,7 +33,7 @@ std::string help_of(const CLI::App& app) {
   return help;
 }
 
-/// A port after --serve belongs to it, and oidn to --denoise.
+/// Joins values to flags that may have one: a port after --serve, and oidn after --denoise.
 std::vector<std::string> with_values_of_flags(const std::vector<std::string>& words) {
   std::vector<std::string> joined;
   for (const std::string& word : words) {
@@ -100,7 +100,7 @@ void keep_words(const CLI::App& app, Options& o) {
   }
 }
 
-/// The first argument that no option takes, and what was meant.
+/// Describes the first argument that no option takes, and what may have been meant.
 std::string unexpected(const CLI::App& app) {
   const std::string argument = app.remaining().empty() ? "" : app.remaining().front();
   const std::string guess = did_you_mean(argument.substr(argument.find_first_not_of('-')), long_names(app));

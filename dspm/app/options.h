@@ -58,7 +58,7 @@ struct Options : Choices, OutputSettings, CheckpointSettings, OnlookerSettings {
   int threads = 0;        // 0: all
   double time_limit = 0;  // seconds; 0: none
   double patience = 60;   // seconds before a message says who does not return
-  /// With several machines: the seconds of silence after which the run ends without one of them.
+  /// The seconds of silence after which a run with several machines ends without one of them.
   double longest_silence() const { return 10 * patience; }
 };
 
@@ -69,7 +69,8 @@ struct Information {
 
 /// Throws UsageError or Information.
 Options parse_options(const std::vector<std::string>& arguments);
-/// Those of a merge: what its parts rendered, by the words of their command line, unless it names a scene itself.
+/// Returns the options of a merge with what its parts rendered, by the words of their command line, unless it names a
+/// scene itself.
 Options with_scene_of_parts(Options merge, const std::vector<std::string>& words_of_part);
 
 }  // namespace dspm

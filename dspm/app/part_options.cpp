@@ -42,7 +42,7 @@ void add(CLI::App& app, Options& o) {
 
 using Given = std::initializer_list<std::pair<bool, const char*>>;
 
-/// Rather than to read an option that would do nothing.
+/// Refuses an option, rather than read one that would do nothing.
 void refuse(const char* option, const Given& given, const char* why) {
   for (const auto& [is_given, name] : given)
     if (is_given) throw UsageError(fmt::format("{} and {} exclude each other: {}", option, name, why));

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// The table of --plan. Throws like render_scene().
+/// Returns the table of --plan. Throws like render_scene().
 std::string plan_of(const Options& options);
 
 }  // namespace dspm

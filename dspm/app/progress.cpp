@@ -19,7 +19,7 @@ namespace {
 constexpr double kSecondsBetweenBars = 0.2, kSecondsBetweenLines = 10;
 constexpr int kBarWidth = 32;
 
-/// Of a line that can be overwritten, which one that wraps cannot.
+/// Returns the most characters of a line that can be overwritten: one that wraps cannot.
 std::size_t longest_line() {
   if (isatty(STDERR_FILENO) == 0) return std::string::npos;
   return static_cast<std::size_t>(std::max(size_of_terminal(STDERR_FILENO).columns - 1, 1));
@@ -106,7 +106,7 @@ double Progress::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-/// By iterations, error or time, whichever ends first.
+/// Counts by iterations, error or time, whichever ends first.
 double Progress::share_done(int interval, int iterations) const {
   double share = 0;
   if (extent_.iterations > 0) share = iterations / double(extent_.iterations);

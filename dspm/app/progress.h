@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// A terminal on which a line can be overwritten.
+/// Returns whether stderr is a terminal, on which a line can be overwritten.
 bool stderr_is_terminal();
 
 enum class ProgressKind {
@@ -21,7 +21,7 @@ enum class ProgressKind {
   bar,  // on a line that is overwritten
   json
 };
-/// "bar", "lines", "json" or "none"; empty: a bar on a terminal, else lines.
+/// Reads "bar", "lines", "json" or "none"; empty means a bar on a terminal, else lines.
 ProgressKind progress_kind(std::string_view word);
 
 class Progress {
@@ -38,9 +38,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// That many iterations of the interval were done in an earlier run.
+  /// Begins an interval of which an earlier run has done that many iterations.
   void begin(int interval, int iterations);
-  /// `iterations` of the interval (counted from 0) are done. `error`: estimated, if it is known.
+  /// Reports that `iterations` of the interval (counted from 0) are done. `error` is the estimated error, if it is
+  /// known.
   void step(int interval, int iterations, std::optional<double> error = {});
   /// The interval's images are in their files. `frames`: what they are called; `last`: they do not get better.
   void written(int interval, const std::vector<std::string>& frames, bool last);

@@ -5,7 +5,8 @@
 
 namespace dspm {
 
-/// Of the options' arguments, those that end with .exr are images, the others factors. The exit code; throws UsageError.
+/// Relights images: arguments that end with .exr are images, the others factors. Returns the exit code; throws
+/// UsageError.
 int relight_images(const Options& options);
 
 }  // namespace dspm

@@ -30,7 +30,7 @@ void explain(const LoadedScene& loaded, Render& render, Messages& messages) {
   print(explain_photons(loaded, render.intervals().front(), messages));
 }
 
-/// As the frames that were there, unless something else was asked for.
+/// Renders new frames as far as the frames that were there, unless something else was asked for.
 void go_as_far(const CheckpointFile& resumed, Job& job) {
   int most = 0;
   for (const IntervalState& state : resumed.intervals()) most = std::max(most, state.iterations);

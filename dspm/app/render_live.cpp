@@ -20,8 +20,8 @@ namespace {
 
 bool is_interrupted() { return InterruptRequests::signal() != 0; }
 
-/// Until the scene has changed, or the run is over. `is_edited`: it is not the first time. `learned`: by the last run,
-/// then by this one.
+/// Renders until the scene has changed, or the run is over. `is_edited` is false the first time. `learned` holds what
+/// the last run learned, and then what this one does.
 int render_once(Options options, const Surroundings& around, Edits& edits, bool is_edited, LearnedBefore& learned) {
   const auto step_begins = [&] {
     const char* const step = "reading the scene";
@@ -79,7 +79,7 @@ int render_live(Options options, Link* others) {
     edited.look_at = live.camera();
     return load_coarsely(edited, of_edit, kept);
   });
-  /// False: the end is wanted.
+  /// Returns false if the end is wanted.
   const auto waits_for_edit = [&](const std::exception& error) {
     live.show_problem(error.what());
     print_message(error.what());

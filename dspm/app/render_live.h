@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-/// Returns and throws as render_scene() does. A scene with errors does not end it, nor does another machine that cannot
+/// Returns and throws what render_scene() does. Neither a scene with errors ends it, nor another machine that cannot
 /// read it: they stand on the page until they are mended.
 int render_live(Options options, Link* others = nullptr);
 

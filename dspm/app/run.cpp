@@ -116,7 +116,7 @@ void Render::interval_ends(const IntervalProgress& progress, const Scene& scene,
   report_.add(integrator.statistics(), intervals_[progress.index]);
 }
 
-/// With a page, the last interval stays until its user has seen enough.
+/// Keeps the last interval of a run with a page until its user has seen enough.
 int Render::more_iterations(const IntervalProgress& progress, Integrator& integrator) {
   if (live_ == nullptr || progress.index + 1 < intervals_.size()) return 0;
   images_due(progress, integrator, Images::so_far);

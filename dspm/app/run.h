@@ -35,14 +35,14 @@ struct Surroundings {
   KeptGeometry* kept = nullptr;  // see WorldOptions
 };
 
-/// That a run reads and writes besides its images.
+/// Returns the files that a run reads and writes besides its images.
 OtherFiles other_files(const Options& options);
-/// Once an integrator has been made, which has learned what it needs.
+/// Saves the guide. Call it once an integrator has been made, which has learned what it needs.
 void keep_guide(const Options& options, const Job& job);
 
 class Render final : public SessionObserver {
  public:
-  /// `resumed`: the checkpoint to go on from, or null.
+  /// `resumed` is the checkpoint to go on from, or null.
   Render(const LoadedScene& loaded, const Options& options, const Surroundings& around,
          std::unique_ptr<const CheckpointFile> resumed);
 
@@ -102,7 +102,7 @@ class Render final : public SessionObserver {
   SessionSettings session_settings() const;
   void say_end_of_part() const;
   void announce(const Scene& scene, const Integrator& integrator, int iterations);
-  /// The scene has changed since.
+  /// Returns whether the run is out of date, because the scene has changed since.
   bool is_of_no_use() const { return live_ != nullptr && live_->is_restarting(); }
   Exhibit exhibit(const IntervalProgress& progress, const Integrator& integrator) const {
     return {intervals_[progress.index], integrator, progress.iterations};
@@ -139,7 +139,7 @@ class Render final : public SessionObserver {
     results_.report_faults();
     last_words_.keep(kept_in_words());
   }
-  /// What a crash would leave.
+  /// Describes what a crash would leave.
   std::string kept_in_words() const {
     const std::string images = results_.written();
     std::string words = !options_.part.is_all() ? "a part writes no images"

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// Handlers for as long as it lives.
+/// Handles signals as long as it exists.
 class SignalHandlers {
  public:
   SignalHandlers() = default;
@@ -20,19 +20,19 @@ class SignalHandlers {
   std::map<int, struct sigaction> before_;
 };
 
-/// SIGHUP and SIGUSR1, from the start of a run.
+/// Handles SIGHUP and SIGUSR1, from the start of a run.
 class ImageRequests {
  public:
   ImageRequests();
-  /// Whether images were asked for since the last call.
+  /// Returns whether images were asked for since the last call.
   static bool take();
 
  private:
   SignalHandlers handlers_;
 };
 
-/// SIGINT, SIGTERM and SIGALRM, and SIGXCPU and SIGUSR2, by which schedulers warn, from the moment that files are
-/// written.
+/// Handles SIGINT, SIGTERM and SIGALRM, and SIGXCPU and SIGUSR2, by which schedulers warn, from the moment that files
+/// are written.
 class InterruptRequests {
  public:
   InterruptRequests();
@@ -40,9 +40,9 @@ class InterruptRequests {
   InterruptRequests(const InterruptRequests&) = delete;
   InterruptRequests& operator=(const InterruptRequests&) = delete;
 
-  /// The signal that came, now or earlier; 0: none.
+  /// Returns the signal that came, now or earlier; 0 if none did.
   static int signal();
-  /// 128 + the signal that came, 130 for Ctrl-C; `otherwise` if none did.
+  /// Returns 128 + the signal that came, 130 for Ctrl-C; `otherwise` if none did.
   static int exit_code(int otherwise) { return signal() != 0 ? 128 + signal() : otherwise; }
 
  private:

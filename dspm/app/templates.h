@@ -15,14 +15,14 @@ struct Template {
 };
 std::span<const Template> templates();
 
-/// The text of one that is there.
+/// Returns the text of a file that is there.
 std::string_view template_text(std::string_view file);
 
 using TemplateWords = std::map<std::string, std::string, std::less<>>;
-/// With each @word@ replaced. A line that becomes empty is left out.
+/// Replaces each @word@. A line that becomes empty is left out.
 std::string filled(std::string_view text, const TemplateWords& words);
 
-/// As a shell reads it: quoted if necessary.
+/// Returns the word as a shell reads it: quoted if necessary.
 std::string shell_word(const std::string& word);
 
 }  // namespace dspm

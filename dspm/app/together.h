@@ -6,9 +6,9 @@
 
 namespace dspm {
 
-/// This machine's share of the task: the first one renders with the help of the others, and does tasks that render
-/// nothing alone. The exit code; throws what the task throws alone, and UsageError if its options do not go together
-/// with other machines.
+/// Does this machine's share of the task: the first one renders with the help of the others, and alone does tasks that
+/// render nothing. Returns the exit code; throws what the task throws alone, and UsageError if its options do not go
+/// together with other machines.
 int render_together(const Options& options, Link& link);
 
 }  // namespace dspm

@@ -18,7 +18,7 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// A new step begins: "iteration 3". `own`: who does it if no module is found at work; may be empty.
+  /// Begins a new step: "iteration 3". `own` names who does it if no module is found at work; it may be empty.
   void begin(std::string step, std::string own);
   std::string step() const { return step_; }
 

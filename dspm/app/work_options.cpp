@@ -1,4 +1,4 @@
-// How much is rendered of a scene, and how long.
+// How much of a scene is rendered, and for how long.
 #include "dspm/app/option_group.h"
 #include "dspm/app/option_values.h"
 

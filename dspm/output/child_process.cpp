@@ -25,7 +25,7 @@ constexpr std::string_view kLineEnds = "\r\n ";  // stripped from the end of err
   throw std::system_error(error, std::generic_category(), words.front());
 }
 
-/// The error number, or 0.
+/// Returns the error number, or 0.
 int spawn(pid_t& process, const std::vector<std::string>& words, int input, int errors) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);

@@ -14,29 +14,30 @@
 
 namespace dspm {
 
-/// The program's standard error is kept, its standard output is dropped. Ctrl-C does not reach it: it lives until it is
-/// waited for.
+/// Keeps the program's standard error and drops its standard output. Ctrl-C does not reach the program: it lives until
+/// it is waited for.
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
   /// Called several times a second while waiting for the program, which has taken no input and written nothing since
-  /// `last_sign`. If it returns true, the program is killed.
+  /// `last_sign`. The program is killed if it returns true.
   using GiveUp = std::function<bool(Clock::time_point last_sign)>;
 
-  /// The first word is the program, which is looked up in PATH. Throws std::system_error if it cannot be run.
+  /// Starts the program, which is the first word and is looked up in PATH. Throws std::system_error if it cannot be
+  /// run.
   explicit ChildProcess(const std::vector<std::string>& words, GiveUp give_up = {});
   /// Kills the program, unless it was waited for.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// To its standard input. Input that a program does not read is dropped; wait() returns why.
+  /// Writes to its standard input. Input that a program does not read is dropped; wait() returns why.
   void write(std::string_view bytes);
   /// Closes its input. Returns its exit code, or 128 + the signal that ended it.
   int wait();
-  /// Its standard error so far, without the last line's end; only the beginning if it is long.
+  /// Returns its standard error so far, without the last line's end; only the beginning if it is long.
   const std::string& errors() const { return errors_; }
-  /// GiveUp had it killed.
+  /// Returns whether GiveUp had it killed.
   bool was_given_up() const { return given_up_; }
 
  private:

@@ -26,7 +26,7 @@ std::vector<std::string_view> parts_of(std::string_view label) {
   return parts;
 }
 
-/// Of each part so many characters at most: the first ones of words, the last ones of numbers.
+/// Keeps at most so many characters of each part: the first ones of words, the last ones of numbers.
 std::string with_short_parts(const std::vector<std::string_view>& parts, std::size_t most) {
   std::string label;
   for (const std::string_view part : parts) {
@@ -38,7 +38,7 @@ std::string with_short_parts(const std::vector<std::string_view>& parts, std::si
   return label;
 }
 
-/// Variations of a product may differ in any part of their names, so all parts get shorter.
+/// Shortens all parts of the label, because variations of a product may differ in any of them.
 std::string shortened(std::string_view label, std::size_t most) {
   if (label.size() <= most) return std::string(label);
   const std::vector<std::string_view> parts = parts_of(label);

@@ -14,7 +14,7 @@ namespace dspm {
 class ContactSheet {
  public:
   explicit ContactSheet(const SheetLayout& layout);
-  /// `image` is as a view shows it, and is brought to the size of its place.
+  /// Puts an image, which is as a view shows it, and brings it to the size of its place.
   void put(int i, const Image& image, std::string_view label);
   const Image& image(int page = 0) const { return pages_[static_cast<std::size_t>(page)]; }
   /// To the files that page_names() tells. Throws WriteError.

@@ -11,17 +11,17 @@
 
 namespace dspm {
 
-/// The label of its file, and of the text in its header that names the denoiser.
+/// The label of the second image's file, and of the text in its header that names the denoiser.
 inline constexpr const char* kDenoised = "denoised";
 
-/// As messages and headers name it.
+/// Returns the denoiser's name in messages and headers.
 const char* name_of(Denoiser denoiser);
 
-/// Of the frame's radiance. Throws WriteError, naming `file`, if another program fails.
+/// Denoises the frame's radiance. Throws WriteError, naming `file`, if another program fails.
 Image denoised(Denoiser denoiser, const Image& radiance, const Integrator& integrator, Frame frame,
                const std::filesystem::path& file);
 
-/// Images that it takes for each pixel.
+/// Returns how many images it takes for each pixel.
 std::size_t images_while_denoising(Denoiser denoiser);
 
 }  // namespace dspm

@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Exposed and balanced as the film says, but without its limit.
+/// Exposes and balances the image as the film says, but without its limit.
 Image exposed(Image image, const Job& job);
-/// With that limit.
+/// Exposes and balances the image, with the film's limit.
 Image developed(Image image, const Job& job);
 
 /// What views show: `radiance` developed, with this alpha, an output of the integrator.

@@ -8,9 +8,9 @@
 
 namespace dspm {
 
-/// Empty if there are no reports.
+/// Returns an empty text if there are no reports.
 std::string table_of(const EmissionReports& reports);
-/// An array.
+/// Writes an array.
 void write(JsonWriter& json, const EmissionReports& reports);
 
 }  // namespace dspm

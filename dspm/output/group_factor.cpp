@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-/// Words and brackets.
+/// Splits the text into words and brackets.
 std::vector<std::string> tokens_of(const std::string& text) {
   std::string spaced;
   for (const char c : text) spaced += c == '[' || c == ']' ? fmt::format(" {} ", c) : std::string(1, c);
@@ -22,7 +22,7 @@ std::vector<std::string> tokens_of(const std::string& text) {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-/// Finite and not negative; nullopt for other words.
+/// Returns a number that is finite and not negative; nullopt for other words.
 std::optional<float> number(const std::string& word) {
   float value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -1,4 +1,4 @@
-// What --relight is told of a group of lights.
+// What --relight says of a group of lights.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace dspm {
 
-/// How much brighter, and of which colour, a group of lights is to be.
+/// How much brighter a group of lights is to be, and of which colour.
 struct GroupFactor {
   std::string group;
   Rgb factor;
 };
 
-/// "key 0.5", "key [1 .8 .6]" or both: "key 0.5 [1 .8 .6]". Throws UsageError.
+/// Reads "key 0.5", "key [1 .8 .6]" or both: "key 0.5 [1 .8 .6]". Throws UsageError.
 GroupFactor parse_group_factor(const std::string& text);
 
 }  // namespace dspm

@@ -19,7 +19,7 @@ std::string seen_from(const fs::path& file, const fs::path& image) {
   return relative.empty() ? image.string() : relative.string();
 }
 
-/// RFC 4180: in quotes if it holds a comma, a quote or the end of a line.
+/// Quotes a field if it holds a comma, a quote or the end of a line. [RFC 4180]
 std::string quoted(const std::string& field) {
   if (field.find_first_of(",\"\r\n") == field.npos) return field;
   std::string text(1, '"');
@@ -37,7 +37,7 @@ std::string line_of(const std::vector<std::string>& fields) {
   return line;
 }
 
-/// "file", "png", "denoised", "variation", each axis, "frame": those that there are.
+/// Returns the fields that there are of "file", "png", "denoised", "variation", each axis, "frame".
 std::vector<NamedPart> fields_of(const fs::path& file, const Job& job, const IndexedImage& image) {
   std::vector<NamedPart> fields{{"file", seen_from(file, image.files.front())}};
   if (image.files.size() > 1) fields.push_back({"png", seen_from(file, image.files.back())});

@@ -16,7 +16,7 @@ struct IndexedImage {
   std::filesystem::path denoised = {};       // its second image; empty: none
 };
 
-/// As CSV or as JSON, by the extension of `file`; images are named as seen from its directory.
+/// Returns the table as CSV or as JSON, by the extension of `file`; images are named as seen from its directory.
 std::string image_index(const std::filesystem::path& file, const Job& job, const std::vector<IndexedImage>& images);
 
 }  // namespace dspm

@@ -13,7 +13,7 @@ struct NumberPlace {
   std::size_t begin, length, digits;
 };
 
-/// "%d", "%4d" or "%04d".
+/// Finds "%d", "%4d" or "%04d".
 std::optional<NumberPlace> find_percent(const std::string& name) {
   for (std::size_t begin = name.find('%'); begin != std::string::npos; begin = name.find('%', begin + 1)) {
     const std::size_t end = name.find_first_not_of("0123456789", begin + 1);

@@ -9,9 +9,9 @@
 
 namespace dspm {
 
-/// `pattern` may say where the number goes, by %d, %04d or two or more # in the file's name; else it goes before the
-/// extension. Without a moment there is a number, 1, only if the pattern asks for one. `label` names the variation; it
-/// comes before the number and may be empty.
+/// Returns the name of an image. `pattern` may say where the number goes, by %d, %04d or two or more # in the file's
+/// name; otherwise it goes before the extension. Without a moment there is a number, 1, only if the pattern asks for
+/// one. `label` names the variation; it comes before the number and may be empty.
 std::filesystem::path image_name(const std::filesystem::path& pattern, std::optional<Moment> moment,
                                  std::string_view label = {});
 

@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// The UTF-8 character that the text begins with; empty if that is malformed. [RFC 3629, section 4]
+/// Returns the UTF-8 character that the text begins with; empty if that is malformed. [RFC 3629, section 4]
 std::string_view first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned head = byte(0);

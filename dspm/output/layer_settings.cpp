@@ -14,7 +14,7 @@ bool is_among(std::string_view name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether it is one of the labels, and not just a part of several outputs.
+/// Throws UsageError unless the name is one of the labels, and not just a part of several outputs.
 void expect_output(const char* option, const std::string& name, const std::vector<std::string>& outputs) {
   const std::vector<std::string> labels = file_labels(outputs);
   if (is_among(name, labels)) return;

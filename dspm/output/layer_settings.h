@@ -26,13 +26,14 @@ struct LayerSettings {
   void compress(const std::string& name);
   /// Throws UsageError if they do not fit these outputs.
   void check(const std::vector<std::string>& outputs) const;
-  /// Ids are single, whatever is asked for: halves would be others.
+  /// Returns the precision of an output. Ids are single, whatever is asked for: as halves they would be different ids.
   ExrPixels pixels_of(const OutputInfo& output, const FilmSettings& film) const;
 };
 
-/// Outputs with the same one share a file of their own: what comes before the first dot of their names.
+/// Returns the label of an output's file: what comes before the first dot of its name. Outputs with the same label
+/// share a file of their own.
 std::string_view file_label(std::string_view output);
-/// The labels of all, in order.
+/// Returns the labels of all outputs, in order.
 std::vector<std::string> file_labels(const std::vector<std::string>& outputs);
 
 }  // namespace dspm

@@ -14,12 +14,12 @@
 namespace dspm {
 namespace {
 
-/// The ids in a layer's first channel: a rank of a Cryptomatte has its shares in the second.
+/// Collects the ids in a layer's first channel: a rank of a Cryptomatte has its shares in the second.
 void add_shown(const OutputLayer& layer, std::set<float>& ids) {
   for (const Rgb& pixel : layer.image.pixels) ids.insert(pixel.r);
 }
 
-/// {"ball": "3fa2c014"}
+/// Returns {"ball": "3fa2c014"} and the like.
 std::string manifest_of(std::span<const std::string> names, const std::set<float>& shown) {
   JsonWriter json;
   json.begin_object();

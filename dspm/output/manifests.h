@@ -8,8 +8,8 @@
 
 namespace dspm {
 
-/// What the header of a file with these layers says of their ids: for each name that the image shows, its id, in
-/// hexadecimal digits. Of a Cryptomatte in the attributes that its specification asks for.
+/// Adds to the header of a file with these layers what it must say of their ids: the id, in hexadecimal digits, of each
+/// name that the image shows. For a Cryptomatte it goes into the attributes that its specification asks for.
 void add_manifests(const std::vector<const OutputLayer*>& layers, ExrHeader& header);
 
 }  // namespace dspm

@@ -16,13 +16,13 @@ struct NamedPart {
   std::string name, text;
 };
 
-/// Whether the name has a part in braces.
+/// Returns whether the name has a part in braces.
 bool is_template(std::string_view name);
-/// {frame} has four digits, {frame:2} at least two; {{ and }} are braces. Throws UsageError if a name is not among the
-/// parts.
+/// Fills in the parts. {frame} has four digits, {frame:2} at least two; {{ and }} are braces. Throws UsageError if a
+/// name is not among the parts.
 std::string filled_in(std::string_view pattern, const std::vector<NamedPart>& parts, int frame);
 
-/// The frame's choices, by axis, after the whole "variation".
+/// Returns the frame's choices, by axis, after the whole "variation".
 std::vector<NamedPart> parts_of(const Job& job, FileFrame frame);
 
 /// The folders of a name that was filled in: whoever names folders after variations cannot make them all. Throws WriteError.

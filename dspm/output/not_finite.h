@@ -14,13 +14,13 @@
 
 namespace dspm {
 
-/// A warning for each element of the interval's scene that gave values that are negative or not finite, with the plugin
-/// and the first pixel.
+/// Warns of each element of the interval's scene that gave values that are negative or not finite, with the plugin and
+/// the first pixel.
 void report_rejections(const Rejections& rejections, const World& world, const FrameList& interval, const Job& job,
                        Messages& messages);
 
-/// Those that an integrator lets through into one of its outputs become black, with a warning. `frame` is one of the
-/// file.
+/// Makes such values black, with a warning, if an integrator lets them through into one of its outputs. `frame` is a
+/// frame of the file.
 void black_out_invalid(Image& image, const OutputInfo& output, FileFrame frame, const Job& job, Messages& messages);
 
 }  // namespace dspm

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kProgram = "oidnDenoise";
 
-/// oidnDenoise goes by the extension. Names differ between processes.
+/// A PFM file, because oidnDenoise goes by the extension. Names differ between processes.
 class PfmFile {
  public:
   PfmFile(std::filesystem::path beside, const char* what) : path_(std::move(beside)), leftover_(named(what)) {}

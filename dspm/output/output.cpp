@@ -28,7 +28,7 @@
 namespace dspm {
 namespace {
 
-/// No file may replace another one, or one that is read.
+/// Throws UsageError if a file would replace another one, or one that is read.
 void expect_all_distinct(std::vector<NamedFile> written, const OutputSettings& settings, const OtherFiles& others) {
   std::vector<NamedFile> read = others.read;
   expect_distinct({}, read);  // none is given twice
@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files)
   return paths;
 }
 
-/// EXR's matrices act on points as rows.
+/// Transposes the matrix: EXR's matrices act on points as rows.
 std::array<float, 16> for_rows(const Matrix4& matrix) {
   std::array<float, 16> all;
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<float>(matrix.m[i % 4][i / 4]);

@@ -1,4 +1,4 @@
-// The files of a run: an image a frame, the contact sheet, the video.
+// The files of a run: an image for each frame, the contact sheet, the video.
 #pragma once
 
 #include <filesystem>
@@ -51,13 +51,13 @@ struct OtherFiles {
 class Output {
  public:
   /// Throws WriteError if a file cannot be written, and warns if there may be too little room for all of them: better
-  /// before rendering than after. `end_wanted`: called while the video is tried and made.
+  /// before rendering than after. Calls `end_wanted` while the video is tried and made.
   Output(const Job& job, const OutputSettings& settings, const OtherFiles& others, Messages& messages,
          Video::EndWanted end_wanted);
 
   /// The path of the image of a frame of the file.
   std::filesystem::path name(FileFrame frame) const;
-  /// Of its second image, if there is a denoiser.
+  /// The path of its second image, if there is a denoiser.
   std::filesystem::path denoised_name(FileFrame frame) const { return layer_file(frame, kDenoised); }
   /// A frame's image, and its PNG if that is another file.
   std::vector<std::filesystem::path> image_files(FileFrame frame) const { return with_png(name(frame)); }
@@ -66,10 +66,10 @@ class Output {
   /// Writes the image of a frame of the file, given its radiance over the crop, and replaces an earlier one. Throws
   /// WriteError, but tries its PNG anyway. The contact sheet shows the image that was written last.
   void write(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers, const FrameFigures& figures);
-  /// Likewise its second image, with no layer but alpha.
+  /// Writes its second image in the same way, with no layer but alpha.
   void write_denoised(FileFrame frame, Image radiance, const std::vector<OutputLayer>& layers,
                       const FrameFigures& figures);
-  /// The sheet with all images so far, if one was asked for.
+  /// Writes the sheet with all images so far, if one was asked for.
   void write_contact_sheet() const;
   /// To the video, if one was asked for: an image of every frame, one after the other.
   void add_to_video(Image radiance, const std::vector<OutputLayer>& layers);
@@ -79,12 +79,12 @@ class Output {
  private:
   /// All files that the run writes, except the video.
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
-  /// Of an output that has a file of its own.
+  /// The path of an output that has a file of its own.
   std::filesystem::path layer_file(FileFrame frame, const std::string& label) const;
-  /// Of all images, uncompressed.
+  /// The bytes of all images, uncompressed.
   std::uint64_t bytes_on_disk() const;
   ExrHeader header(FileFrame frame, const FrameFigures& figures) const;
-  /// As a file holds them, with what its header has to say of them.
+  /// Returns the layers as a file holds them, and adds to its header what it has to say of them.
   std::vector<ExrLayer> exr_layers(const std::vector<const OutputLayer*>& layers, ExrHeader& header) const;
   /// A file and, if PNGs are wanted, its PNG.
   std::vector<std::filesystem::path> with_png(const std::filesystem::path& image) const;
@@ -93,7 +93,7 @@ class Output {
   /// What is to be shown, to both; for the sheet, too.
   void write_views(FileFrame frame, const std::filesystem::path& name, const Image& image, const ExrHeader& header,
                    const std::vector<ExrLayer>& more);
-  /// Each output in a file of its own.
+  /// Writes each output to a file of its own.
   void write_apart(FileFrame frame, const std::vector<const OutputLayer*>& layers, const ExrHeader& header) const;
 
   const Job& job_;

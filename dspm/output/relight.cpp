@@ -29,7 +29,7 @@ ExrPixels precision_of(const ExrHeader& header, const std::string& channel) {
   return header.precisions[static_cast<std::size_t>(at - header.channels.begin())];
 }
 
-/// The outputs of the file's groups; all must be there, or their sum would not be the image.
+/// Returns the outputs of the file's groups; all must be there, or their sum would not be the image.
 Names groups_in(const std::filesystem::path& file, const ExrHeader& header) {
   const auto text = header.texts.find(kLightGroupsText);
   if (text == header.texts.end())
@@ -56,7 +56,7 @@ void check(const std::vector<GroupFactor>& factors, const Names& groups, const s
                                    fmt::join(names, ", ")));
 }
 
-/// The product of all factors that name the group.
+/// Returns the product of all factors that name the group.
 Rgb factor_of(const std::string& output, const std::vector<GroupFactor>& factors) {
   Rgb product(1);
   for (const GroupFactor& factor : factors)
@@ -64,7 +64,7 @@ Rgb factor_of(const std::string& output, const std::vector<GroupFactor>& factors
   return product;
 }
 
-/// Other channels, as layers of up to three with the same precision.
+/// Returns the other channels, as layers of up to three with the same precision.
 std::vector<Names> rest_of(const ExrHeader& header, const Names& taken) {
   std::vector<Names> layers;
   for (const std::string& channel : header.channels) {

@@ -16,7 +16,7 @@ class Results {
  public:
   using Images = SessionObserver::Images;
 
-  /// See Output. `keep_failed`: last images that cannot be written stay in memory for another attempt.
+  /// Takes what Output takes. If `keep_failed`, last images that cannot be written stay in memory for another attempt.
   Results(const Job& job, const World& world, const OutputSettings& settings, const OtherFiles& others,
           bool keep_failed, Messages& messages, Video::EndWanted end_wanted);
 
@@ -30,7 +30,7 @@ class Results {
   void report_missing() const { faults_.report_missing(); }
   bool are_whole() const { return !faults_.any(); }
 
-  /// The files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none.
+  /// Returns the files that hold images: "a.0001.exr to a.0003.exr"; empty if there are none.
   std::string written() const;
   /// Of the frames that have images.
   std::vector<std::filesystem::path> files() const;
@@ -39,7 +39,7 @@ class Results {
   bool finish(const RunReport& report);
 
  private:
-  /// The table of the images, if one was asked for.
+  /// Writes the table of the images, if one was asked for.
   void write_index() const;
 
   const Job& job_;

@@ -18,7 +18,7 @@
 namespace dspm {
 namespace {
 
-/// The work that frames may share, with its names.
+/// Returns the work that frames may share, with its names.
 std::vector<std::pair<const char*, SharedCount>> shared_counts(const Statistics& s) {
   return {{"camera path segments", s.camera.segments},
           {"photon path segments", s.photon.segments},
@@ -27,7 +27,7 @@ std::vector<std::pair<const char*, SharedCount>> shared_counts(const Statistics&
           {"photons found", s.photons_found}};
 }
 
-/// "hit points" to "hit_points", as programs like it.
+/// Turns "hit points" into "hit_points", as programs like it.
 std::string key_of(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
@@ -100,7 +100,7 @@ void write_work(JsonWriter& json, const Statistics& s) {
   json.end_object();
 }
 
-/// Frame by frame of the job, those that were rendered.
+/// Writes the energy of the frames that were rendered, in the order of the job.
 void write_energy(JsonWriter& json, const RunReport& report) {
   std::map<FileFrame, const EnergyBalance*> of_frame;
   for (std::size_t i = 0; i < report.frames.size(); ++i) of_frame[report.frames[i]] = &report.statistics.energy[i];
@@ -161,7 +161,7 @@ void RunReport::add(const Statistics& interval, const std::vector<FileFrame>& of
 
 namespace {
 
-/// Of one interval, or of the shortest and the longest if a time limit made them differ.
+/// Returns the iterations of one interval, or of the shortest and the longest if a time limit made them differ.
 std::string iterations_in_words(const std::vector<int>& of_intervals) {
   if (of_intervals.empty()) return "0";
   const auto [least, most] = std::minmax_element(of_intervals.begin(), of_intervals.end());

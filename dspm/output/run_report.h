@@ -1,4 +1,4 @@
-// The report of a run: what was rendered, how long each step took, what the frames shared. As a table for people, as
+// The report of a run: what was rendered, how long each step took, what the frames shared. It is a table for people, or
 // JSON for programs.
 #pragma once
 

@@ -9,7 +9,7 @@
 namespace dspm {
 namespace {
 
-/// Of the iterations, what belongs to none of their steps.
+/// Returns the part of the iterations that belongs to none of their steps.
 StepTime the_rest(const StepTime& iterations, const std::vector<StepTime>& steps) {
   StepTime rest = iterations;
   rest.name = "rest of iterations";

@@ -8,11 +8,11 @@
 
 namespace dspm {
 
-/// The steps in which work was counted, in the order of a run: an integrator's `steps` and the rest of the iterations
-/// stand before all iterations, which are one of the steps `around` them.
+/// Returns the steps in which work was counted, in the order of a run. An integrator's `steps` and the rest of the
+/// iterations come before all iterations, which are one of the steps `around` them.
 std::vector<StepTime> worked_steps(const std::vector<StepTime>& around, const std::vector<StepTime>& steps);
 
-/// Empty if no work was counted.
+/// Returns an empty text if no work was counted.
 std::string scaling_table(const std::vector<StepTime>& around, const std::vector<StepTime>& steps);
 
 }  // namespace dspm

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUsualRate = 24, kSecondsOfAVariation = 1;
 
-/// A quick look is judged on a sheet as large as that of the whole render.
+/// Enlarges the style for a quick look, which is judged on a sheet as large as that of the whole render.
 SheetStyle enlarged(SheetStyle style, const Job& job, const SheetLayout& full) {
   if (job.quick && style.tile_width == 0) style.tile_width = std::max(full.image_width, job.settings.crop.width());
   return style;

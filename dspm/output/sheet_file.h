@@ -15,7 +15,7 @@
 
 namespace dspm {
 
-/// What a sheet's file may be, in words.
+/// The formats of a sheet's file, in words.
 inline constexpr std::string_view kSheetNames = ".png, or moves as .webp or .apng";
 bool is_sheet_name(const std::filesystem::path& path);
 
@@ -29,7 +29,7 @@ class SheetFile {
   void put(FileFrame frame, const Image& shown);
   /// Throws WriteError.
   void write(const PngFormat& format) const;
-  /// That it holds, or will hold, and that it needs for writing.
+  /// The bytes that it holds, or will hold, and that it needs for writing.
   std::size_t bytes() const;
 
  private:

@@ -23,7 +23,7 @@ std::pair<Key, Key> row_and_column(const Job& job, FileFrame frame, std::span<co
   return {row, column};
 }
 
-/// Numbers from 0 in ascending order of the keys.
+/// Numbers the keys from 0 in ascending order.
 std::map<Key, int> numbered(const std::set<Key>& keys) {
   std::map<Key, int> numbers;
   for (const Key& key : keys) numbers.emplace(key, static_cast<int>(numbers.size()));

@@ -18,9 +18,9 @@ class SheetPlaces {
   static SheetPlaces suited(const Job& job, int width, int height, const SheetStyle& style = {});
 
   SheetLayout layout(int width, int height, const SheetStyle& style = {}) const;
-  /// Counted row by row.
+  /// Returns the frame's place, counted row by row.
   int of(FileFrame frame) const { return places_.at(frame); }
-  /// Of a table; 0: the frames lie one after the other.
+  /// Returns the columns of a table; 0 if the frames lie one after the other.
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 

@@ -18,7 +18,7 @@ class StepLog {
       if (step.name == name) return void(timer_.emplace(step));
     timer_.emplace(steps_.emplace_back(StepTime{name}));
   }
-  /// All steps, the last one ended.
+  /// Ends the last step and returns all steps.
   std::vector<StepTime> end() {
     timer_.reset();
     return {steps_.begin(), steps_.end()};

@@ -23,7 +23,7 @@ constexpr std::chrono::seconds kGrace{5};
 
 int even(int size) { return size + size % 2; }
 
-/// Row y, with its last pixel repeated if their number is odd.
+/// Returns row y, with its last pixel repeated if their number is odd.
 Image even_row(const Image& image, int y) {
   Image row(even(image.width), 1);
   for (int x = 0; x < row.width; ++x)
@@ -45,7 +45,7 @@ std::vector<std::string> command(const std::filesystem::path& file, const VideoF
   return command;
 }
 
-/// Once an end is wanted, ffmpeg gets some time after its last sign of life.
+/// Gives ffmpeg some time after its last sign of life, once an end is wanted.
 ChildProcess::GiveUp after_grace(Video::EndWanted end_wanted) {
   using Clock = ChildProcess::Clock;
   return [end_wanted = std::move(end_wanted),

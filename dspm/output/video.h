@@ -1,4 +1,4 @@
-// Images to a film: H.264 in an .mp4, made by the program ffmpeg, which dspm does not include.
+// Makes a film of images: H.264 in an .mp4, by the program ffmpeg, which dspm does not include.
 #pragma once
 
 #include <exception>
@@ -22,16 +22,16 @@ struct VideoFormat {
 /// The file appears at the end, or not at all.
 class Video {
  public:
-  /// Whether the user wants an end. If so, nothing waits long for an ffmpeg that hangs.
+  /// Returns whether the user wants an end. If so, nothing waits long for an ffmpeg that hangs.
   using EndWanted = std::function<bool()>;
 
   /// Tries ffmpeg on a black image, to find errors before rendering. Throws WriteError if there is no ffmpeg, if it
   /// fails, or if the file cannot be written.
   Video(std::filesystem::path path, const VideoFormat& format, EndWanted end_wanted = {});
 
-  /// The next image, which has been tone mapped. Errors are reported by finish().
+  /// Adds the next image, which has been tone mapped. Errors are reported by finish().
   void add(const Image& shown);
-  /// Writes the file with the images so far; without any, no file. Throws WriteError.
+  /// Writes the file with the images so far; without images, there is no file. Throws WriteError.
   void finish();
 
  private:

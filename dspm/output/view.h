@@ -43,7 +43,7 @@ class View {
   Image flattened(Image cut_out) const;
   /// Of the PNGs that hold what is shown.
   const PngFormat& png() const { return format_; }
-  /// The same in the space of videos, which is sRGB.
+  /// Returns the same view in the space of videos, which is sRGB.
   View for_video() const;
 
  private:

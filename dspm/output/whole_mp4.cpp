@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// A number of that many bytes, the most significant first.
+/// Reads a number of that many bytes, the most significant first.
 std::uint64_t number(std::istream& file, int bytes) {
   std::uint64_t value = 0;
   for (int i = 0; i < bytes; ++i) value = value << 8 | static_cast<std::uint8_t>(file.get());

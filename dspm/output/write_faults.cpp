@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-/// "a.exr", "a.exr and b.exr", "a.exr to z.exr (26 files)"
+/// Returns "a.exr", "a.exr and b.exr", "a.exr to z.exr (26 files)" and the like.
 std::string in_words(const std::vector<std::string>& files) {
   if (files.size() == 1) return files.front();
   if (files.size() == 2) return files.front() + " and " + files.back();

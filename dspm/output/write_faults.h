@@ -25,11 +25,11 @@ class WriteFaults {
   /// Tries the kept writes again.
   void retry();
 
-  /// Whether the last attempt failed for any file.
+  /// Returns whether the last attempt failed for any file.
   bool any() const { return !failed_.empty(); }
-  /// After writing, in a render that goes on: new causes, or that all is well again.
+  /// Reports new causes, or that all is well again. Call it after writing, in a render that goes on.
   void report();
-  /// At the end: which files are missing, and why.
+  /// Reports which files are missing, and why. Call it at the end.
   void report_missing() const;
 
  private:
