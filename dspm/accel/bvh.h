@@ -41,7 +41,7 @@ struct Bvh {
   using Nodes = UntouchedVector<Node>;
   /// The union of the pieces' frames, by child.
   using NodeFrames = std::array<FrameSet, kWidth>;
-  /// Pieces order[first], ..., order[first + count - 1].
+  /// The pieces order[first], ..., order[first + count - 1].
   struct Leaf {
     std::uint32_t first, count;
   };
@@ -59,14 +59,15 @@ struct Bvh {
   }
 };
 
-/// A leaf holds pieces of total size up to `leaf_size`, at the cost of one test. `frames`: all that rays may query.
+/// Builds a tree. A leaf holds pieces of total size up to `leaf_size`, at the cost of one test. `frames` are all that
+/// rays may query.
 Bvh build_bvh(std::span<const Piece> pieces, int leaf_size, FrameSet frames);
 
-/// The same by Embree's builder, on all threads, for pieces of the same frames; Bvh::node_frames stays empty. Pieces have
-/// size 1 or `leaf_size`. The order of leaves may differ from run to run; no answer depends on it.
+/// Builds a tree by Embree's builder, on all threads, for pieces of the same frames; Bvh::node_frames stays empty.
+/// Pieces have size 1 or `leaf_size`. The order of leaves may differ from run to run; no answer depends on it.
 Bvh build_bvh_with_embree(std::span<const Piece> pieces, int leaf_size);
 
-/// by_size: Embree for many pieces.
+/// With by_size, Embree builds trees of many pieces.
 enum class BvhBuilder { by_size, own, embree };
 
 }  // namespace dspm

@@ -55,7 +55,7 @@ class Builder {
 
   const Piece& piece(std::uint32_t place) const { return pieces_[bvh_.order[place]]; }
 
-  /// The expected cost of leaves, without the nodes above them.
+  /// Returns the expected cost of leaves, without the nodes above them.
   float cost(const Bin& bin) const {
     const float share = static_cast<float>(bin.frames.count()) / static_cast<float>(std::max(1, all_frames_.count()));
     const float chance = bin.bounds.half_area() * (kShareOfFullRays + (1 - kShareOfFullRays) * share);
@@ -74,7 +74,7 @@ class Builder {
     return r;
   }
 
-  /// The bin of a piece along an axis; -1 if all pieces of the range would fall into the same bin.
+  /// Returns the bin of a piece along an axis; -1 if all pieces of the range would fall into the same bin.
   int bin_of(const Range& r, int axis, const Piece& p) const {
     if (axis == 3) {
       const int low = r.frames.lowest(), high = kMaxFrames - std::countl_zero(r.frames.bits());

@@ -11,7 +11,8 @@ namespace {
 constexpr int kBlock = 1 << 11;
 constexpr std::size_t kWidth = Bvh::kWidth;
 
-/// Primitives of consecutive numbers, from which nodes are made: halved across the longest extent until a node takes them.
+/// Primitives of consecutive numbers, from which nodes are made: halved across the longest extent until a node takes
+/// them.
 class Block {
  public:
   struct Member {
@@ -68,7 +69,7 @@ class Block {
 
 }  // namespace
 
-/// If most blocks reach across most of the shape, numbers say nothing about where primitives lie.
+/// Returns false if most blocks reach across most of the shape: numbers then say nothing about where primitives lie.
 bool is_crowd(const Shape& shape) {
   constexpr int kFewest = 1 << 14, kStep = 32;
   constexpr float kMost = 0.7f;

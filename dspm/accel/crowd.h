@@ -12,11 +12,12 @@
 
 namespace dspm {
 
-/// Whether it has very many primitives, no triangles, and those of similar numbers lie close together, by a sample of them.
+/// Returns whether the shape has very many primitives, no triangles, and a sample of them lies close together if their
+/// numbers are similar.
 bool is_crowd(const Shape& shape);
 
-/// Appends nodes of eight primitives each, whose leaves are first_leaf + primitive, and returns their boxes. `box_of`: of a
-/// primitive, with margin; called by any thread.
+/// Appends nodes of eight primitives each, whose leaves are first_leaf + primitive, and returns their boxes. `box_of`
+/// returns the box of a primitive, with margin; any thread may call it.
 std::vector<Bounds3> add_crowd(int primitives, std::uint32_t first_leaf, const std::function<Bounds3(int)>& box_of,
                                Bvh::Nodes& nodes);
 

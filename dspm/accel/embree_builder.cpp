@@ -23,7 +23,7 @@ namespace {
 // Levels remain for leaves that are split into placed objects and triangles, and for the nodes of crowds.
 constexpr unsigned kDepth = Bvh::kMaxDepth - 3;
 
-/// For as long as the process runs: starting it takes a millisecond, longer than most trees.
+/// Returns the device, which lives as long as the process: starting it takes a millisecond, longer than most trees.
 RTCDevice device() {
   static const RTCDevice only = rtcNewDevice(nullptr);
   return only;
@@ -121,7 +121,7 @@ class Copy {
     return Bvh::kLeaf + static_cast<std::uint32_t>(bvh_.leaves.size() - 1);
   }
 
-  /// A node for a leaf in which some pieces need one of their own: to Embree, all are alike.
+  /// Adds a node for a leaf in which some pieces need a node of their own: to Embree, all are alike.
   std::uint32_t add_mixed(std::span<const std::uint32_t> pieces) {
     const std::uint32_t number = new_node();
     std::vector<std::uint32_t> small;

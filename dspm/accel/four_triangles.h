@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// A ray prepared for this: all lanes are equal. The inputs of the float test are ordered by the ray's axes.
+/// A ray in four equal lanes. The inputs of the float test are ordered by the ray's axes.
 struct FourRays {
   MeshRay one;
   __m128 x, y, z, sx, sy, sz, near_origin[3], inverse[3];
@@ -32,7 +32,7 @@ struct FourHits {
 
 class FourTriangles {
  public:
-  /// By corner, axis, triangle; they must outlive this.
+  /// The vertices by corner, axis and triangle; they must outlive this.
   using Vertices = float[3][3][4];
 
   FourTriangles(const FourRays& ray, const Vertices& vertices) : vertices_(vertices) {
@@ -49,9 +49,9 @@ class FourTriangles {
     w_ = x[1] * y[0] - y[1] * x[0];
   }
 
-  /// Triangles that the ray may hit at a distance in (0, limit]: no two of their edge functions have opposite signs,
-  /// and their corners are not all behind the ray or all too far. Zero is no sign: the triangle test examines that
-  /// case. It keeps distances between those of the corners.
+  /// Returns the triangles that the ray may hit at a distance in (0, limit]: no two of their edge functions have
+  /// opposite signs, and their corners are neither all before the ray's origin nor all too far. Zero is no sign: the
+  /// triangle test examines that case. It keeps distances between those of the corners.
   unsigned candidates(float limit) const {
     const __m128 zero = _mm_setzero_ps();
     const __m128 outside = _mm_and_ps(_mm_cmplt_ps(least(u_, v_, w_), zero), _mm_cmpgt_ps(most(u_, v_, w_), zero));
@@ -60,14 +60,14 @@ class FourTriangles {
     return 15u & ~static_cast<unsigned>(_mm_movemask_ps(_mm_or_ps(outside, apart)));
   }
 
-  /// The candidates whose boxes the ray enters within `limit`: a hit is never before that, see meet.h.
+  /// Returns the candidates whose boxes the ray enters within `limit`: a hit is never before that, see meet.h.
   unsigned entered(const FourRays& ray, unsigned candidates, float limit) const {
     const __m128 enter = entry(ray), infinity = _mm_set1_ps(kInfinity);
     const __m128 late = _mm_and_ps(_mm_cmpgt_ps(enter, _mm_set1_ps(limit)), _mm_cmplt_ps(enter, infinity));
     return candidates & ~static_cast<unsigned>(_mm_movemask_ps(late));
   }
 
-  /// `wanted`: some of the candidates.
+  /// Tests the `wanted` ones of the candidates.
   FourHits meet(const FourRays& ray, unsigned wanted) const {
     const __m128 zero = _mm_setzero_ps(), infinity = _mm_set1_ps(kInfinity), t_max = _mm_set1_ps(ray.one.t_max);
     const __m128 determinant = (u_ + v_) + w_, scale = _mm_set1_ps(1) / determinant;
@@ -107,7 +107,7 @@ class FourTriangles {
   const float* at(int corner, int axis) const { return vertices_[corner][axis]; }
   __m128 coordinate(int corner, int axis) const { return _mm_load_ps(at(corner, axis)); }
 
-  /// The ray's hits on the triangles' planes; only wanted lanes are valid.
+  /// Returns where the ray hits the triangles' planes; only wanted lanes are valid.
   Planes plane_distances(const FourRays& ray, unsigned wanted) const {
     __m128 t[2] = {_mm_setzero_ps(), _mm_setzero_ps()}, exist[2] = {_mm_setzero_ps(), _mm_setzero_ps()};
     for (int pair = 0; pair < 2; ++pair) {
@@ -132,7 +132,7 @@ class FourTriangles {
   }
   static __m128d dot(const __m128d* a, const __m128d* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  /// BoxRay::entry for the triangles' boxes with margin.
+  /// Does BoxRay::entry for the triangles' boxes with margin.
   __m128 entry(const FourRays& ray) const {
     __m128 low[3], high[3], largest = _mm_setzero_ps();
     for (int axis = 0; axis < 3; ++axis) {

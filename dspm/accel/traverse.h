@@ -36,9 +36,10 @@ class NodeTest {
     is_nan_ = is_nan(ray.near_origin) || is_nan(ray.inverse);
   }
 
-  /// It would enter all boxes, the empty ones of unused children too, which lead nowhere.
+  /// A ray with NaN would enter all boxes, including the empty ones of unused children, which lead nowhere.
   bool is_nan() const { return is_nan_; }
-  /// Bits of the children whose boxes the ray enters within `limit`, and the distances at which it enters them.
+  /// Returns bits of the children whose boxes the ray enters within `limit`, and sets the distances at which it enters
+  /// them.
   unsigned operator()(const Bvh::Node& node, float limit, float* entry) const {
     return half(node, 0, limit, entry) | half(node, 4, limit, entry) << 4;
   }
@@ -62,7 +63,7 @@ class NodeTest {
   bool is_nan_;
 };
 
-/// Whether the ray enters one of the root's boxes within `limit`.
+/// Returns whether the ray enters one of the root's boxes within `limit`.
 inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
   alignas(16) float entry[Bvh::kWidth];
   return !bvh.nodes.empty() && !test.is_nan() && test(bvh.root_node(), limit, entry) != 0;

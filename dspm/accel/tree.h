@@ -29,7 +29,7 @@ struct TreeRay {
   TreeRay(const Ray& r, float margins) : ray(r), four(r), test(margins == 1 ? four.one.box : BoxRay(r, margins)) {}
 };
 
-/// Numbers of the shapes for which wanted(PlacedShape) holds.
+/// Returns the numbers of the shapes for which wanted(PlacedShape) holds.
 template <class Wanted>
 std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& wanted) {
   std::vector<int> numbers;
@@ -38,15 +38,16 @@ std::vector<int> numbers_of(std::span<const PlacedShape> shapes, const Wanted& w
   return numbers;
 }
 
-/// Whether it has one tree in its own space, however often it is placed: what has several primitives does.
+/// Returns whether the shape has one tree in its own space, however often it is placed: a shape of several primitives
+/// does.
 inline bool has_own_tree(const PlacedShape& shape) {
   return shape.in_object_space() && (shape.shape->triangles() || shape.shape->primitive_count() > 1);
 }
 
 class Tree {
  public:
-  /// Built over shapes[i] for all i in `which`. `all`: the frames that rays may query. If the shapes are there in all of
-  /// them, `builder` builds the tree; else our own does, which knows frames.
+  /// Builds a tree over shapes[i] for all i in `which`. `all` are the frames that rays may query. If the shapes are
+  /// there in all of them, `builder` builds the tree; otherwise our own does, which knows frames.
   Tree(std::span<const PlacedShape> shapes, std::span<const int> which, FrameSet all, BvhBuilder builder,
        MeshTrees& meshes);
 
@@ -54,15 +55,15 @@ class Tree {
   /// Offers the ray's hits to `query`, one of those in hits.h.
   template <class Query>
   void find(const TreeRay& ray, Query& query) const;
-  /// The number of margins of a ray's origin that its boxes need: more than one if a transform stretches errors.
+  /// The number of margins that its boxes need around a ray's origin: more than one if a transform stretches errors.
   float margins() const { return margins_; }
 
-  /// Whether the ray enters one of the root's boxes within `limit`; if not, it hits nothing there.
+  /// Returns whether the ray enters one of the root's boxes within `limit`; if not, it hits nothing there.
   bool enters(const TreeRay& ray, float limit) const { return enters_root(bvh_, ray.test, limit); }
 
-  /// Up to 8 boxes, with margin, that together contain everything.
+  /// Returns up to 8 boxes, with margin, that together contain everything.
   std::vector<Bounds3> outline() const { return empty() ? std::vector<Bounds3>{} : bvh_.root_node().boxes(); }
-  /// Without the trees of placed meshes.
+  /// The bytes without the trees of placed meshes.
   std::size_t memory() const;
 
  private:
@@ -83,18 +84,18 @@ class Tree {
 
   Placed placed_at(std::uint32_t leaf) const;
 
-  /// The shape whose own tree this is, where it is placed with holes; the ray before it was transformed.
+  /// The shape whose own tree this is, if it is placed with holes, and the ray before it was transformed.
   struct CutOut {
     const PlacedShape& placed;
     const Ray& world_ray;
   };
 
-  /// Hits on triangles are offered to `offers`, the others to `query`. `whole`: null if there are no holes.
+  /// Offers hits on triangles to `offers`, the others to `query`. `whole` is null if there are no holes.
   template <class Query, class Offers>
   void find(const TreeRay& ray, Query& query, Offers& offers, const CutOut* whole = nullptr) const;
   template <class Query>
   void find_in(const Placed& placed, const Ray& ray, Query& query, const CutOut* whole) const;
-  /// Of a mesh in its own space, placed as `placed`; `world_ray`: the ray before it was transformed.
+  /// Finds hits on a mesh in its own space, placed as `placed`; `world_ray` is the ray before it was transformed.
   template <class Query>
   void find_placed(const Ray& ray, Query& query, const PlacedShape& placed, const Ray& world_ray) const;
 

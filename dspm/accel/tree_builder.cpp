@@ -113,7 +113,7 @@ class Tree::Builder {
     parallel_for(count, 1 << 12, add_one);
   }
 
-  /// Their nodes get room for those above them, of which there are fewer than a quarter as many.
+  /// Places crowds. Their nodes get room for those above them, of which there are fewer than a quarter as many.
   void place_crowds(std::span<const int> crowds) {
     const auto count = [&](int s) { return static_cast<std::size_t>(shape(s).shape->primitive_count()); };
     std::size_t all = 0;
@@ -141,14 +141,14 @@ class Tree::Builder {
     return world_box(to_world, std::span(&box, 1));
   }
 
-  /// `outline`: in the shape's space.
+  /// Returns the box in the world; `outline` is in the shape's space.
   static Bounds3 world_box(const ToWorld& to_world, std::span<const Bounds3> outline) {
     Bounds3 world;
     for (const Bounds3& part : outline) world.add(to_world.is_identity ? part : to_world.transform.bounds(part));
     return widened(world, to_world.margins * kBoxMargin * (largest_coordinate(world) + to_world.origin));
   }
 
-  /// The children that leaves become, by their numbers: packets of triangles, placed objects, nodes of crowds.
+  /// Returns the children that leaves become, by their numbers: packets of triangles, placed objects, nodes of crowds.
   std::vector<std::uint32_t> fill_leaves(const Bvh& above, const TrianglePieces& triangles) {
     std::vector<std::uint32_t> places;
     places.reserve(above.leaves.size()), tree_.placed_.reserve(placed_.size());

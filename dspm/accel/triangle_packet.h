@@ -48,14 +48,14 @@ struct alignas(16) TrianglePacket {
   }
 
  private:
-  /// Bits of the lanes in use.
+  /// Returns bits of the lanes in use.
   unsigned lanes() const {
     const __m128i shapes = _mm_load_si128(reinterpret_cast<const __m128i*>(shape));
     return 15u & ~static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(shapes)));
   }
 };
 
-/// The triangles of a leaf.
+/// The most triangles that a leaf holds.
 inline constexpr int kLeafSize = 2 * TrianglePacket::kSize;
 
 }  // namespace dspm

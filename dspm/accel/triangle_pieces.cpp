@@ -45,7 +45,7 @@ class Cutter {
   TrianglePieces& out_;
 };
 
-/// The number of leading shapes that are meshes with the same faces.
+/// Returns how many of the first shapes are meshes with the same faces.
 std::size_t sequence_length(std::span<const PlacedShape> shapes, std::span<const int> which) {
   const auto faces = [&](std::size_t i) -> const std::vector<Face>& {
     return shapes[static_cast<std::size_t>(which[i])].shape->triangles()->faces();
@@ -78,7 +78,7 @@ TrianglePieces::TrianglePieces(std::span<const PlacedShape> shapes, std::span<co
   }
 }
 
-/// What cut() makes of a mesh alone.
+/// Makes of each mesh alone what cut() makes of a sequence.
 void TrianglePieces::add_each(int shape, const PlacedShape& placed) {
   const std::size_t before = count(), first = triangles.size();
   const auto added = static_cast<std::size_t>(placed.shape->primitive_count());

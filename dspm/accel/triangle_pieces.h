@@ -15,7 +15,7 @@ struct TrianglePieces {
     int shape, primitive;
   };
 
-  /// Pieces of the meshes shapes[i] for all i in `which`; ignores their to_world.
+  /// Makes pieces of the meshes shapes[i] for all i in `which`; ignores their to_world.
   TrianglePieces(std::span<const PlacedShape> shapes, std::span<const int> which);
 
   std::size_t count() const { return first_triangle.size() - 1; }

@@ -18,7 +18,7 @@ constexpr std::size_t kMostCopies = 2;
 
 bool in_some(const PlacedShape& s, FrameSet all) { return !s.frames.contains(all) && !(s.frames & all).empty(); }
 
-/// Whether the trees of single frames would hold too many copies of triangles in world space.
+/// Returns whether the trees of single frames would hold too many copies of triangles in world space.
 bool live_too_long(std::span<const PlacedShape> shapes, FrameSet all) {
   std::size_t triangles = 0, copies = 0;
   for (const PlacedShape& shape : shapes) {

@@ -37,7 +37,7 @@ class TwoLevel final : public Accel {
   std::vector<Tree> of_frame_;
 };
 
-/// See AccelPlugin.
+/// Does what AccelPlugin::bytes_at_most describes.
 std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all);
 
 std::unique_ptr<Accel> make_two_level(ParamReader& reader, std::span<const PlacedShape> shapes, FrameSet all);

@@ -12,18 +12,18 @@ namespace dspm {
 
 class Diaphragm {
  public:
-  /// A circle.
+  /// Makes a circle.
   Diaphragm() = default;
-  /// One of pbrt's shapes: "gaussian", "square", "pentagon", "star"; nullopt for other names.
+  /// Returns one of pbrt's shapes: "gaussian", "square", "pentagon", "star"; nullopt for other names.
   static std::optional<Diaphragm> named(std::string_view name);
-  /// The mean of a picture's red, green and blue, whose upper edge is at y = 1. Throws std::runtime_error with a
-  /// sentence if it lets nothing through, or is negative or not finite somewhere.
+  /// Makes a shape of the mean of a picture's red, green and blue, whose upper edge is at y = 1. Throws
+  /// std::runtime_error with a sentence if it lets nothing through, or is negative or not finite somewhere.
   static Diaphragm of(const Image& picture);
 
-  /// At a place of the stop, whose aperture is a circle of radius 1. Shapes are scaled to let as much light through in
-  /// all as the circle does, so this may be above 1.
+  /// Returns the share of light that passes at a place of the stop, whose aperture is a circle of radius 1. Shapes are
+  /// scaled to let as much light through in all as the circle does, so this may be above 1.
   float share(Vec2 place) const;
-  /// The circle outside of which it is dark.
+  /// The radius of the circle outside of which it is dark.
   float reach() const;
 
  private:

@@ -18,8 +18,8 @@ void ExitPupil::Box::add(const Box& other) {
   half_height = std::max(half_height, other.half_height);
 }
 
-/// The cells of a grid, in the upper half of the box, whose middles let light through, and one more around them: ends of
-/// the pupil lie between the middles.
+/// Returns the box of a grid's cells, in the upper half of the box, whose middles let light through, and of one more
+/// around them: ends of the pupil lie between the middles.
 ExitPupil::Box ExitPupil::found_within(const LensSystem& lens, float film_x, const Box& box, int columns) {
   const int rows = columns / 2;
   const Vec2 cell{(box.right - box.left) / static_cast<float>(columns), box.half_height / static_cast<float>(rows)};
@@ -34,7 +34,7 @@ ExitPupil::Box ExitPupil::found_within(const LensSystem& lens, float film_x, con
   return found;
 }
 
-/// Around the pupil of a place nearby; empty if it may go on beyond what was searched.
+/// Searches around the pupil of a place nearby; the result is empty if the pupil may go on beyond what was searched.
 ExitPupil::Box ExitPupil::found_beside(const LensSystem& lens, float film_x, const Box& neighbour) {
   const float width = neighbour.right - neighbour.left;
   const Box box{neighbour.left - width / 4, neighbour.right + width / 4, 1.25f * neighbour.half_height};
@@ -50,7 +50,7 @@ ExitPupil::Box ExitPupil::found_anywhere(const LensSystem& lens, float film_x, i
   return found;
 }
 
-/// `neighbour`: null for the first place. Beside a place that no light reaches there is hardly one.
+/// `neighbour` is null for the first place. Next to a place that no light reaches there is hardly one that it does.
 ExitPupil::Box ExitPupil::bound(const LensSystem& lens, float film_x, const Box* neighbour) {
   const bool beside_none = neighbour != nullptr && neighbour->empty();
   Box found = neighbour != nullptr && !beside_none ? found_beside(lens, film_x, *neighbour) : Box();

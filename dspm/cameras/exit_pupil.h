@@ -1,4 +1,4 @@
-// The part of a lens' rear through which light reaches a place on the film: small, and not where the axis is if that
+// The part of a lens' rear through which light reaches a place on the film: it is small, and away from the axis if that
 // place is at the film's edge. Rays start through a box around it. [Pharr, Jakob, Humphreys, Physically Based
 // Rendering, 3rd ed., 6.4.5]
 #pragma once
@@ -13,19 +13,19 @@ namespace dspm {
 
 class ExitPupil {
  public:
-  /// For places on the film up to that radius around the axis. Boxes are those of a round stop, as they turn with the
-  /// place around the axis and shapes do not.
+  /// Finds the pupil for places on the film up to that radius around the axis. Boxes are those of a round stop, as they
+  /// turn with the place around the axis and shapes do not.
   ExitPupil(const LensSystem& lens, float film_radius);
 
   struct Sample {
     Vec3 p;      // in the plane of the rear surface's vertex
     float area;  // of the box: p is uniform on it
   };
-  /// Nullopt if no light comes there.
+  /// Returns nullopt if no light comes there.
   std::optional<Sample> sample(Vec2 film, Vec2 u) const;
 
  private:
-  /// For a place on the film's +x axis: the pupil is then symmetrical in y.
+  /// A box for a place on the film's +x axis: the pupil is then symmetrical in y.
   struct Box {
     float left = kInfinity, right = -kInfinity, half_height = 0;
 

@@ -1,6 +1,6 @@
-// Lens files, as pbrt reads them: four numbers for each surface, from the scene to the film. They are its radius
-// (0: a stop), the thickness of what follows it and the index of that, and the diameter of its aperture; lengths in mm,
-// and # begins a comment. What the last thickness says is replaced when the lens is focused.
+// Lens files, as pbrt reads them: four numbers for each surface, from the scene to the film. They are its radius (0: a
+// stop), the thickness of what follows it and the index of that, and the diameter of its aperture; lengths are in mm,
+// and # begins a comment. The last thickness is replaced when the lens is focused.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// At least one surface. Throws std::runtime_error with a sentence that does not name the file.
+/// Returns at least one surface. Throws std::runtime_error with a sentence that does not name the file.
 std::vector<LensSurface> parse_lens(std::string_view text);
 
 }  // namespace dspm

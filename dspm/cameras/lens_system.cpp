@@ -29,7 +29,7 @@ std::optional<Met> meet(const Ray& ray, float z, float radius) {
   return Met{p, dot(n, ray.direction) > 0 ? -n : n};
 }
 
-/// By Snell's law; nullopt if it is reflected totally.
+/// Refracts w by Snell's law; nullopt if it is reflected totally.
 std::optional<Vec3> refracted(const Vec3& w, const Vec3& n, float from, float to) {
   const float eta = from / to, cosine = -dot(w, n), sine2 = eta * eta * (1 - cosine * cosine);
   if (!(sine2 < 1)) return std::nullopt;
@@ -40,7 +40,7 @@ float index_of(float eta) { return eta > 0 ? eta : 1; }
 
 bool is_within(const Vec3& p, float aperture) { return p.x * p.x + p.y * p.y <= aperture * aperture; }
 
-/// Moves the ray onto a stop; false if it points away from it.
+/// Moves the ray onto a stop; returns false if it points away from it.
 bool reach_stop(Ray& ray, float z) {
   const float t = (z - ray.origin.z) / ray.direction.z;
   if (!(t >= 0)) return false;
@@ -48,7 +48,7 @@ bool reach_stop(Ray& ray, float z) {
   return true;
 }
 
-/// Moves the ray onto a surface and bends it there; false if it does not pass.
+/// Moves the ray onto a surface and bends it there; returns false if it does not pass.
 bool pass(Ray& ray, const LensSurface& surface, float z, float from, float to) {
   const auto met = meet(ray, z, surface.curvature);
   if (!met || !is_within(met->p, surface.aperture)) return false;

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// Lengths in metres. A list of them goes from the scene to the film.
+/// One surface of a lens, with lengths in metres. Lists of surfaces go from the scene to the film.
 struct LensSurface {
   float curvature = 0;  // radius; above 0: the surface bulges towards the scene; 0: a stop
   float thickness = 0;  // to the next surface, or from the last one to the film
@@ -21,7 +21,7 @@ struct LensSurface {
 /// The film lies in the plane z = 0 and looks along +z, where the scene is.
 class LensSystem {
  public:
-  /// At least one surface. The diaphragm is that of all stops.
+  /// Takes at least one surface. The diaphragm is that of all stops.
   explicit LensSystem(std::vector<LensSurface> surfaces, Diaphragm diaphragm = {});
 
   /// A ray that has left the lens for the scene, of unit length, and the share of its light that the stop lets through.
@@ -29,15 +29,15 @@ class LensSystem {
     Ray ray;
     float share = 1;
   };
-  /// Nullopt if the ray, from the film into any direction, does not pass.
+  /// Returns nullopt if the ray, from the film into any direction, does not pass.
   std::optional<Passage> from_film(const Ray& ray) const;
-  /// The way back, which stops let through within their circles. The ray starts before the lens.
+  /// Traces a ray that starts before the lens back to the film. Stops let it through within their circles.
   std::optional<Ray> from_scene(const Ray& ray) const;
 
   float front_z() const { return z_.front(); }
   float rear_z() const { return z_.back(); }
   float rear_aperture() const { return surfaces_.back().aperture; }
-  /// The same lens with a round stop that is as wide as its shape reaches.
+  /// Returns the same lens with a round stop that is as wide as its shape reaches.
   LensSystem with_round_stop() const;
 
   /// The thick lens that acts as this one does near the axis.
@@ -45,7 +45,7 @@ class LensSystem {
     float focal_length;                     // below 0: it scatters
     float scene_principal, film_principal;  // where its principal planes lie, as z
   };
-  /// Nullopt if a ray beside the axis does not pass, or is not bent.
+  /// Returns nullopt if a ray beside the axis does not pass, or is not bent.
   std::optional<ThickLens> thick_lens() const;
 
   /// Moves the lens so that a plane at that distance before the film is sharp, by the equation of the thick lens, and

@@ -46,16 +46,16 @@ struct FilmSize {
       : pixels{static_cast<float>(context.width), static_cast<float>(context.height)} {
     size = pixels * (context.film_diagonal / std::hypot(pixels.x, pixels.y));
   }
-  /// A lens turns its image by half a turn.
+  /// Returns the place on the film; a lens turns its image by half a turn.
   Vec2 at(Vec2 film) const { return {(0.5f - film.x / pixels.x) * size.x, (film.y / pixels.y - 0.5f) * size.y}; }
   Vec2 pixel() const { return {size.x / pixels.x, size.y / pixels.y}; }
-  /// With what a pixel's filter reaches beyond the edge.
+  /// The largest distance from the axis, including what a pixel's filter reaches beyond the edge.
   float radius() const { return std::hypot(size.x, size.y) / 2 + 8 * pixel().x; }
 };
 
 class Realistic final : public Camera {
  public:
-  /// The lens is focused, with the film at that distance from its principal plane.
+  /// Takes a focused lens, with the film at that distance from its principal plane.
   Realistic(const CameraContext& context, LensSystem lens, float to_film, bool relative)
       : to_world_(context.to_world),
         film_(context),
@@ -96,7 +96,7 @@ class Realistic final : public Camera {
     return {{origin, direction}, cosine_over_z * cosine_over_z * sample->area};
   }
 
-  /// Where everything has a radiance of 1.
+  /// Returns the irradiance in the middle of the film if everything has a radiance of 1.
   float irradiance_in_the_middle() const {
     constexpr int kSide = 64;
     float sum = 0;
@@ -147,7 +147,7 @@ Diaphragm read_diaphragm(ParamReader& reader) {
   return {};
 }
 
-/// The stop is as wide as the scene says.
+/// Makes the stop as wide as the scene says.
 void set_stop(ParamReader& reader, std::vector<LensSurface>& surfaces, float diameter) {
   bool has_stop = false;
   for (LensSurface& surface : surfaces) {

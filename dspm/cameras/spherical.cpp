@@ -29,7 +29,7 @@ namespace {
 // Mappings have z up, camera space y.
 Vec3 swapped(const Vec3& v) { return {v.x, v.z, v.y}; }
 
-/// A place beyond an edge of the octahedral square is the one that adjoins there, on the same edge, mirrored.
+/// Returns where a place beyond an edge of the octahedral square really is: on the same edge, mirrored.
 Vec2 wrapped(Vec2 p) {
   if (p.x < 0) p = {-p.x, 1 - p.y};
   if (p.x > 1) p = {2 - p.x, 1 - p.y};

@@ -14,7 +14,8 @@ struct Known {
   std::string_view word;
   Chromaticities chromaticities;
 };
-/// By ColourSpace. [ITU-R BT.709 and BT.2020; SMPTE ST 2065-1; SMPTE RP 431-2, with D65 as in Display P3]
+/// The spaces, in the order of ColourSpace. [ITU-R BT.709 and BT.2020; SMPTE ST 2065-1; SMPTE RP 431-2, with D65 as in
+/// Display P3]
 const std::array<Known, 4> kSpaces{{{"srgb", {{0.64, 0.33}, {0.3, 0.6}, {0.15, 0.06}, kD65}},
                                     {"rec2020", {{0.708, 0.292}, {0.17, 0.797}, {0.131, 0.046}, kD65}},
                                     {"aces2065-1", {{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}, {0.32168, 0.33767}}},

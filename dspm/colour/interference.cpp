@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kStepNm = 10, kSteps = 2000;
 
-/// In the last quarter they fade out: what is left there is the grain of whole nanometres.
+/// In the last quarter the colours fade out: what is left there is the grain of whole nanometres.
 const std::array<Rgb, kSteps + 1>& colours() {
   static const auto table = [] {
     std::array<Rgb, kSteps + 1> all;

@@ -38,16 +38,16 @@ Xyz integrate(Value&& value) {
   return sums;
 }
 
-/// CIE XYZ to linear RGB with the primaries and white point of ITU-R BT.709.
+/// Converts CIE XYZ to linear RGB with the primaries and white point of ITU-R BT.709.
 inline std::array<double, 3> rec709(const Xyz& c) {
   return {3.240479 * c.x - 1.537150 * c.y - 0.498535 * c.z, -0.969256 * c.x + 1.875991 * c.y + 0.041556 * c.z,
           0.055648 * c.x - 0.204043 * c.y + 1.057311 * c.z};
 }
 
-/// The colour under D65, relative to white, of something that transmits value(nm). A constant stays the same. Averaging
-/// eta and k with these weights, negative lobes included, gives the reflectance of silver, aluminium, copper and brass
-/// within 0.02 of the spectral one, of gold (whose red lies outside Rec. 709) within 0.05; non-negative weights are two
-/// to ten times worse.
+/// Returns the colour under D65, relative to white, of something that transmits value(nm). A constant stays the same.
+/// Averaging eta and k with these weights, negative lobes included, gives the reflectance of silver, aluminium, copper
+/// and brass within 0.02 of the spectral one, of gold (whose red lies outside Rec. 709) within 0.05; non-negative
+/// weights are two to ten times worse.
 template <class Value>
 std::array<double, 3> under_daylight(Value&& value) {
   static const Spectrum daylight = *named_spectrum("stdillum-D65");

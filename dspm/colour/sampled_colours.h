@@ -11,9 +11,9 @@ namespace dspm {
 
 class SampledColours {
  public:
-  /// `nm`: ascending.
+  /// Takes the wavelengths of the samples, ascending.
   explicit SampledColours(const std::vector<float>& nm);
-  /// But for rounding, to_rgb() of these samples with SpectrumRole::unbounded.
+  /// Returns to_rgb() of these samples with SpectrumRole::unbounded, up to rounding.
   Rgb of(std::span<const float> values) const;
 
  private:

@@ -1,4 +1,4 @@
-// Loops over the pixels of an image, and over those around one.
+// Loops over the pixels of an image, and over the pixels around one.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void for_each_pixel(const Image& image, const Fn& fn) {
   });
 }
 
-/// Calls fn(index) for the pixels of a square around one, as far as they exist.
+/// Calls fn(index) for the pixels of a square around one, as far as they are within the image.
 template <class Fn>
 void around(const Image& image, int x, int y, int radius, const Fn& fn) {
   for (int v = std::max(y - radius, 0); v <= std::min(y + radius, image.height - 1); ++v)

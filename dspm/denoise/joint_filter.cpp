@@ -19,8 +19,9 @@ namespace {
 
 float number(float value) { return std::isfinite(value) ? value : 0; }
 
-/// What radiance is divided by, so that textures do not part pixels under the same light: the albedo, from which the
-/// noise of glossy ones is smoothed. Not less than kBlack: what is darker shows light that its albedo does not know.
+/// Returns what radiance is divided by, so that textures do not part pixels under the same light: the albedo, from
+/// which the noise of glossy ones is smoothed. It is at least kBlack: what is darker shows light that its albedo does
+/// not know.
 Image divisors(const Image& albedo) {
   constexpr int kRadius = 2;
   constexpr float kNoise = 0.06f, kBlack = 0.02f;
@@ -42,8 +43,8 @@ Image divisors(const Image& albedo) {
   return divisors;
 }
 
-/// Of radiance over the divisors, and the geometric mean around a pixel: few iterations know little of their variance,
-/// and one firefly should not make its neighbours seem as uncertain as itself.
+/// Returns the variance of radiance over the divisors, as the geometric mean around a pixel: few iterations know little
+/// of their variance, and one firefly should not make its neighbours seem as uncertain as itself.
 Image smoothed_variance(const Image& variance, const Image& divisors) {
   Image roots(variance.width, variance.height), smoothed = roots;
   for_each_pixel(variance, [&](std::size_t i, int, int) {
@@ -63,7 +64,7 @@ Image smoothed_variance(const Image& variance, const Image& divisors) {
   return smoothed;
 }
 
-/// `radiance` and `variance`: without specks, and smoothed.
+/// Takes `radiance` without specks and `variance` smoothed.
 Planes planes_of(const NoisyImage& image, const Image& radiance, const Image& variance, const Image& divisors) {
   Planes planes{radiance.width, radiance.height, {}};
   for (std::vector<float>& plane : planes.values) plane.resize(radiance.pixels.size());
@@ -89,15 +90,15 @@ Planes planes_of(const NoisyImage& image, const Image& radiance, const Image& va
   return planes;
 }
 
-/// A mean no farther from the pixel's own value than its noise explains.
+/// Moves a mean no farther from the pixel's own value than its noise explains.
 float within_noise(float mean, float own, float variance) {
   constexpr float kFar = 4;  // standard deviations
   const float far = kFar * std::sqrt(variance);
   return std::max(own - far, std::min(own + far, mean));
 }
 
-/// The nearest pixels and, farther away, every second of every second row: photons blur their noise over more than that,
-/// so those between would add little.
+/// Returns the nearest pixels and, farther away, every second of every second row: photons blur their noise over more
+/// than that, so those between would add little.
 std::vector<Offset> offsets() {
   std::vector<Offset> all;
   for (int y = -Tile::kReach; y <= Tile::kReach; ++y)

@@ -1,5 +1,6 @@
-// An image with less noise: every pixel becomes a weighted mean of its neighbours, those that differ from it by no more
-// than their noise and that show the same surface, but no farther from itself than its own noise explains. [Buades et al. 2005; Rousselle et al. 2012, 2013]
+// An image with less noise. Every pixel becomes a weighted mean of the neighbours that differ from it by no more than
+// their noise and that show the same surface, but moves no farther from itself than its own noise explains. [Buades et
+// al. 2005; Rousselle et al. 2012, 2013]
 #pragma once
 
 #include "dspm/image/image.h"
@@ -15,10 +16,10 @@ struct NoisyImage {
 };
 inline constexpr float kNoSurface = 1e9f;
 
-/// Images for each pixel while it runs, its result included.
+/// The images that it holds for each pixel while it runs, its result included.
 inline constexpr int kImagesOfJointFilter = 6;
 
-/// A pixel without variance stays as it is. The same bits with any number of threads.
+/// Filters the image. A pixel without variance stays as it is. The bits are the same with any number of threads.
 Image joint_filtered(const NoisyImage& image);
 
 }  // namespace dspm

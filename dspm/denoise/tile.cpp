@@ -7,14 +7,14 @@
 namespace dspm {
 namespace {
 
-// In standard deviations. Neighbours share photons, so their noise does not average out within a patch.
+// These are in standard deviations. Neighbours share photons, so their noise does not average out within a patch.
 constexpr float kColours = 1.5f;
 constexpr float kOwn = 3;                      // what noise makes of a pixel's own difference now and then
 constexpr float kNormals = 0.3f;               // a difference of that length
 constexpr float kPlane = 0.002f;               // of nearness, relative, for each pixel of distance
 constexpr float kDark = 1e-12f, kFar = 1e-9f;  // against divisions by zero
 
-/// About exp(-x), and 0 from 8 on; without a function call, so that loops become vectors.
+/// Returns about exp(-x), and 0 from 8 on; it calls no function, so that loops become vectors.
 inline float falloff(float x) {
   const float to_8 = std::max(0.f, 1 - x / 8), to_4 = to_8 * to_8, to_2 = to_4 * to_4;
   return to_2 * to_2;
@@ -54,8 +54,8 @@ void Tile::add(Offset offset) {
   for (int row = 0; row < kSide; ++row) add_row(row, offset);
 }
 
-/// Squared, less what noise alone would make of them, over that. The lesser noise counts: a firefly has much, and would
-/// be like everything. [Rousselle et al. 2012, (5)]
+/// Compares by the squared difference, less what noise alone would make of it, over that. The lesser noise counts: a
+/// firefly has much, and would be like everything. [Rousselle et al. 2012, (5)]
 void Tile::compare(Offset offset) {
   for (int row = 0; row < kCompared; ++row) {
     const auto here = [&](Plane plane) { return at(plane, row - kPatch, -kPatch); };

@@ -20,7 +20,7 @@ enum Plane {
   kPlanes
 };
 
-/// Of a whole image, row by row.
+/// The planes of a whole image, row by row.
 struct Planes {
   int width = 0, height = 0;
   std::array<std::vector<float>, kPlanes> values;
@@ -36,13 +36,13 @@ class Tile {
   static constexpr int kSide = 32;
   static constexpr int kReach = 8;  // of offsets, in pixels
 
-  /// Of the pixels from (x, y) on. The image's border is repeated beyond it, for comparisons only.
+  /// Takes the pixels from (x, y) on. The image's border is repeated beyond it, for comparisons only.
   Tile(const Planes& planes, int x, int y);
-  /// To the sums of every pixel, the one that lies there from it, by how alike both are.
+  /// Adds to the sums of every pixel the one at that offset from it, weighted by how alike both are.
   void add(Offset offset);
-  /// Of a pixel in that row and column of the tile, one of the first three planes.
+  /// Returns the mean for a pixel in that row and column of the tile, in one of the first three planes.
   float mean(Plane plane, int row, int column) const;
-  /// Whether a pixel is a mean of several.
+  /// Returns whether a pixel is a mean of several.
   bool is_mixed(int row, int column) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxSide = 1 << 16;
 
-/// Nullopt if the parameter is absent or, after an error, if it does not have four values.
+/// Returns nullopt if the parameter is absent or, after an error, if it does not have four values.
 template <class T>
 std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, const std::vector<T>& values) {
   if (values.empty()) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<std::array<T, 4>> four(ParamReader& reader, const char* name, cons
   return std::array<T, 4>{values[0], values[1], values[2], values[3]};
 }
 
-/// An invalid side becomes `fallback`, so that one error does not cause others.
+/// Replaces an invalid side by `fallback`, so that one error does not cause others.
 void check_side(ParamReader& reader, const char* name, int& side, int fallback) {
   if (side >= 1 && side <= kMaxSide) return;
   reader.error(name, "the resolution must be between 1 and 65536");
@@ -56,11 +56,11 @@ constexpr std::string_view kRealSensors[] = {
     "hasselblad_l1d_20c", "nikon_d810",         "nikon_d850",        "sony_ilce_6400",      "sony_ilce_7m3",
     "sony_ilce_7rm3",     "sony_ilce_9"};
 
-/// pbrt's default for them.
+/// pbrt's default white balance for real sensors.
 constexpr float kWhiteOfRealSensors = 6500;
 
-/// After "whitebalance", whose default depends on it. pbrt fits each sensor's response to XYZ under the white balance, so
-/// what cie1931 does not have of it is the error of that fit.
+/// Call this after reading "whitebalance", whose default depends on the sensor. pbrt fits each sensor's response to XYZ
+/// under the white balance, so cie1931 lacks only the error of that fit.
 void read_sensor(ParamReader& reader, FilmSettings& film) {
   const std::string sensor = reader.text("sensor", "cie1931", "cie1931; it stands in for pbrt's real cameras");
   if (sensor == "cie1931") return;
@@ -105,7 +105,7 @@ std::unique_ptr<FilmSettings> make_rgb(ParamReader& reader) {
   return film;
 }
 
-/// An rgb film with buckets that nothing fills.
+/// Makes an rgb film with buckets that nothing fills.
 std::unique_ptr<FilmSettings> make_spectral(ParamReader& reader) {
   const int buckets = reader.integer("nbuckets", 16, "", "of the wavelengths, in pbrt");
   const float shortest = reader.number("lambdamin", 360, "nm", "shortest wavelength, in pbrt");

@@ -38,20 +38,21 @@ struct FilmSettings {
 inline constexpr std::string_view kImageNames = ".exr, .png, .webp, .pfm or .hdr";
 bool is_image_name(const std::string& filename);
 
-/// The pixels to render: pbrt's rounding. Empty if nothing of the image is left.
+/// Returns the pixels to render, with pbrt's rounding; empty if nothing of the image is left.
 PixelRect crop_of(const FilmSettings& film);
-/// The same picture in another resolution: pixel bounds are scaled, too. At least one pixel, at most 65536 a side.
+/// Returns the same picture in another resolution: pixel bounds are scaled, too. A side has at least one pixel and at
+/// most 65536.
 FilmSettings scaled(FilmSettings film, int width, int height);
 FilmSettings scaled(const FilmSettings& film, double share);
 
-/// Values of the image file over radiance, for a shutter that is open that long (pbrt's imaging ratio).
+/// Returns the values of the image file over radiance, for a shutter that is open that long (pbrt's imaging ratio).
 inline float imaging_ratio(const FilmSettings& film, float exposure_seconds) {
   return exposure_seconds * film.iso / 100;
 }
 
-/// For colours in Rec. 709; nullopt: they stay as they are.
+/// Returns the matrix for colours in Rec. 709; nullopt if they stay as they are.
 std::optional<ColourMatrix> white_balance(const FilmSettings& film);
-/// From Rec. 709 to the film's colour space, likewise.
+/// Returns the matrix from Rec. 709 to the film's colour space; nullopt if they are the same.
 std::optional<ColourMatrix> to_film_space(const FilmSettings& film);
 
 /// Scales a colour down until its largest component is at most `limit`; the hue stays.

@@ -102,7 +102,7 @@ FilterProfile positive_profile(float radius, const Fn& function) {
   return FilterProfile(radius, std::move(weights));
 }
 
-/// At x in units of half the radius, not normalised. [Mitchell, Netravali 1988]
+/// Evaluates the filter at x in units of half the radius, not normalised. [Mitchell, Netravali 1988]
 double mitchell(double x, double b, double c) {
   x = std::abs(x);
   if (x >= 2) return 0;

@@ -17,10 +17,10 @@ struct Numbers {
   const float* operator[](std::size_t element) const { return values.data() + element * width; }
 };
 
-/// Of accessors/index. Integers that are normalised become 0 to 1, or -1 to 1. Throws std::runtime_error, also if a
-/// value is not finite.
+/// Returns the numbers of accessors/index. Integers that are normalised become 0 to 1, or -1 to 1. Throws
+/// std::runtime_error, also if a value is not finite.
 Numbers numbers_of(const Document& document, std::size_t index);
-/// Exactly, of an accessor of whole numbers.
+/// Returns the exact numbers of an accessor of whole numbers.
 std::vector<std::uint32_t> indices_of(const Document& document, std::size_t index);
 
 }  // namespace dspm::gltf

@@ -18,7 +18,7 @@ std::string target_of(const Value& channel) {
   return target["node"].exists() ? fmt::format("/nodes/{}/{}", target["node"].count(0), path) : "";
 }
 
-/// [appendix C.4]
+/// Interpolates quaternions. [appendix C.4]
 std::vector<double> slerp(const float* a, const float* b, double t) {
   double cosine = 0;
   for (int c = 0; c < 4; ++c) cosine += double{a[c]} * b[c];
@@ -30,7 +30,7 @@ std::vector<double> slerp(const float* a, const float* b, double t) {
   return result;
 }
 
-/// The value that a JSON pointer names, if its parent is there; null otherwise. Arrays do not grow.
+/// Returns the value that a JSON pointer names, if its parent is there; null otherwise. Arrays do not grow.
 Json* place_of(Json& json, const std::string& pointer) {
   Json* place = &json;
   for (std::size_t at = 0; at < pointer.size();) {

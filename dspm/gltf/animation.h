@@ -11,10 +11,10 @@ namespace dspm::gltf {
 
 class Channel {
  public:
-  /// Of animations/i/channels/j. Throws std::runtime_error.
+  /// Reads animations/i/channels/j. Throws std::runtime_error.
   Channel(const Document& document, const Value& animation, const Value& channel);
 
-  /// "/nodes/3/rotation"; empty: it sets nothing.
+  /// The place that it sets: "/nodes/3/rotation"; empty if it sets nothing.
   const std::string& target() const { return target_; }
   double end() const { return times_.empty() ? 0 : times_.back(); }
   std::vector<double> at(double time) const;
@@ -29,7 +29,7 @@ class Channel {
   std::size_t width_ = 0;  // numbers of one value
 };
 
-/// The animations that play: the one of that name, or if it is empty the first and those that set other places.
+/// The animations that play: the one of that name or, if it is empty, the first and those that set other places.
 struct Animation {
   std::vector<std::string> played, left_out;  // names
   std::vector<Channel> channels;

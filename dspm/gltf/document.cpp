@@ -36,7 +36,7 @@ Document::Document(const std::filesystem::path& path, std::string file) : path_(
   expanded_.resize(root()["bufferViews"].size());
 }
 
-/// A file of a later glTF 2 that needs nothing of it can be read.
+/// Checks the version. A file of a later glTF 2 that needs nothing of it can be read.
 void Document::check_version() const {
   const Value asset = root()["asset"];
   if (!asset["version"].exists()) throw std::runtime_error("it is not a glTF file: asset/version is missing");

@@ -14,7 +14,7 @@
 
 namespace dspm::gltf {
 
-/// Bytes between which there may be others.
+/// A run of elements, between which there may be other bytes.
 struct View {
   std::string_view bytes;
   std::size_t stride = 0;  // 0: tightly packed
@@ -22,23 +22,23 @@ struct View {
 
 class Document {
  public:
-  /// Of a .gltf or .glb file. Throws std::runtime_error with a sentence that does not name the file.
+  /// Reads a .gltf or .glb file. Throws std::runtime_error with a sentence that does not name the file.
   explicit Document(const std::filesystem::path& path);
-  /// The same of bytes that are already there.
+  /// Reads bytes that are already there.
   Document(const std::filesystem::path& path, std::string file);
 
   Value root() const { return {&json_, ""}; }
   Value operator[](const std::string& key) const { return root()[key]; }
   const std::filesystem::path& path() const { return path_; }
   const Json& json() const { return json_; }
-  /// Bytes of the file and its buffers, by which hostile counts are bounded.
+  /// The bytes of the file and its buffers, by which hostile counts are bounded.
   std::size_t bytes() const { return bytes_; }
 
-  /// Of bufferViews/index, expanded if it is compressed.
+  /// Returns bufferViews/index, expanded if it is compressed.
   View view(std::size_t index) const;
-  /// Of images/index, in a format of its own.
+  /// Returns images/index, in a format of its own.
   std::string picture(std::size_t index) const;
-  /// ".png", ".jpg", ...
+  /// Returns ".png", ".jpg", ...
   std::string extension_of_picture(std::size_t index) const;
 
  private:

@@ -15,7 +15,7 @@ struct DracoMesh {
   std::vector<std::uint32_t> corners;         // three to a triangle
 };
 
-/// `how`: the extension's object in a primitive. Throws std::runtime_error.
+/// Decodes a primitive; `how` is the extension's object in it. Throws std::runtime_error.
 DracoMesh decode_draco(const Document& document, const Value& how);
 bool reads_draco();
 

@@ -1,4 +1,4 @@
-// What messages quote of a file's data: it may be a megabyte in one word.
+// What messages quote of a file's data, which may be a megabyte in one word.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace dspm::gltf {
 
-/// At most a line of it, without control characters.
+/// Returns at most a line of it, without control characters.
 inline std::string excerpt(std::string_view text, std::size_t most = 100) {
   const bool is_cut = text.size() > most;
   if (is_cut) {

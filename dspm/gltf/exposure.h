@@ -10,12 +10,12 @@
 
 namespace dspm::gltf {
 
-/// What these nodes' lights (KHR_lights_punctual) bring to a place of the file's world in the first frame, in lux, if
-/// nothing is in the way.
+/// Returns the illuminance, in lux, that these nodes' lights (KHR_lights_punctual) bring to a place of the file's world
+/// in the first frame, if nothing is in the way.
 double illuminance(const Document& document, const Poses& poses, const std::vector<std::size_t>& nodes, const Vec3& at);
 
-/// By what power of two images are to be multiplied for a white surface to become about 1. Nullopt: as they are, it is
-/// neither dark nor too bright.
+/// Returns the power of two by which images are to be multiplied for a white surface to become about 1; nullopt if it
+/// is neither too dark nor too bright as it is.
 std::optional<double> exposure_for(double illuminance);
 
 }  // namespace dspm::gltf

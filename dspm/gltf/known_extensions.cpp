@@ -21,7 +21,7 @@ constexpr std::string_view kKnown[] = {
     "KHR_materials_volume", "KHR_mesh_quantization", "KHR_node_visibility", "KHR_texture_transform",
     // Without effect on pictures:
     "KHR_xmp_json_ld"};
-/// The material without them is close, and translating it says so.
+/// Extensions that dspm leaves out: the material without them is close, and translating it says so.
 constexpr std::string_view kNearly[] = {"KHR_materials_dispersion"};
 
 bool holds(std::span<const std::string_view> names, const std::string& name) {

@@ -8,7 +8,8 @@
 
 namespace dspm::gltf {
 
-/// Throws std::runtime_error if the file requires one that dspm does not read. Notes about the others that it uses.
+/// Throws std::runtime_error if the file requires an extension that dspm does not read. Returns notes about the others
+/// that it uses.
 std::vector<std::string> check_extensions(const Document& document);
 
 }  // namespace dspm::gltf

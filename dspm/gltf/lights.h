@@ -6,15 +6,15 @@
 
 namespace dspm::gltf {
 
-/// Of extensions/KHR_lights_punctual/lights/i, at the origin, shining along -z. Candela and lux are dspm's W/sr and
-/// W/m^2, as nits of emission are its radiance: one unit of light is the same from all lights of a file.
+/// Translates extensions/KHR_lights_punctual/lights/i, at the origin, shining along -z. Candela and lux are dspm's W/sr
+/// and W/m^2, as nits of emission are its radiance: one unit of light is the same from all lights of a file.
 Statement light_of(const Value& light);
 
 struct Sight {
   Statement camera;
   double aspect;  // width over height
 };
-/// Of cameras/i. `usual`: the aspect if it has none.
+/// Translates cameras/i. `usual` is the aspect if it has none.
 Sight camera_of(const Value& camera, double usual);
 
 }  // namespace dspm::gltf

@@ -23,11 +23,11 @@ class MaterialUses {
         materials_(materials),
         prefix_(std::move(prefix)) {}
 
-  /// The name of the primitive's material, which is defined when it is first asked for.
+  /// Returns the name of the primitive's material, which is defined when it is first asked for.
   std::string name_of(const Value& primitive);
 
   const std::string& definitions() const { return definitions_; }
-  /// An axis with the file's variants; empty: it has none that change anything.
+  /// Returns an axis with the file's variants; empty if there are none that change anything.
   std::string axis();
 
  private:

@@ -35,7 +35,7 @@ class MaterialTranslator {
   Statement& material() { return result_.material; }
   void note(const std::string& sentence) { all_.notes_.insert(sentence); }
 
-  /// The name of a new texture of that class.
+  /// Returns the name of a new texture of that class.
   std::string add(const std::string& part, const char* type, const char* kind, std::vector<Parameter> parameters) {
     const std::string name = name_ + ", " + part;
     result_.textures.push_back(
@@ -51,8 +51,8 @@ class MaterialTranslator {
     }
   }
 
-  /// The place of a picture: v runs up in dspm, so what glTF turns and moves around the upper left corner is put in
-  /// terms of the lower left one.
+  /// Places a picture. v runs up in dspm, so what glTF turns and moves around the upper left corner is put in terms of
+  /// the lower left one.
   void place(const Value& info, Statement& picture) {
     const Value transform = info.extension("KHR_texture_transform");
     const std::size_t set = transform["texCoord"].count(info["texCoord"].count(0));
@@ -78,7 +78,7 @@ class MaterialTranslator {
     return source;
   }
 
-  /// Empty: there is no picture. `channel`: empty for colours.
+  /// Returns the name of a picture's texture; empty if there is no picture. `channel` is empty for colours.
   std::string picture(const Value& info, const std::string& part, const char* channel, const char* encoding,
                       double factor = 1) {
     if (!info.exists()) return {};
@@ -102,7 +102,7 @@ class MaterialTranslator {
     return add(part, *channel != '\0' ? "float" : "spectrum", "imagemap", std::move(picture.parameters));
   }
 
-  /// A number, times a picture's channel. Of the product, the material takes what lies in [0, 1].
+  /// Sets a number, times a picture's channel. Of the product, the material takes what lies in [0, 1].
   void number(const char* parameter, double factor, const Value& info, const char* channel) {
     factor = std::max(factor, 0.0);
     const std::string map = picture(info, parameter, channel, "linear", factor);
@@ -119,8 +119,8 @@ class MaterialTranslator {
     material().number((of + "scale").c_str(), info["scale"].number(1), 1);
   }
 
-  /// A colour, times a picture, times the colours of the vertices. What exceeds 1 goes into the picture's scale, as
-  /// colours of textures must not. `most`: what the material takes.
+  /// Sets a colour, times a picture, times the colours of the vertices. What exceeds 1 goes into the picture's scale,
+  /// as colours of textures must not exceed it. `most` is the largest value that the material takes.
   void colour(const char* parameter, Triple factor, const Value& info, double most = 1, bool of_vertices = false) {
     for (double& value : factor) value = std::max(value, 0.0);
     const double scale = std::max(1.0, *std::max_element(factor.begin(), factor.end()));
@@ -135,7 +135,7 @@ class MaterialTranslator {
     material().texture(parameter, map);
   }
 
-  /// A texture, if there is one, times the colours or opacities of the vertices.
+  /// Multiplies a texture, if there is one, by the colours or opacities of the vertices.
   std::string times_vertices(const std::string& map, const char* parameter, const char* type) {
     const std::string own = add(fmt::format("{} of vertices", parameter), type, "vertexcolor", {});
     if (map.empty()) return own;
@@ -151,8 +151,9 @@ class MaterialTranslator {
   struct Facets {
     double roughness, anisotropy;
   };
-  /// glTF stretches alpha along the tangent to alpha + (1 - alpha) s^2 with the strength s. principled keeps the product
-  /// of both alphas, and their ratio is 1 - 0.9 anisotropy. Where pictures change them, s stands for the anisotropy.
+  /// Returns roughness and anisotropy. glTF stretches alpha along the tangent to alpha + (1 - alpha) s^2 with the
+  /// strength s. principled keeps the product of both alphas, and their ratio is 1 - 0.9 anisotropy. If pictures change
+  /// them, s stands for the anisotropy.
   Facets facets() const {
     const Value pbr = material_["pbrMetallicRoughness"], stretched = material_.extension("KHR_materials_anisotropy");
     const double factor = pbr["roughnessFactor"].number(1), strength = stretched["anisotropyStrength"].number(0);
@@ -176,7 +177,7 @@ class MaterialTranslator {
   }
 
   static constexpr double kUsualIor = 1.5;
-  /// 0: all light is mirrored, times the specular colour.
+  /// Returns the index of refraction; 0 means that all light is mirrored, times the specular colour.
   double ior() const { return material_.extension("KHR_materials_ior")["ior"].number(kUsualIor); }
 
   void transmission() {
@@ -202,7 +203,8 @@ class MaterialTranslator {
     material().number("attenuationdistance", distance, INFINITY);
   }
 
-  /// principled, too, bounds the product of the colour and what the index of refraction mirrors.
+  /// Sets the specular colour. principled, too, bounds the product of the colour and what the index of refraction
+  /// mirrors.
   void specular() {
     const Value mirror = material_.extension("KHR_materials_specular");
     if (!mirror.exists() && ior() != 0) return;
@@ -243,7 +245,7 @@ class MaterialTranslator {
     film();
   }
 
-  /// A picture's channel leads from the least thickness to the greatest.
+  /// Sets the film; a picture's channel leads from the least thickness to the greatest.
   void film() {
     const Value film = material_.extension("KHR_materials_iridescence");
     if (!film.exists()) return;
@@ -267,7 +269,7 @@ class MaterialTranslator {
     material().number("emissionstrength", std::max(strength, 0.0), 1);
   }
 
-  /// It shows its colour whatever the light, so it emits it.
+  /// Makes the material emit its colour, because it shows it whatever the light.
   void unlit() {
     const auto factor = base_factor();
     material().rgb("basecolor", Triple{0, 0, 0}), material().number("specular", 0, 1);

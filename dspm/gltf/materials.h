@@ -1,4 +1,4 @@
-// Materials of glTF as those of the scene language, all of them "principled".
+// Translates materials of glTF into those of the scene language, all of them "principled".
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace dspm::gltf {
 
-/// What a mesh has beside its positions, as far as materials ask.
+/// What materials need to know of what a mesh has beside its positions.
 struct MeshLook {
   bool has_colours = false, has_opacities = false;
 
@@ -32,15 +32,15 @@ struct MaterialStatements {
 
 class Materials {
  public:
-  /// `picture_name`: of images/index, as the scene's text names it.
+  /// `picture_name` returns the name of images/index in the scene's text.
   Materials(const Document& document, std::function<std::string(std::size_t)> picture_name)
       : document_(document), picture_name_(std::move(picture_name)) {}
 
-  /// `material`: of the document, or of it at some moment; one that does not exist is glTF's default.
+  /// Translates `material` of the document, or of it at some moment; one that does not exist is glTF's default.
   MaterialStatements translate(const Value& material, const std::string& name, const MeshLook& look,
                                const MaterialForm& form = {});
 
-  /// What dspm does not have, each once.
+  /// Notes of what dspm does not have, each once.
   const std::set<std::string>& notes() const { return notes_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace dspm::gltf {
 
-/// What the extension's object `how` says that `bytes` hold. Throws std::runtime_error.
+/// Expands `bytes` as the extension's object `how` says. Throws std::runtime_error.
 std::string expand_meshopt(const Value& how, std::string_view bytes);
 bool reads_meshopt();
 

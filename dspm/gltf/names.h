@@ -11,7 +11,7 @@ namespace dspm::gltf {
 
 class Names {
  public:
-  /// `wanted`, or `instead` if that is empty, with a number if it has been taken.
+  /// Returns `wanted`, or `instead` if that is empty, with a number if it has been taken.
   std::string add(const std::string& wanted, const std::string& instead) {
     const std::string name = shortened(wanted.empty() ? instead : wanted);
     std::string unique = name;
@@ -30,7 +30,7 @@ class Names {
   std::set<std::string> taken_;
 };
 
-/// Without what a file's name cannot hold.
+/// Removes what a file's name cannot hold.
 inline std::string for_file(std::string name) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) <= ' ' || std::string_view("/\\:*?\"<>|%#$").find(c) != std::string_view::npos)
@@ -38,7 +38,7 @@ inline std::string for_file(std::string name) {
   return name;
 }
 
-/// Names of variations become parts of files' names; blanks are welcome there.
+/// Makes a name for a variation, which becomes a part of files' names; blanks are welcome there.
 inline std::string for_variation(std::string name) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) < ' ' || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos)

@@ -37,7 +37,7 @@ void expect_transform(const std::array<double, 16>& columns, const Value& node) 
   if (fault != nullptr) node.fail(fmt::format("the matrix of node \"{}\" {}", node["name"].text(""), fault));
 }
 
-/// Nodes that some channel sets, and meshes whose weights are set.
+/// Returns the nodes that some channel sets, and those whose meshes' weights are set.
 std::set<std::size_t> animated_nodes(const Document& document, const Animation& animation) {
   std::set<std::size_t> nodes;
   const Value all = document["nodes"];

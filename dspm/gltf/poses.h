@@ -25,12 +25,12 @@ struct Pose {
     return translation == other.translation && rotation == other.rotation && scale == other.scale &&
            matrix == other.matrix;
   }
-  /// Degrees around an axis of unit length.
+  /// Returns the rotation in degrees around an axis of unit length.
   std::array<double, 4> turn() const;
   Matrix4 transform() const;
 };
 
-/// A scale of 0 has no inverse.
+/// Keeps a scale away from 0, which has no inverse.
 inline double with_inverse(double scale) { return std::abs(scale) < 1e-5 ? std::copysign(1e-5, scale) : scale; }
 
 class Poses {
@@ -40,15 +40,15 @@ class Poses {
 
   int frames() const { return frames_; }
   const Pose& at(std::size_t node, int frame) const;
-  /// By its own transform.
+  /// Returns whether the node moves by its own transform.
   bool moves(std::size_t node) const;
   bool changes_weights(std::size_t node) const;
   bool changes_visibility(std::size_t node) const;
   std::optional<std::size_t> parent(std::size_t node) const { return parents_[node]; }
   Matrix4 world(std::size_t node, int frame) const;
-  /// A matrix for each joint of skins/index: from the mesh's place to the world.
+  /// Returns a matrix for each joint of skins/index, from the mesh's place to the world.
   std::vector<Matrix4> skin(const Document& document, std::size_t index, int frame) const;
-  /// Whether it is the same in all frames.
+  /// Returns whether the skin is the same in all frames.
   bool skin_rests(const Document& document, std::size_t index) const;
 
  private:
@@ -57,7 +57,8 @@ class Poses {
   std::vector<std::vector<Pose>> poses_;  // by node: one, or one for each frame
 };
 
-/// How many there are from the time 0 to the end. Throws std::runtime_error if they are more than `most`.
+/// Returns how many frames there are from the time 0 to the end. Throws std::runtime_error if they are more than
+/// `most`.
 int frames_of(double duration, double fps, int most);
 
 }  // namespace dspm::gltf

@@ -37,7 +37,7 @@ class Reader {
   }
 
  private:
-  /// `width` 0: any; `count` 0: any.
+  /// Reads an attribute. A `width` or `count` of 0 accepts any.
   Numbers attribute(const std::string& name, std::size_t width, std::size_t count = 0) const {
     if (draco_)
       if (const auto found = draco_->attributes.find(name); found != draco_->attributes.end())
@@ -115,8 +115,8 @@ std::array<double, 3> applied(const Matrix4& m, const float* v, double w) {
   return result;
 }
 
-/// By the weighted mean of the joints' matrices. Normals are moved as tangents are, which is close as long as joints
-/// scale alike in all directions.
+/// Moves vertices by the weighted mean of the joints' matrices. Normals are moved as tangents are, which is close as
+/// long as joints scale alike in all directions.
 void move_by_joints(Primitive& p, const std::vector<Matrix4>& skin) {
   for (std::size_t i = 0; i < p.positions.count; ++i) {
     Matrix4 mean;

@@ -12,7 +12,7 @@
 
 namespace dspm::gltf {
 
-/// Attributes are empty if the file has none; else there is one element for each vertex.
+/// The attributes of a primitive. They are empty if the file has none; otherwise there is one element for each vertex.
 struct Primitive {
   struct Target {
     Numbers positions, normals, tangents;  // what one whole weight adds
@@ -26,17 +26,18 @@ struct Primitive {
   bool has_opacities() const { return colours.width == 4; }
 };
 
-/// Whether the mode has surfaces; points and lines have none.
+/// Returns whether the mode has surfaces; points and lines have none.
 bool has_surface(const Value& primitive);
 
 /// Throws std::runtime_error.
 Primitive read_primitive(const Document& document, const Value& primitive);
 
-/// Moved by morph targets, then by joints. `skin`: a matrix for each joint; empty: not skinned.
+/// Moves the vertices by morph targets, then by joints. `skin` has a matrix for each joint; it is empty if the
+/// primitive is not skinned.
 void pose(Primitive& primitive, const std::vector<double>& weights, const std::vector<Matrix4>& skin);
 
-/// As a binary PLY file with the properties of dspm's plymesh. Pictures hang from (0, 1) in glTF, and stand on (0, 0)
-/// there.
+/// Writes a binary PLY file with the properties of dspm's plymesh. Pictures hang from (0, 1) in glTF, and stand on (0,
+/// 0) there.
 std::string ply_of(const Primitive& primitive);
 
 }  // namespace dspm::gltf

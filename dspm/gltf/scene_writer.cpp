@@ -169,7 +169,7 @@ void SceneWriter::see_points(const std::vector<Vec3>& points, const Matrix4& pla
   for (const Vec3& point : points) subject_.add(to_world.point(point));
 }
 
-/// Some of them, from the first to the last.
+/// Returns some of the frames, from the first to the last.
 std::vector<int> SceneWriter::frames_to_see() const {
   if (motion_->animation.channels.empty() || motion_->frames == 1) return {0};
   const int count = std::min(motion_->frames, kMostFramesSeen);
@@ -248,7 +248,7 @@ std::string SceneWriter::header() {
   return text;
 }
 
-/// For the file's own lights alone: the studio's are as bright as they should be.
+/// Returns the exposure for the file's own lights alone: the studio's are as bright as they should be.
 std::string SceneWriter::exposure() {
   std::vector<std::size_t> nodes;
   for (std::size_t node = 0; node < useful_.size(); ++node)

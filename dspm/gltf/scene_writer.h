@@ -1,4 +1,5 @@
-// Writes a document's scene: its materials, its tree of nodes, its variants; and what goes before if it is a whole scene.
+// Writes a document's scene: its materials, its tree of nodes, its variants; and what goes before these if it is a
+// whole scene.
 #pragma once
 
 #include <memory>

@@ -47,11 +47,11 @@ struct Statement {
   friend bool operator==(const Statement&, const Statement&) = default;
 };
 
-/// On one line.
+/// Returns the statement on one line.
 std::string text_of(const Statement& statement);
 
-/// One statement for all frames: what differs between them is keyed. Their heads are those of the first. A parameter
-/// that is not in all frames, or changes its type, keeps what the first frame has.
+/// Returns one statement for all frames, in which what differs between them is keyed. The head is that of the first. A
+/// parameter that is not in all frames, or changes its type, keeps what the first frame has.
 Statement keyed(std::span<const Statement> frames);
 
 }  // namespace dspm::gltf

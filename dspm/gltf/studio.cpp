@@ -17,7 +17,7 @@ std::string listed(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z
 
 float size_of(const Subject& subject) { return std::max(0.5f * length(subject.bounds.extent()), 1e-6f); }
 
-/// From the subject to a place in that direction.
+/// Returns the direction from the subject to a place at that azimuth and elevation.
 Vec3 towards(float azimuth, float elevation) {
   const float a = azimuth * kPi / 180, e = elevation * kPi / 180;
   return {std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)};

@@ -1,4 +1,4 @@
-// Where a file has no camera or no light: a neutral studio.
+// A neutral studio for a file that has no camera or no light.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@ struct Subject {
 
 inline constexpr double kStudioFov = 28;  // degrees, over the height
 
-/// A LookAt from the front, a little from the right and from above, with all points in the picture.
+/// Returns a LookAt from the front, a little from the right and from above, with all points in the picture.
 std::string view_of(const Subject& subject, double aspect);
 
-/// A sky, or that of the file `hdr`, and beside a plain one a soft key light.
+/// Returns a plain sky and a soft key light, or the sky of the file `hdr` alone.
 std::string light_for(const Subject& subject, const std::string& hdr);
 
-/// A matte ground under the subject, as far as the picture goes.
+/// Returns a matte ground under the subject, as far as the picture goes.
 std::string ground_for(const Subject& subject);
 
 }  // namespace dspm::gltf

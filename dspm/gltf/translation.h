@@ -24,7 +24,7 @@ struct Settings {
   std::string camera;           // its name or number, from 1; empty: the first
   std::string studio = "auto";  // on, off, or auto: what is missing
   std::string hdr;              // a picture of the light around; empty: none
-  /// It becomes part of a scene, without camera and studio; else it is a whole scene.
+  /// If set, the file becomes part of a scene, without camera and studio; otherwise it is a whole scene.
   std::optional<Around> around = std::nullopt;
   bool is_defined = false;  // names of materials and variants are known, as of a file that comes again
 };
@@ -37,7 +37,8 @@ struct Translation {
 
 bool is_gltf_name(const std::filesystem::path& path);
 
-/// `folder`: before the names of files. Throws std::runtime_error with a sentence that does not name the file.
+/// Translates a file; `folder` goes before the names of files. Throws std::runtime_error with a sentence that does not
+/// name the file.
 Translation translate(const std::filesystem::path& path, const std::string& folder, const Settings& settings);
 
 class Document;

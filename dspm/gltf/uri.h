@@ -7,15 +7,15 @@
 
 namespace dspm::gltf {
 
-/// "data:image/png;base64,iVBOR..." as bytes; nullopt if the URI is not of that kind. Letter case counts in the data alone.
-/// Throws std::runtime_error.
+/// Returns the bytes of "data:image/png;base64,iVBOR..."; nullopt if the URI is not of that kind. Letter case counts in
+/// the data alone. Throws std::runtime_error.
 std::optional<std::string> data_of_uri(std::string_view uri);
-/// Its media type in lower case: "image/png"; nullopt likewise.
+/// Returns its media type in lower case: "image/png"; nullopt if the URI is not of that kind.
 std::optional<std::string> type_of_data_uri(std::string_view uri);
 
 std::string lower_case(std::string_view text);
 
-/// "a%20chair.bin" is "a chair.bin".
+/// Unescapes a name: "a%20chair.bin" becomes "a chair.bin".
 std::string unescaped(std::string_view uri);
 
 }  // namespace dspm::gltf

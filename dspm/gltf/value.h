@@ -1,5 +1,5 @@
-// A value of a glTF file's JSON and its place, so that whatever is wrong is said with the place:
-// "materials/3/alphaCutoff: a number is expected".
+// A value of a glTF file's JSON and its place, so that messages say where something is wrong: "materials/3/alphaCutoff:
+// a number is expected".
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ using Json = nlohmann::json;
 
 class Value {
  public:
-  /// Null: there is no such value.
+  /// `json` is null if there is no such value.
   Value(const Json* json, std::string place) : json_(json), place_(std::move(place)) {}
 
   bool exists() const { return json_ != nullptr; }
   const std::string& place() const { return place_; }
   const Json& json() const { return *json_; }
 
-  /// A member of an object, an element of an array; what does not exist has none.
+  /// Returns a member of an object, or an element of an array; a value that does not exist has none.
   Value operator[](const std::string& key) const;
   Value operator[](std::size_t index) const;
-  /// Of an array, or of the members of an object; 0 if it does not exist.
+  /// Returns the size of an array, or the number of an object's members; 0 if it does not exist.
   std::size_t size() const;
   std::vector<std::string> keys() const;
   Value extension(const std::string& name) const { return (*this)["extensions"][name]; }
@@ -35,7 +35,7 @@ class Value {
   bool flag(bool fallback) const;
   std::string text(const std::string& fallback) const;
   std::vector<double> numbers() const;
-  /// As many numbers as in `fallback`.
+  /// Returns as many numbers as there are in `fallback`.
   template <std::size_t N>
   std::array<double, N> numbers(const std::array<double, N>& fallback) const {
     if (!exists()) return fallback;
@@ -45,11 +45,11 @@ class Value {
     std::copy(all.begin(), all.end(), result.begin());
     return result;
   }
-  /// A whole number of at least 0.
+  /// Returns a whole number of at least 0.
   std::size_t count(std::size_t fallback) const;
-  /// One of `count` things; nullopt if it does not exist.
+  /// Returns the index of one of `count` things; nullopt if it does not exist.
   std::optional<std::size_t> index(std::size_t count) const;
-  /// The same of what must be given.
+  /// Returns the index of something that must be given.
   std::size_t required_index(std::size_t count) const;
 
   /// Throws std::runtime_error.

@@ -107,7 +107,7 @@ void SceneWriter::write_mesh(std::size_t node, int depth) {
   if (changes) line(depth, "DynamicEnd");
 }
 
-/// A skin's joints place it in the world, wherever its node is.
+/// Writes a skinned mesh, which its joints place in the world, wherever its node is.
 void SceneWriter::write_skinned(std::size_t node, int depth) {
   const bool changes = changes_shape(node);
   const std::string name = in_quotes(name_of(node, "skin") + " in motion");
@@ -117,7 +117,7 @@ void SceneWriter::write_skinned(std::size_t node, int depth) {
   line(depth, changes ? "DynamicEnd" : "AttributeEnd");
 }
 
-/// [EXT_mesh_gpu_instancing]
+/// Returns the node's instances. [EXT_mesh_gpu_instancing]
 std::vector<Pose> SceneWriter::instances_of(std::size_t node) const {
   const Value own = (*document_)["nodes"][node];
   const Value attributes = own.extension("EXT_mesh_gpu_instancing")["attributes"];
@@ -167,7 +167,7 @@ std::string SceneWriter::object_of(std::size_t mesh, std::size_t node) {
   return name;
 }
 
-/// Outside of Dynamic blocks, whose names are those of what is in them.
+/// Returns whether the node is outside of Dynamic blocks, whose names are those of what is in them.
 bool SceneWriter::is_still(std::size_t node) const {
   const Poses& poses = *motion_->poses;
   if (changes_shape(node)) return false;
@@ -176,7 +176,7 @@ bool SceneWriter::is_still(std::size_t node) const {
   return true;
 }
 
-/// `name`: of what the shapes are parts of; empty: the scene gives it.
+/// Writes shapes. `name` is that of what they are parts of; if it is empty, the scene gives it.
 void SceneWriter::write_shapes(std::size_t node, bool changes, int depth, const std::string& name) {
   const std::string own = name.empty() ? "" : " \"string name\" " + in_quotes(name);
   const std::size_t mesh = (*document_)["nodes"][node]["mesh"].count(0);
@@ -188,7 +188,7 @@ void SceneWriter::write_shapes(std::size_t node, bool changes, int depth, const 
   }
 }
 
-/// The name of a mesh's file, with %04d for the frame's number if it changes.
+/// Returns the name of a mesh's file, with %04d for the frame's number if it changes.
 std::string SceneWriter::mesh_file(std::size_t node, std::size_t primitive, bool changes) {
   const Value own = (*document_)["nodes"][node];
   const std::size_t mesh = own["mesh"].count(0);

@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// counts[t][c]: the number of elements of class c in thread t. Replaces it by the place of the first of them, ordered
-/// by class, then thread; begins[c] is the place where class c begins, and the last of `begins` is the total.
+/// Replaces counts[t][c], the number of elements of class c in thread t, by the place of the first of them, ordered by
+/// class, then thread. begins[c] is the place where class c begins, and the last of `begins` is the total.
 template <class Counts, class Begins>
 void turn_into_places(std::vector<Counts>& counts, Begins& begins) {
   typename Begins::value_type sum = 0;

@@ -12,13 +12,13 @@
 namespace dspm {
 namespace {
 
-/// Points for one thread at a time: few, so that many threads share small grids.
+/// Returns the points for one thread at a time: few, so that many threads share small grids.
 std::int64_t grain(std::int64_t points) {
   constexpr std::int64_t kLeast = 1 << 10, kMost = 1 << 14, kChunks = 64;
   return std::clamp(points / kChunks, kLeast, kMost);
 }
 
-/// At least 0; NaN, which huge coordinates can cause, becomes 0.
+/// Truncates to at least 0; NaN, which huge coordinates can cause, becomes 0.
 int truncated(float v, float most) { return static_cast<int>(std::min(std::max(0.f, v), most)); }
 
 int cells_along(float extent, float cell) { return truncated(extent / cell, 1e6f) + 1; }

@@ -7,7 +7,7 @@
 namespace dspm {
 namespace {
 
-/// For each subset of four lanes, the byte shuffle that moves it to the front.
+/// The byte shuffle that moves each subset of four lanes to the front.
 struct LaneShuffles {
   alignas(16) std::uint8_t bytes[16][16] = {};
 

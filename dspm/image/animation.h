@@ -10,17 +10,17 @@
 
 namespace dspm {
 
-/// .webp or .apng
+/// Returns whether the name ends with .webp or .apng.
 bool is_animation_name(const std::filesystem::path& path);
 
-/// Images of one size, linear, shown one after the other for `seconds` each. WebP is lossy and sRGB, whatever the format;
-/// APNG is exact to the PNG's step. Throws WriteError.
+/// Writes images of one size, linear, shown one after the other for `seconds` each. WebP is lossy and sRGB, whatever
+/// the format; APNG is exact to the PNG's step. Throws WriteError.
 void write_animation(const std::filesystem::path& path, const std::vector<Image>& images, double seconds,
                      const PngFormat& format = {});
 
-/// The bytes of an APNG; see write_animation.
+/// Returns the bytes of an APNG; see write_animation.
 std::string apng_bytes(const std::vector<Image>& images, double seconds, const PngFormat& format = {});
-/// The bytes of a WebP; likewise. Throws std::runtime_error.
+/// Returns the bytes of a WebP; see write_animation. Throws std::runtime_error.
 std::string webp_bytes(const std::vector<Image>& images, double seconds);
 
 }  // namespace dspm

@@ -39,7 +39,7 @@ void append(std::string& file, const std::string& name, const std::string& conte
   file += number(static_cast<std::uint32_t>(content.size())) + both + number(static_cast<std::uint32_t>(crc));
 }
 
-/// Of a frame that covers the whole image and replaces the one before.
+/// Returns the control chunk of a frame that covers the whole image and replaces the one before.
 std::string frame_control(std::uint32_t sequence, const Image& image, double seconds) {
   const auto ticks = static_cast<std::uint32_t>(std::clamp(std::lround(seconds * kTicks), 1l, 65535l));
   return number(sequence) + number(static_cast<std::uint32_t>(image.width)) +

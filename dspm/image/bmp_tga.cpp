@@ -21,8 +21,8 @@ namespace dspm {
 
 namespace {
 
-/// stb_image takes bytes beyond the end as zeros. It asks for more only when it has used up what it got, so a request
-/// that gets nothing is one beyond the end.
+/// The bytes that stb_image reads. It takes bytes beyond the end as zeros, but asks for more only when it has used up
+/// what it got, so a request that gets nothing is one beyond the end.
 struct Source {
   std::string_view rest;
   bool ended = false;

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// [IEC 61966-2-1] Both are odd functions, so that negative values survive a round trip.
+/// Both are odd functions, so that negative values survive a round trip. [IEC 61966-2-1]
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 

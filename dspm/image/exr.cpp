@@ -31,8 +31,8 @@ namespace dspm {
 
 namespace {
 
-/// An image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while they are
-/// read.
+/// Returns an image of the data window's size, once that is known to be sane; whole rows of tiles are in memory while
+/// they are read.
 Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
@@ -43,7 +43,7 @@ Image image_for(const Imf::Header& header, std::size_t file_bytes) {
   return sized_image(width, height, file_bytes);
 }
 
-/// Where the library writes a channel's values: to every `stride`-th byte.
+/// Tells the library where to write a channel's values: to every `stride`-th byte.
 Imf::Slice slice(const Imf::Header& header, const std::string& name, float* first, std::size_t stride) {
   const Imf::Channel* channel = header.channels().findChannel(name);
   if (channel == nullptr) throw std::runtime_error("it has no channel " + name);
@@ -53,8 +53,8 @@ Imf::Slice slice(const Imf::Header& header, const std::string& name, float* firs
   return Imf::Slice::Make(Imf::FLOAT, first, window, stride, stride * static_cast<std::size_t>(width));
 }
 
-/// The channels' values become the pixels' r, g and b. Colours stay what they are in the file: by convention, multiplied
-/// by alpha.
+/// Reads the channels' values into the pixels' r, g and b. Colours stay what they are in the file: by convention,
+/// multiplied by alpha.
 Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std::size_t file_bytes) {
   static_assert(sizeof(Rgb) == 3 * sizeof(float));
   Image image = image_for(file.header(), file_bytes);
@@ -76,8 +76,8 @@ Image decode(Imf::InputFile& file, const std::vector<std::string>& channels, std
   return image;
 }
 
-/// Colours of the file's primaries become those of Rec. 709, by way of XYZ and without adaptation to its white, as in
-/// pbrt.
+/// Converts colours of the file's primaries to those of Rec. 709, by way of XYZ and without adaptation to its white, as
+/// in pbrt.
 void convert_to_rec709(Image& image, const Imf::Header& header) {
   const Imf::Chromaticities rec709;  // the library's default
   if (!Imf::hasChromaticities(header) || Imf::chromaticities(header) == rec709) return;
@@ -92,7 +92,7 @@ void convert_to_rec709(Image& image, const Imf::Header& header) {
   }
 }
 
-/// Y, and RY and BY for every second pixel of every second row. The library fills in what is between them.
+/// Reads Y, and RY and BY for every second pixel of every second row. The library fills in what is between them.
 Image decode_luminance_chroma(const Imf::Header& header, std::string_view bytes) {
   Image image = image_for(header, bytes.size());
   MemoryInput input(bytes);
@@ -120,7 +120,7 @@ ExrFormat format_of(const Imf::Header& header) {
   return {exr_compression(header.compression()), tile};
 }
 
-/// Of the spaces that we write the one with these primaries, else that of Rec. 709.
+/// Returns the one of the spaces that we write that has these primaries, else that of Rec. 709.
 ColourSpace space_of(const Imf::Header& header) {
   if (!Imf::hasChromaticities(header)) return ColourSpace::srgb;
   const Imf::Chromaticities& is = Imf::chromaticities(header);

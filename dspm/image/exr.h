@@ -18,7 +18,8 @@ namespace dspm {
 enum class ExrPixels { half, single };
 
 enum class ExrCompression { none, rle, zips, zip, piz, dwaa, dwab };
-/// OpenEXR's names. dwaa and dwab lose a little of channels named R, G, B or Y, in any layer; the others lose nothing.
+/// Reads OpenEXR's names. dwaa and dwab lose a little of channels named R, G, B or Y, in any layer; the others lose
+/// nothing.
 std::optional<ExrCompression> exr_compression(std::string_view name);
 
 /// How a file's pixels lie in it.
@@ -51,18 +52,18 @@ struct ExrLayer {
 };
 
 bool is_exr(std::string_view bytes);
-/// The data window of the first part: R, G and B, Y or Y with RY and BY, those of the only layer that has them, or the
-/// only channel. Colours of other chromaticities become those of Rec. 709. Throws std::exception.
+/// Returns the data window of the first part: R, G and B, Y or Y with RY and BY, those of the only layer that has them,
+/// or the only channel. Colours of other chromaticities become those of Rec. 709. Throws std::exception.
 Image decode_exr(std::string_view bytes);
 
-/// One part with the channels of all layers. Halves end at 65504: brighter values are clamped to that. Layers of
+/// Writes one part with the channels of all layers. Halves end at 65504: brighter values are clamped to that. Layers of
 /// different sizes are an error.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers, const ExrHeader& header,
                const ExrFormat& format = {});
-/// One layer: R, G and B.
+/// Writes one layer: R, G and B.
 void write_exr(const std::filesystem::path& path, const Image& image, const ExrHeader& header,
                ExrPixels pixels = ExrPixels::half);
-/// These channels of a file's first part. Throws std::exception.
+/// Returns these channels of a file's first part. Throws std::exception.
 Image read_exr_channels(const std::filesystem::path& path, const std::vector<std::string>& channels);
 ExrHeader read_exr_header(const std::filesystem::path& path);
 

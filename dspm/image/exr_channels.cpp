@@ -9,7 +9,8 @@
 namespace dspm {
 namespace {
 
-/// A name within its layer, "red" of "key.red": R, G, B or A as most programs write it; else unchanged.
+/// Returns a name within its layer, "red" of "key.red", as R, G, B or A, as most programs write it; other names stay
+/// unchanged.
 std::string usual_name(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const char* word : {"red", "green", "blue", "alpha"})
@@ -17,7 +18,7 @@ std::string usual_name(std::string name) {
   return name;
 }
 
-/// By layer ("" or "ViewLayer.Combined."), the names of red, green and blue; empty where there is none.
+/// The names of red, green and blue by layer ("" or "ViewLayer.Combined."); empty if there is none.
 using ColourLayers = std::map<std::string, std::array<std::string, 3>>;
 
 ColourLayers colour_layers(const std::vector<std::string>& names) {

@@ -8,8 +8,8 @@
 
 namespace dspm {
 
-/// Red, green and blue, or one that is grey, or Y, RY and BY (luminance and chroma). Throws std::runtime_error, naming
-/// the channels, if there are several and none of these.
+/// Returns red, green and blue, or one that is grey, or Y, RY and BY (luminance and chroma). Throws std::runtime_error,
+/// naming the channels, if there are several and none of these.
 std::vector<std::string> colour_channels(const Imf::ChannelList& channels);
 
 }  // namespace dspm

@@ -12,7 +12,7 @@ namespace dspm {
 
 namespace {
 
-/// The size of an attribute of that type in bytes, if it is always the same. [OpenEXR File Layout, openexr.com]
+/// Returns the size of an attribute of that type in bytes, if it is always the same. [OpenEXR File Layout, openexr.com]
 std::optional<std::size_t> bytes_of(std::string_view type) {
   static constexpr std::pair<std::string_view, std::size_t> table[] = {{"box2f", 16},
                                                                        {"box2i", 16},
@@ -43,7 +43,8 @@ std::optional<std::size_t> bytes_of(std::string_view type) {
   return std::nullopt;
 }
 
-/// A list of channels ends with an empty name, which must be at its end. Each name is followed by 16 bytes.
+/// Returns whether the value is a list of channels, which ends with an empty name at its very end. Each name is
+/// followed by 16 bytes.
 bool is_channel_list(std::string_view value) {
   while (true) {
     const std::size_t name = value.find('\0');
@@ -85,7 +86,7 @@ void check_attributes(std::string_view bytes) {
   }
 }
 
-/// The library also allocates tables by the image's size before we see it: these bounds make it refuse absurd sizes.
+/// Makes the library refuse absurd sizes: it also allocates tables by the image's size before we see it.
 void bound_sizes() {
   constexpr int kMaxSide = 1 << 17, kMaxTile = 1 << 12;
   Imf::Header::setMaxImageSize(kMaxSide, kMaxSide);

@@ -1,4 +1,4 @@
-// The library's compressions of EXR files and ours.
+// Converts between the library's compressions of EXR files and ours.
 #pragma once
 
 #include <ImfCompression.h>
@@ -8,7 +8,7 @@
 namespace dspm {
 
 Imf::Compression imf_compression(ExrCompression compression);
-/// Those that we do not write become the usual one.
+/// Turns those that we do not write into the usual one.
 ExrCompression exr_compression(Imf::Compression compression);
 
 }  // namespace dspm

@@ -34,7 +34,7 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
-/// Once it is known to be sane.
+/// A file that is known to be sane.
 struct OpenExr {
   MemoryInput input;
   Imf::InputFile file;

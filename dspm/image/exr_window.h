@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// The pixels of that file, in its display window. Unchanged if the two have nothing in common.
+/// Returns the pixels of that file in its display window; unchanged if the two have nothing in common.
 Image in_display_window(Image pixels, std::string_view exr);
 
 }  // namespace dspm

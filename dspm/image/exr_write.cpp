@@ -87,7 +87,7 @@ Imf::Header imf_header(std::span<const ExrLayer> layers, const ExrHeader& header
   return result;
 }
 
-/// Comparisons with NaN are false, so NaN stays visible in the file.
+/// Converts to a half. Comparisons with NaN are false, so NaN stays visible in the file.
 half to_half(float value) {
   if (value > HALF_MAX) value = HALF_MAX;
   if (value < -HALF_MAX) value = -HALF_MAX;
@@ -102,7 +102,7 @@ std::vector<half> halves_of(const Image& image) {
   return halves;
 }
 
-/// `first`: the value of the first channel in the first pixel; three of them make a pixel.
+/// Inserts the channels; `first` is the value of the first channel in the first pixel, and three values make a pixel.
 template <class T>
 void insert(Imf::FrameBuffer& buffer, const ExrLayer& layer, const Imath::Box2i& window, const T* first) {
   constexpr std::size_t kStride = 3 * sizeof(T);
@@ -111,8 +111,9 @@ void insert(Imf::FrameBuffer& buffer, const ExrLayer& layer, const Imath::Box2i&
     buffer.insert(name, Imf::Slice::Make(type_of(layer), first++, window, kStride, kStride * width));
 }
 
-/// OpenEXR compresses rows on threads of its own, and writes them in order. It keeps two blocks of up to 32 rows for
-/// each thread; together they take no more than half of the image. 0: none but the caller's.
+/// Returns the library's threads; 0 means the caller's alone. OpenEXR compresses rows on threads of its own, and writes
+/// them in order. It keeps two blocks of up to 32 rows for each thread; together they take no more than half of the
+/// image.
 int threads_for(int rows) {
   constexpr int kRows = 128;
   const int threads = std::clamp(rows / kRows, 1, thread_count());

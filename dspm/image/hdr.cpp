@@ -73,7 +73,8 @@ class HdrReader {
   std::string_view rest_;
 };
 
-/// "-Y 512 +X 1024": rows from the top, each from the left. Other orders exist but are not written by anything current.
+/// Reads "-Y 512 +X 1024": rows from the top, each from the left. Other orders exist but are not written by anything
+/// current.
 Image image_of(std::string_view resolution, std::size_t file_bytes) {
   const std::size_t second = resolution.find(" +X ");
   if (!resolution.starts_with("-Y ") || second == std::string_view::npos) {
@@ -87,8 +88,8 @@ Image image_of(std::string_view resolution, std::size_t file_bytes) {
   return sized_image(number(resolution.substr(second + 4)), number(resolution.substr(3, second - 3)), file_bytes);
 }
 
-/// What a line of the header says that the pixels have been multiplied by: "EXPOSURE=2" or "COLORCORR= 1 .9 1.1". Several
-/// such lines multiply one another.
+/// Returns what the pixels have been multiplied by, as a line of the header says: "EXPOSURE=2" or "COLORCORR= 1 .9
+/// 1.1". Several such lines multiply one another.
 Rgb multiplier_of(std::string_view line) {
   const bool is_exposure = line.starts_with("EXPOSURE="), is_colour = line.starts_with("COLORCORR=");
   if (!is_exposure && !is_colour) return Rgb(1);

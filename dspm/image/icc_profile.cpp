@@ -12,7 +12,7 @@ namespace {
 constexpr double kD50[] = {0.9642, 1, 0.8249};  // under which all profiles meet, as the ICC rounds it
 constexpr std::size_t kHeaderSize = 128, kTagSize = 12;
 
-/// Numbers are stored with the most significant byte first.
+/// Stores a number with the most significant byte first.
 std::string number(std::uint32_t value, int bytes = 4) {
   std::string text;
   for (int i = bytes - 1; i >= 0; --i) text.push_back(static_cast<char>(value >> (8 * i) & 0xff));
@@ -29,7 +29,7 @@ std::string fixed(std::initializer_list<double> values) {
 
 std::string xyz(double x, double y, double z) { return "XYZ " + number(0) + fixed({x, y, z}); }
 
-/// In American English, as readers expect: UTF-16.
+/// Stores a text as UTF-16 in American English, as readers expect.
 std::string in_words(std::string_view ascii) {
   std::string text = "mluc" + number(0) + number(1) + number(12) + "enUS" +
                      number(static_cast<std::uint32_t>(2 * ascii.size())) + number(28);
@@ -37,7 +37,7 @@ std::string in_words(std::string_view ascii) {
   return text;
 }
 
-/// [IEC 61966-2-1] as the parametric curve of type 3.
+/// Returns sRGB's curve as the parametric curve of type 3. [IEC 61966-2-1]
 std::string srgb_curve() {
   return "para" + number(0) + number(3, 2) + number(0, 2) + fixed({2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045});
 }

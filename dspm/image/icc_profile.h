@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// The space's primaries with sRGB's curve, as a profile of version 4.3 for a screen. [ICC.1:2010]
+/// Returns the space's primaries with sRGB's curve, as a profile of version 4.3 for a screen. [ICC.1:2010]
 std::string icc_profile(ColourSpace space, const std::string& name);
 
 }  // namespace dspm

@@ -36,12 +36,14 @@ struct JpegReader {
     jpeg->err->format_message(jpeg, reader.message);
     std::longjmp(reader.jump, 1);
   }
-  /// Warnings are harmless, except the one about a file that ends too early: libjpeg would fill the rest with grey.
+  /// Fails at the warning about a file that ends too early, because libjpeg would fill the rest with grey. Other
+  /// warnings are harmless.
   static void on_message(j_common_ptr jpeg, int level) {
     if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) on_error(jpeg);
   }
 
-  /// Each scan covers the whole image, and may take only a few bytes of the file. libjpeg itself writes ten scans.
+  /// Bounds the number of scans: each covers the whole image, and may take only a few bytes of the file. libjpeg itself
+  /// writes ten scans.
   static void on_progress(j_common_ptr jpeg) {
     constexpr int kMostScans = 100;
     auto& reader = *static_cast<JpegReader*>(jpeg->client_data);
@@ -81,8 +83,8 @@ struct JpegReader {
     return true;
   }
 
-  /// Without a profile, inks absorb red, green and blue, each its own, and black all. Adobe's programs write how much
-  /// light they let pass.
+  /// Converts inks. Without a profile, they absorb red, green and blue, each its own, and black all. Adobe's programs
+  /// write how much light they let pass.
   void take_inks(Rgb* pixel, const std::vector<float>& linear) const {
     const auto passes = [&](JSAMPLE ink) { return jpeg.saw_Adobe_marker ? int{ink} : 255 - ink; };
     for (std::size_t i = 0; i < row.size(); i += 4) {

@@ -24,7 +24,7 @@ class NetpbmReader {
  public:
   explicit NetpbmReader(std::string_view bytes) : rest_(bytes) {}
 
-  /// Up to the next space; comments run from # to the end of the line.
+  /// Reads up to the next space; comments run from # to the end of the line.
   std::string_view word() {
     while (!rest_.empty() && (is_space(rest_.front()) || rest_.front() == '#')) {
       const std::size_t gone = rest_.front() == '#' ? rest_.find_first_of("\r\n") : 0;
@@ -49,7 +49,7 @@ class NetpbmReader {
     return value;
   }
 
-  /// A bit of P1, which needs no space between bits.
+  /// Reads a bit of P1, which needs no space between bits.
   int digit() {
     const std::string_view found = word();
     rest_ = {found.data() + 1, static_cast<std::size_t>(rest_.data() + rest_.size() - found.data() - 1)};
@@ -57,7 +57,7 @@ class NetpbmReader {
     return found.front() - '0';
   }
 
-  /// What follows the header's last word and one space.
+  /// Returns what follows the header's last word and one space.
   std::string_view data(std::size_t count) {
     if (rest_.empty() || count > rest_.size() - 1) fail("the file ends too early");
     return rest_.substr(1, count);
@@ -81,7 +81,7 @@ void read_bits(NetpbmReader& reader, Image& image, bool text) {
   }
 }
 
-/// 1 channel is grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha.
+/// Reads 1 channel as grey, 2 as grey and alpha, 3 as RGB, 4 as RGB and alpha.
 void read_numbers(NetpbmReader& reader, Image& image, bool text, int channels, int most, ColorEncoding encoding) {
   if (most < 1 || most > 65535) NetpbmReader::fail("its largest value is not in 1..65535");
   const bool grey = channels < 3, has_alpha = channels % 2 == 0;
@@ -104,7 +104,7 @@ void read_numbers(NetpbmReader& reader, Image& image, bool text, int channels, i
   if (std::all_of(image.alpha.begin(), image.alpha.end(), [](float a) { return a == 1; })) image.alpha.clear();
 }
 
-/// P7 has its header line by line, in any order.
+/// Reads P7, whose header has its lines in any order.
 Image decode_pam(NetpbmReader& reader, std::size_t file_bytes, ColorEncoding encoding) {
   constexpr std::string_view kTypes[] = {"BLACKANDWHITE",       "GRAYSCALE",       "RGB",
                                          "BLACKANDWHITE_ALPHA", "GRAYSCALE_ALPHA", "RGB_ALPHA"};
@@ -157,7 +157,7 @@ bool is_pfm(std::string_view bytes) {
   return bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f') && is_space(bytes[2]);
 }
 
-/// Rows from the bottom; the scale's sign is the order of bytes: negative for the least significant first.
+/// Reads rows from the bottom; the scale's sign is the order of bytes: negative for the least significant first.
 Image decode_pfm(std::string_view bytes) {
   static_assert(std::endian::native == std::endian::little);
   NetpbmReader reader(bytes);

@@ -20,7 +20,7 @@ namespace dspm {
 
 namespace {
 
-/// Where linear Rec. 709 lies in a configuration that has no role aces_interchange.
+/// The names of linear Rec. 709 in a configuration that has no role aces_interchange.
 constexpr const char* kRec709Names[] = {
     "lin_rec709",     "Linear Rec.709 (sRGB)", "lin_srgb", "Utility - Linear - sRGB",
     "Linear Rec.709", "Linear BT.709",         "Linear"};
@@ -38,7 +38,7 @@ OCIO_NAMESPACE::ConstConfigRcPtr configuration() {
   return OCIO_NAMESPACE::Config::CreateFromFile(file);
 }
 
-/// By way of the space that the configuration works in: a view of data shows its numbers.
+/// Goes by way of the space that the configuration works in: a view of data shows its numbers.
 OCIO_NAMESPACE::ConstTransformRcPtr steps(const OCIO_NAMESPACE::Config& config, const std::string& from,
                                           const std::string& display, const std::string& view) {
   namespace ocio = OCIO_NAMESPACE;

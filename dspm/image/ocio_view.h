@@ -10,12 +10,13 @@ namespace dspm {
 
 class OcioView {
  public:
-  /// Of the configuration that the environment variable OCIO names. Empty names mean the configuration's own defaults.
-  /// Throws std::runtime_error if dspm was built without the library, or if there is no such configuration or view.
+  /// Makes a view of the configuration that the environment variable OCIO names. Empty names mean the configuration's
+  /// own defaults. Throws std::runtime_error if dspm was built without the library, or if there is no such
+  /// configuration or view.
   OcioView(const std::string& display, const std::string& view);
   ~OcioView();
 
-  /// From linear Rec. 709 to linear light of an sRGB screen: encoded as sRGB, the pixels are the numbers that the view
+  /// Takes linear Rec. 709 to linear light of an sRGB screen: encoded as sRGB, the pixels are the numbers that the view
   /// gives. Outside 0..1 they are clamped.
   void apply(Image& image) const;
 

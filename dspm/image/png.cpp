@@ -43,7 +43,7 @@ struct PngReader {
     rest.remove_prefix(count);
   }
 
-  /// Everything becomes 16-bit RGB, with alpha where the file has it; 8-bit values v become 257 v.
+  /// Reads the size, and makes everything 16-bit RGB, with alpha if the file has it; 8-bit values v become 257 v.
   bool read_size() {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_read_info(png, info);

@@ -18,7 +18,7 @@
 namespace dspm {
 namespace {
 
-/// [H.273] Primaries of P3 with white D65, the curve of sRGB, RGB, full range.
+/// Primaries of P3 with white D65, the curve of sRGB, RGB, full range. [H.273]
 constexpr png_byte kCodePoints[] = {12, 13, 0, 1};
 
 /// libpng reports errors by a longjmp, which runs no destructors: all that is allocated is held here, outside the jump.

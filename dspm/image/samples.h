@@ -10,8 +10,8 @@
 
 namespace dspm {
 
-/// Sets all pixels from `channels` samples each: 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha. `linear` is
-/// decoding_table's, of as many levels as T has. Alpha is never encoded, and dropped where all of it is opaque.
+/// Sets all pixels from `channels` samples each: 1 grey, 2 grey and alpha, 3 RGB, 4 RGB and alpha. `linear` is a
+/// decoding_table of as many levels as T has. Alpha is never encoded, and is dropped if all of it is opaque.
 template <class T>
 void set_pixels(Image& image, std::span<const T> samples, std::size_t channels, const std::vector<float>& linear) {
   const bool grey = channels < 3, has_alpha = channels % 2 == 0;

@@ -12,7 +12,7 @@ struct Share {
   float weight;
 };
 
-/// For each of `to` cells, the cells out of `from` that it covers and their shares, which add up to 1.
+/// Returns, for each of `to` cells, the cells out of `from` that it covers and their shares, which add up to 1.
 std::vector<std::vector<Share>> shares(int from, int to) {
   std::vector<std::vector<Share>> result(static_cast<std::size_t>(to));
   // In units of 1 / (from to): old cells are `to` long, new ones `from`; integers make the shares exact.
@@ -29,7 +29,7 @@ std::vector<std::vector<Share>> shares(int from, int to) {
 
 using Shares = std::vector<std::vector<Share>>;
 
-/// `values`: of an image's pixels, row by row.
+/// Shrinks the values of an image's pixels, row by row.
 template <class T>
 std::vector<T> shrunk(const std::vector<T>& values, int width, const Shares& columns, const Shares& rows) {
   const std::size_t from = static_cast<std::size_t>(width), to = columns.size(), height = values.size() / from;

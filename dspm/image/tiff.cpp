@@ -74,7 +74,7 @@ T field(const Tiff& tiff, std::uint32_t tag, T otherwise) {
 
 struct Layout {
   std::uint16_t bits, channels, format, photometric, planes;
-  /// Whether read_rows reads it; the library converts the others.
+  /// Returns whether read_rows reads it; the library converts the others.
   bool plain() const {
     const bool number =
         format == SAMPLEFORMAT_UINT ? bits == 8 || bits == 16 : format == SAMPLEFORMAT_IEEEFP && bits == 32;
@@ -89,7 +89,7 @@ struct Layout {
   throw std::runtime_error(source.error.empty() ? "its pixels cannot be read" : source.error);
 }
 
-/// All samples in the order of the pixels.
+/// Returns all samples in the order of the pixels.
 std::vector<unsigned char> read_rows(const Tiff& tiff, const TiffSource& source, const Image& image,
                                      std::size_t pixel) {
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
@@ -122,7 +122,7 @@ std::vector<unsigned char> read_rows(const Tiff& tiff, const TiffSource& source,
   return samples;
 }
 
-/// What the last channel means: alpha, with which colours are multiplied or not, or something else.
+/// Returns what the last channel means: alpha, with which colours are multiplied or not, or something else.
 std::uint16_t extra_channel(const Tiff& tiff) {
   std::uint16_t count = 0;
   const std::uint16_t* kinds = nullptr;
@@ -173,7 +173,7 @@ void set_from_floats(Image& image, std::vector<float> values, std::size_t channe
   }
 }
 
-/// Eight bits of red, green, blue and alpha, whatever the file holds.
+/// Reads eight bits of red, green, blue and alpha, whatever the file holds.
 void convert(const Tiff& tiff, const TiffSource& source, Image& image, ColorEncoding encoding) {
   std::vector<std::uint32_t> packed(image.pixels.size());
   if (TIFFReadRGBAImageOriented(tiff.get(), static_cast<std::uint32_t>(image.width),

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// The largest component has a mantissa of 128 to 255.
+/// Encodes a colour so that the largest component has a mantissa of 128 to 255.
 std::array<unsigned char, 4> rgbe(const Rgb& c) {
   const float largest = max_component(c);
   int exponent = 0;

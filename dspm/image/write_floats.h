@@ -7,10 +7,10 @@
 
 namespace dspm {
 
-/// Single floats, little endian. [Debevec, Portable FloatMap]
+/// Writes single floats, little endian. [Debevec, Portable FloatMap]
 void write_pfm(const std::filesystem::path& path, const Image& image);
-/// Radiance's format, rows not compressed: three mantissas of eight bits with one exponent, so at best 1% exact; what
-/// is negative becomes 0. [Ward 1991, Real Pixels]
+/// Writes Radiance's format, with rows that are not compressed: three mantissas of eight bits with one exponent, so at
+/// best 1% exact; negative values become 0. [Ward 1991, Real Pixels]
 void write_hdr(const std::filesystem::path& path, const Image& image);
 
 }  // namespace dspm
