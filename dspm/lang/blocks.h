@@ -20,10 +20,10 @@ struct Block {
   bool has_keys = false;  // one group of Keyframes per block
 };
 
-/// `DynamicBegin "horse"`, and its end: `DynamicEnd`.
+/// Returns `DynamicBegin "horse"`, or `DynamicEnd` as its end.
 std::string begin_of(const Block& block);
 std::string_view end_of(Block::Kind kind);
-/// "line 12", or "file:12" if the file is not that of `seen_from`.
+/// Returns "line 12", or "file:12" if the file is not that of `seen_from`.
 std::string place_of(const SourceLocation& where, const SourceLocation& seen_from);
 
 /// The open blocks, innermost last; reports errors in their nesting.
@@ -33,7 +33,7 @@ class BlockStack {
 
   /// Throws SyntaxError beyond a thousand levels.
   void open(Block block);
-  /// Closes the innermost block of that kind, and after an error those inside it; returns the state before it, or
+  /// Closes the innermost block of that kind and, after an error, those inside it. Returns the state before it, or
   /// `current` if there is nothing to restore.
   GraphicsState close(Block::Kind kind, const SourceLocation& where, const GraphicsState& current);
   /// Closes the innermost imported file; blocks that it left open are errors.
@@ -44,9 +44,9 @@ class BlockStack {
   bool empty() const { return blocks_.empty(); }
   Block& innermost() { return blocks_.back(); }
   bool innermost_is(Block::Kind kind) const { return !blocks_.empty() && blocks_.back().kind == kind; }
-  /// The innermost block of that kind, or null.
+  /// Returns the innermost block of that kind, or null.
   const Block* find(Block::Kind kind) const;
-  /// The innermost block of none of these kinds, or null.
+  /// Returns the innermost block of none of these kinds, or null.
   const Block* find_other(std::initializer_list<Block::Kind> kinds) const;
 
  private:

@@ -88,7 +88,8 @@ void SceneBuilder::object_begin(const Directive& directive) {
   scene_.objects.push_back({directive.words[0].text, {}, directive.where});
 }
 
-/// After a whole scene, keys may stand outside of blocks: for its Camera. A light may follow that.
+/// Reports an error if something moves outside of Dynamic blocks. After a whole scene, keys for its Camera may stand
+/// there, and a light may follow them.
 void SceneBuilder::expect_still(const Directive& directive) {
   if (state_.dynamic_block < 0 && state_.ctm.is_keyed())
     diagnostics_.error(directive.where,

@@ -22,7 +22,7 @@ std::vector<std::string> option_names() {
   for (const ParamInfo& option : described_options()) names.push_back(option.name);
   return names;
 }
-/// They change pbrt's noise, its reports or how it computes, but not what its image converges to.
+/// Options that change pbrt's noise, its reports or how it computes, but not what its image converges to.
 constexpr std::string_view kOptionsWithoutEffect[] = {"disablewavelengthjitter", "msereferenceimage", "msereferenceout",
                                                       "rendercoordsys",          "pixelstats",        "wavefront"};
 
@@ -31,7 +31,7 @@ bool is_without_effect(std::string_view option) {
          std::end(kOptionsWithoutEffect);
 }
 
-/// Nullopt if the whole text is no number of that type.
+/// Returns nullopt if the whole text is not a number of that type.
 template <class T>
 std::optional<T> number_of(const std::string& text) {
   T number{};
@@ -40,7 +40,7 @@ std::optional<T> number_of(const std::string& text) {
   return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-/// pbrt ignores case, dashes and underscores in the names of options.
+/// Removes case, dashes and underscores, which pbrt ignores in the names of options.
 std::string normalized(std::string_view name) {
   std::string result;
   for (const char c : name)
@@ -102,7 +102,8 @@ void SceneBuilder::camera(Directive& directive) {
   if (scene_is_whole_) state_.ctm = {};
 }
 
-/// Without a transform before it, it is another lens, where the other camera is.
+/// Returns the place of a camera that replaces another. Without a transform before it, it is another lens at the place
+/// of the other camera.
 Motion SceneBuilder::place_of_replacing_camera() const {
   return scene_.camera && state_.ctm == Motion() ? scene_.camera->camera_from_world : state_.ctm;
 }

@@ -41,7 +41,7 @@ void SceneBuilder::check_rules() {
       if (diagnostics_.error_count() < kErrorsShown && find_axis(pattern)) check_pattern(pattern);
 }
 
-/// "legs:oak" asks for that axis. A variation's name has no colon.
+/// Finds the axis that "legs:oak" asks for. A variation's name has no colon.
 bool SceneBuilder::find_axis(CombinationRule::Pattern& pattern) {
   const std::size_t colon = pattern.text.rfind(':');
   if (colon == std::string::npos) return true;

@@ -19,7 +19,7 @@ using Kind = Block::Kind;
 constexpr std::size_t kNamesListed = 20, kMostAxes = 64;
 constexpr std::size_t kLongestName = 100;  // bytes; file names end at 255
 
-/// On every common system, and without special characters of patterns.
+/// Returns whether the name is valid on every common system, and has no special characters of patterns.
 bool can_be_in_file_name(std::string_view name) {
   constexpr std::string_view kRefused = "/\\:*?\"<>|";
   return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
@@ -44,7 +44,7 @@ std::set<std::string> names_of_places(const Places& places) {
   return names;
 }
 
-/// If the scene has nothing of that name, reports the names that it has.
+/// Reports the names that the scene has if it has nothing of that name.
 void expect_name(const std::string& name, const char* thing, const std::set<std::string>& names,
                  const SourceLocation& where, const std::string& if_none, Diagnostics& diagnostics) {
   if (names.count(name) > 0) return;
@@ -115,8 +115,8 @@ bool SceneBuilder::is_out_of_place(const Directive& directive) {
   return true;
 }
 
-/// Axes and variations are not allowed in any other block; but an imported file, a model with variants, may bring one
-/// wherever it is placed.
+/// Reports an error inside another block, where axes and variations are not allowed. But an imported file, a model with
+/// variants, may bring one wherever it is placed.
 void SceneBuilder::expect_top_level(const Directive& directive) {
   const bool variation = directive.info->kind == DirectiveKind::variation_begin;
   const bool is_free = blocks_.innermost_is(Kind::import) || (variation && blocks_.innermost_is(Kind::axis));
@@ -209,7 +209,7 @@ void SceneBuilder::scale_light(const Directive& directive, Variation& variation)
   if (diagnostics_.error_count() == errors) variation.lights.push_back({name.text, directive.params, name.where});
 }
 
-/// Its LightSource or AreaLightSource.
+/// Replaces the scene's LightSource or AreaLightSource.
 bool SceneBuilder::replace_lights(Directive& directive, Variation& variation) {
   const bool has_area = directive.info->kind == DirectiveKind::area_light_source;
   if (!has_area && directive.info->kind != DirectiveKind::light_source) return false;
@@ -234,7 +234,7 @@ bool SceneBuilder::replace_lights(Directive& directive, Variation& variation) {
   return true;
 }
 
-/// The directives up to DynamicEnd stand in the place of those in the scene's block.
+/// Replaces the directives of the scene's block by those up to DynamicEnd.
 void SceneBuilder::replace_block(const Directive& directive) {
   const Argument& name = directive.words[0];
   VariationAxis& axis = scene_.axes[axis_of_variation_];
@@ -254,7 +254,7 @@ void SceneBuilder::replace_block(const Directive& directive) {
   block.axis = static_cast<int>(axis_of_variation_), block.variation = static_cast<int>(axis.variations.size()) - 1;
 }
 
-/// Its Camera or Integrator.
+/// Replaces the scene's Camera or Integrator.
 bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
   const bool is_camera = directive.info->kind == DirectiveKind::camera;
   if (!is_camera && directive.info->kind != DirectiveKind::integrator) return false;

@@ -30,7 +30,8 @@ std::size_t bytes_of(const ParamList& list) {
 
 bool gives(const ParamList& params, std::string_view name) { return params.find(name) != nullptr; }
 
-/// Only what can become one shape gains by it. A strand that says more than its own parameters is read one by one.
+/// Returns whether the shape may begin a run: only what can become one shape gains by it. A strand that says more than
+/// its own parameters is read on its own.
 bool comes_in_runs(const ShapeUse& use) {
   return use.type == "curve" && use.name.empty() && !use.params.is_keyed() &&
          std::none_of(use.params.params.begin(), use.params.params.end(), [](const Param& p) { return p.is_default; });

@@ -14,7 +14,7 @@
 namespace dspm {
 namespace {
 
-/// Bytes that are equal if the values are.
+/// Collects bytes that are equal if the values are.
 class Canonical {
  public:
   Canonical& number(double value) { return text(fmt::format("{}", value)); }
@@ -106,7 +106,7 @@ class Digests {
     digests_.push_back({std::move(name), canonical.digest(), where, kind, dynamic_block});
   }
 
-  /// Not which variations there are: a run may go on with more or fewer.
+  /// Adds the number of moments, but not which variations there are: a run may go on with more or fewer.
   void add_frames() {
     Canonical frames;
     frames.number(moments_.end.frames() - moments_.first.frames());

@@ -21,11 +21,11 @@ struct ElementDigest {
   int axis = -1, variation = -1;  // of a variation and what it replaces
 };
 
-/// Everything except the settings of the job: film, filter, sampler, integrator and accelerator. Only the names of
-/// referenced files enter the digests. Of motions, and of the list of frames, only `part` matters.
+/// Returns the digests of everything except the settings of the job: film, filter, sampler, integrator and accelerator.
+/// Only the names of referenced files enter the digests. Of motions, and of the list of frames, only `part` matters.
 std::vector<ElementDigest> digests_of(const SceneDescription& scene, const FramesPart& part);
 
-/// The digest of a directive's type and parameters, except the parameters named in `without`.
+/// Returns the digest of a directive's type and parameters, except the parameters named in `without`.
 std::uint64_t digest_of(const std::string& type, const ParamList& params, const std::vector<std::string>& without = {});
 
 }  // namespace dspm

@@ -17,8 +17,8 @@ class CombinationRules {
     }
   }
 
-  /// Whether the first axes' choices may be part of a combination that is left: AxisExclude leaves out what it matches,
-  /// AxisOnly what neither it nor another AxisOnly matches.
+  /// Returns whether the first axes' choices may be part of a combination that is left: AxisExclude leaves out what it
+  /// matches, AxisOnly what neither it nor another AxisOnly matches.
   bool may_go_on(const std::vector<int>& choices) const {
     bool is_kept = !has_only_;
     for (const Known& rule : known_) {

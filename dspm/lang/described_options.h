@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// As if they were parameters.
+/// Returns the options as if they were parameters.
 const std::vector<ParamInfo>& described_options();
 
 }  // namespace dspm

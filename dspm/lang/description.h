@@ -32,7 +32,7 @@ struct CameraUse : PluginUse {
   Motion camera_from_world;  // as from pbrt's LookAt: maps world points to camera space
 };
 
-/// `Option "seed" 7` and the like; the only ones that dspm has.
+/// The options that dspm has: `Option "seed" 7` and the like.
 struct SceneOptions {
   std::optional<int> seed;
   bool disable_pixel_jitter = false;
@@ -77,7 +77,7 @@ struct ShapeUse : PluginUse {
   MaterialRef material;
   int area_light = -1;     // into SceneDescription::area_lights; -1: none
   int dynamic_block = -1;  // into SceneDescription::dynamic_blocks; -1: static
-  /// The directives after it that repeat it but for numbers, see shape_run.h; null: none.
+  /// The directives after it that repeat it except for numbers, see shape_run.h; null if there are none.
   std::shared_ptr<const ShapeRun> run = nullptr;
 };
 
@@ -107,7 +107,7 @@ struct ObjectUse {
   SourceLocation where;
 };
 
-/// Media are read and kept, so that missing support can be reported at the right place.
+/// A medium. Media are read and kept, so that missing support can be reported at the right place.
 struct MediumUse : PluginUse {
   std::string name;
 };
@@ -171,7 +171,8 @@ struct ModuleUse {
   SourceLocation where;
 };
 
-/// Of the frame's variations, the last axis's with a definition of its own; null: the scene's holds.
+/// Returns what the last axis finds that has a definition of its own among the frame's variations; null if the scene's
+/// holds.
 template <class Find>
 auto replacement(const std::vector<VariationAxis>& axes, const std::vector<int>& choices, Find&& find)
     -> decltype(find(axes.front().variations.front())) {
@@ -186,7 +187,7 @@ enum class Dialect { pbrt, dsc };  // by the main file's name; standard input co
 struct SceneDescription {
   std::vector<std::unique_ptr<SourceFile>> files;  // the main file first; locations point into them
   Dialect dialect = Dialect::dsc;
-  /// Where to look for files that are not next to the file that names them.
+  /// Returns where to look for files that are not next to the file that names them.
   std::filesystem::path main_directory() const {
     return files.empty() ? std::filesystem::path() : std::filesystem::path(files.front()->name).parent_path();
   }
@@ -221,18 +222,18 @@ struct SceneDescription {
   const std::vector<int>& choices(FileFrame frame) const {
     return frames.combinations()[frames.combination_of(frame)].choices;
   }
-  /// Null: none is given.
+  /// Returns null if no camera is given.
   const CameraUse* camera_of(FileFrame frame) const {
     const CameraUse* own = replacement(
         axes, choices(frame), [](const Variation& v) -> const CameraUse* { return v.camera ? &*v.camera : nullptr; });
     return own != nullptr ? own : camera ? &*camera : nullptr;
   }
-  /// A variation's; null: the scene's holds.
+  /// Returns the integrator of one of the frame's variations; null if the scene's holds.
   const PluginUse* own_integrator_of(FileFrame frame) const {
     return replacement(axes, choices(frame),
                        [](const Variation& v) -> const PluginUse* { return v.integrator ? &*v.integrator : nullptr; });
   }
-  /// What stands in the frame in place of that light.
+  /// Returns what replaces that light in the frame.
   const LightUse& light_of(const LightUse& light, FileFrame frame) const {
     return in_place_of(light, &Variation::light_sources, frame);
   }

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Token::Kind;
 
-/// Hostile files may have words of megabytes.
+/// Shortens a word for messages: hostile files may have words of megabytes.
 std::string shortened(std::string_view word) {
   return word.size() <= 40 ? std::string(word) : std::string(word.substr(0, 37)) + "...";
 }

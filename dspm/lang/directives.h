@@ -36,7 +36,7 @@ struct DirectiveInfo {
 
 /// All directives, in alphabetical order; pbrt-v4 has no WorldEnd.
 std::span<const DirectiveInfo> all_directives();
-/// Null if no directive has that name.
+/// Returns null if no directive has that name.
 const DirectiveInfo* find_directive(std::string_view name);
 std::vector<std::string> directive_names();
 

@@ -14,7 +14,8 @@ bool any_moves(const Things& things, Moves&& moves) {
 
 bool shape_moves(const ShapeUse& use) { return use.world_from_object.is_keyed() || use.params.is_keyed(); }
 
-/// All other keyed parameters describe how strongly a light shines, and in which directions.
+/// Returns whether the parameter places a light. All other keyed parameters describe how strongly it shines, and in
+/// which directions.
 bool places_a_light(const Param& param) { return param.key && (param.name == "from" || param.name == "to"); }
 
 bool moments_move_paths(const SceneDescription& scene) {

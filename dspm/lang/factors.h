@@ -15,10 +15,10 @@ struct Factor {
   bool moves_paths;  // geometry, the camera or a light's place differ along it, not only looks and strengths
 };
 
-/// The moments first, then the axes in the order of the text.
+/// Returns the moments first, then the axes in the order of the text.
 std::vector<Factor> factors_of(const SceneDescription& scene);
 
-/// The frame's position along the factor.
+/// Returns the frame's position along the factor.
 int place_along(const Factor& factor, const FileFrames& frames, FileFrame frame);
 
 }  // namespace dspm

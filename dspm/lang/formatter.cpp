@@ -64,7 +64,7 @@ class DirectiveTokens {
   std::size_t end() const { return at_; }
 
  private:
-  /// At the next directive, or at the comment lines before it.
+  /// Returns whether the next directive begins here, or the comment lines before it.
   bool ends_here() const {
     std::size_t next = at_;
     while (next < tokens_.size() && tokens_[next].is_comment_line()) ++next;
@@ -77,7 +77,7 @@ class DirectiveTokens {
     while (at_ < tokens_.size() && tokens_[at_].is_comment()) take();
   }
 
-  /// One value or bracketed list, and the comments before and in it.
+  /// Takes one value or bracketed list, and the comments before and in it.
   void take_value() {
     if (ends_here()) return;
     take_comments();
@@ -127,7 +127,8 @@ class DirectiveTokens {
   std::string_view trailing_comment_;
 };
 
-/// Brackets around a single value are left out: they mean nothing, unless its $name stands for several. Misplaced ones inside a list stay.
+/// Removes brackets around a single value: they mean nothing, unless its $name stands for several. Misplaced ones
+/// inside a list stay.
 Group without_needless_brackets(Group group) {
   const std::size_t n = group.size();
   const auto first_open = std::find_if(group.begin(), group.end(), [](const Token& t) { return t.kind == Kind::open; });
@@ -216,7 +217,8 @@ class Writer {
     }
   }
 
-  /// A closing bracket must fit on the line of the last value, and breaking before one gains nothing.
+  /// Returns whether a token fits on the line. A closing bracket must fit on the line of the last value: breaking
+  /// before one gains nothing.
   bool fits(const Group& group, std::size_t i) const {
     if (group[i].is_comment() || joins(group[i - 1], group[i])) return true;
     const bool closes_next = i + 1 < group.size() && group[i + 1].kind == Kind::close;

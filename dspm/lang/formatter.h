@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-/// Nullopt, and an error, if the text does not even consist of tokens. The result means the same as the text, and
-/// formatting it again does not change it.
+/// Returns nullopt, and reports an error, if the text does not even consist of tokens. The result means the same as the
+/// text, and formatting it again does not change it.
 std::optional<std::string> format_scene(const SourceFile& file, Diagnostics& diagnostics);
 
 }  // namespace dspm

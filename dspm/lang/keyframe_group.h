@@ -58,7 +58,7 @@ class KeyframeGroup {
 
 /// Invertible, and its numbers are finite as floats.
 bool is_regular(const Matrix4& matrix);
-/// Its numbers are finite as floats.
+/// Returns whether its numbers are finite as floats.
 bool fits_float(const Matrix4& matrix);
 
 }  // namespace dspm

@@ -29,12 +29,12 @@ const char* line_end(const char* at, const char* end) {
 
 std::string_view view(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
-/// std::from_chars does not accept a +, but would accept the - of `+-1`.
+/// Skips a +, which std::from_chars does not accept; but it would accept the - of `+-1`.
 const char* skip_plus(const char* at, const char* end) {
   return end - at > 1 && at[0] == '+' && at[1] != '-' ? at + 1 : at;
 }
 
-/// The end of the string that begins at `quote`, after its closing quote; null if its line ends first.
+/// Returns the end of the string that begins at `quote`, after its closing quote; null if its line ends first.
 const char* string_end(const char* quote, const char* end) {
   for (const char* p = quote + 1; p != end && *p != '\n'; ++p) {
     if (*p == '"') return p + 1;

@@ -27,25 +27,26 @@ class Lexer {
   Token next_or_comment();
   const Token& peek();
 
-  /// One number, of type float, double or int; finite and within the type's range.
+  /// Reads one number, of type float, double or int; finite and within the type's range.
   template <class Number>
   Number number();
-  /// The numbers up to the closing bracket, which is read as well. The opening one has been read.
+  /// Reads the numbers up to the closing bracket, and that bracket. The opening one has been read.
   template <class Number>
   void numbers_to_bracket(std::vector<Number>& values);
-  /// The text between the quotes, escapes resolved.
+  /// Returns the text between the quotes, escapes resolved.
   std::string unquoted(const Token& string) const;
 
-  /// What has not been read, from the next token on.
+  /// Returns what has not been read, from the next token on.
   std::string_view rest();
   /// Goes on at that place of the text.
   void go_on_at(const char* place);
-  /// Whether the rest begins with these characters, which are skipped then.
+  /// Skips these characters and returns true, if the rest begins with them.
   bool skip(std::string_view characters);
-  /// The numbers that follow; false if one of them is not as numbers usually are: read it as tokens.
+  /// Reads the numbers that follow. Returns false if one of them is not written as numbers usually are: read it as
+  /// tokens then.
   bool plain_numbers(std::vector<float>& values);
 
-  /// Recovery: skips to the next word that could be a directive.
+  /// Skips to the next word that could be a directive, to recover from an error.
   void skip_to_directive();
 
   SourceLocation locate(std::string_view piece) const { return source_.locate(piece); }

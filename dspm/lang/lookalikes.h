@@ -1,4 +1,4 @@
-// Characters that look like those of the language and are others. Word processors and web pages put them into texts.
+// Characters that look like those of the language but are others. Word processors and web pages put them into texts.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ struct Lookalike {
   const char *name, *instead;  // what it is, and what to write
 };
 
-/// The first in the word, which is UTF-8.
+/// Returns the first one in the word, which is UTF-8.
 std::optional<Lookalike> find_lookalike(std::string_view word);
 
 }  // namespace dspm

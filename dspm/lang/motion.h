@@ -32,7 +32,7 @@ class Motion {
   Motion of_camera() const;
   /// The motion that undoes this one at every moment.
   Motion inverse() const;
-  /// The same product; equal motions that were composed differently need not be.
+  /// Compares the products as they were composed: equal motions that were composed differently need not be equal.
   friend bool operator==(const Motion&, const Motion&) = default;
 
  private:

@@ -75,7 +75,7 @@ Words old_types(DirectiveKind kind) {
   }
 }
 
-/// The directive's plugin type: its last word, or the value of "string type".
+/// Returns the directive's plugin type: its last word, or the value of "string type".
 std::optional<OldWord> type_of(const Directive& directive) {
   if (directive.info->name.starts_with("MakeNamed")) {
     const auto& params = directive.params.params;

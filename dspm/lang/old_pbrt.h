@@ -1,4 +1,4 @@
-// Scenes written for pbrt-v1, v2 or v3 look much like pbrt-v4's: these words distinguish them. Those for v3 are
+// Scenes written for pbrt-v1, v2 or v3 look much like pbrt-v4's: these words distinguish them. Scenes for v3 are
 // translated (lang/v3), older ones are not.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// Whether only versions of pbrt before v4 have this directive.
+/// Returns whether only versions of pbrt before v4 have this directive.
 bool is_old_directive(std::string_view name);
 /// A word in the directive that pbrt-v4 does not know but an older version did, and its location.
 struct OldWord {
@@ -18,9 +18,9 @@ struct OldWord {
   SourceLocation where;
 };
 std::optional<OldWord> old_word_in(const Directive& directive);
-/// Film "rgb" and the like have no older namesake.
+/// Returns true for directives that have no older namesake, such as Film "rgb".
 bool is_certainly_new(const Directive& directive);
-/// Whether the sign, or the file that it is in, is of pbrt-v1 or v2; else it is of v3.
+/// Returns whether the sign, or the file that it is in, belongs to pbrt-v1 or v2 rather than v3.
 bool is_before_v3(const OldWord& sign);
 /// The one error reported for a scene of pbrt-v1 or v2.
 SyntaxError old_pbrt_error(const OldWord& sign);

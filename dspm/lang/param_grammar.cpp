@@ -44,7 +44,7 @@ struct Declaration {
   bool is_xyz = false;
 };
 
-/// Type, blanks, name; `type` is null if the first word is not a type.
+/// Splits type, blanks and name; `type` is null if the first word is not a type.
 Declaration split(std::string_view inside, OldTypes old_types) {
   const auto skip = [&](auto is_end) {
     const std::size_t length =
@@ -140,7 +140,7 @@ std::vector<bool> read_flags(Lexer& lexer) {
   });
 }
 
-/// The token after the opening bracket, if there is one; nothing is read.
+/// Returns the token after the opening bracket, if there is one; reads nothing.
 Token first_value(Lexer& lexer) {
   if (lexer.peek().kind != Token::Kind::open) return lexer.peek();
   Lexer ahead = lexer;
@@ -236,7 +236,8 @@ bool has_repeats(const std::vector<Param>& params) {
   return false;
 }
 
-/// No parameter twice, unless for different frames; sorts a long list, which would take quadratic time.
+/// Reports parameters that are given twice, unless for different frames; sorts a long list, which would take quadratic
+/// time.
 void check_unique(const ParamList& list) {
   constexpr std::size_t kFew = 16;
   if (list.params.size() <= kFew && !has_repeats(list.params)) return;
@@ -248,7 +249,7 @@ void check_unique(const ParamList& list) {
   for (std::size_t i = 1; i < sorted.size(); ++i) check_pair(*sorted[i - 1], *sorted[i]);
 }
 
-/// Of those that are given twice.
+/// Keeps the last one of those that are given twice.
 void keep_last(ParamList& list) {
   std::set<std::string> seen;
   std::vector<Param> kept;

@@ -7,15 +7,15 @@
 
 namespace dspm {
 
-/// What the types of older versions of pbrt are: errors with an old_word; or point, vector and normal3 mean point3,
-/// vector3 and normal, as in .dsc files; or color and xyz mean rgb, too, as in pbrt-v3, where a parameter that is given
-/// twice has its last value.
+/// What the types of older versions of pbrt are. They are errors with an old_word; or point, vector and normal3 mean
+/// point3, vector3 and normal, as in .dsc files; or color and xyz mean rgb, too, as in pbrt-v3, where a parameter that
+/// is given twice has its last value.
 enum class OldTypes { errors, synonyms, v3 };
 
 /// Reads parameters as long as quoted strings follow. Throws SyntaxError.
 ParamList read_params(Lexer& lexer, OldTypes old_types, const Clock& clock);
 
-/// Whether the string (with its quotes) is a known type, a blank and a name.
+/// Returns whether the string (with its quotes) is a known type, a blank and a name.
 bool declares_param(std::string_view quoted);
 
 }  // namespace dspm

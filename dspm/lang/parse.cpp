@@ -116,7 +116,7 @@ class SceneReader {
     }
   }
 
-  /// Of directives that repeat `first`, which begins at `begin`.
+  /// Reads a run of directives that repeat `first`, which begins at `begin`.
   static void read_run(ShapeUse& first, const std::shared_ptr<const SourceText>& source, const char* begin,
                        Lexer& lexer) {
     const std::string_view rest = lexer.rest();
@@ -145,7 +145,7 @@ class SceneReader {
     open_.pop_back();
   }
 
-  /// The first value holds: that of -D, or of a file that includes this one.
+  /// Sets a default. The first value holds: that of -D, or of a file that includes this one.
   void set_default(const Directive& directive) {
     const Argument &name = directive.words[0], &value = directive.words[1];
     if (!is_define_name(name.text))
@@ -178,7 +178,7 @@ class SceneReader {
     }
   }
 
-  /// Each reports its own error.
+  /// Applies directives, each of which reports its own error.
   void apply_all(std::vector<Directive> directives) {
     for (Directive& directive : directives) try {
         builder_.apply(std::move(directive));
@@ -217,7 +217,7 @@ class SceneReader {
     return files_.load(path);
   }
 
-  /// Before WorldBegin it is a whole scene, after it a part of this one.
+  /// Returns the settings for a glTF file: before WorldBegin it is a whole scene, after it a part of this one.
   gltf::Settings gltf_settings(const Directive& directive, const std::string& id) {
     gltf::Settings settings = options_.gltf;
     ParamReader reader(directive.params, std::string(directive.info->name), directive.where, diagnostics_);
@@ -230,7 +230,7 @@ class SceneReader {
     return settings;
   }
 
-  /// The file as scene text; its meshes and pictures are files within it.
+  /// Returns the file as scene text; its meshes and pictures are files within it.
   const SourceFile& load_gltf(const std::string& path, const gltf::Settings& settings, const SourceLocation& where) {
     const fs::path file(path);
     gltf::Translation translation = gltf::translate(file, file.filename().string(), settings);
@@ -272,7 +272,7 @@ void pass_on(const Diagnostic& diagnostic, Diagnostics& diagnostics) {
   }
 }
 
-/// Reads the files from the start. `sign`: that of a v3 scene, null if nobody knows.
+/// Reads the files from the start. `sign` is that of a v3 scene; null if none is known.
 SceneDescription read_all(SourceFiles& files, const std::vector<std::string>& paths, const OldWord* sign,
                           const ParseOptions& options, Diagnostics& diagnostics) {
   Diagnostics found(diagnostics.lenient());

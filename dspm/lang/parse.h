@@ -25,7 +25,7 @@ struct ParseOptions {
 SceneDescription parse_files(const std::vector<std::string>& paths, const ParseOptions& options,
                              Diagnostics& diagnostics);
 
-/// The same for a text in memory. Included files are looked for beside `name`, which need not exist.
+/// Reads a text in memory. Included files are looked for beside `name`, which need not exist.
 SceneDescription parse_text(const std::string& name, std::string text, const ParseOptions& options,
                             Diagnostics& diagnostics);
 

@@ -129,7 +129,8 @@ void SceneBuilder::end_import() {
   outer_coordinate_systems_.pop_back();
 }
 
-/// A file that includes a scene replaces what it says of the job. Transforms for its Camera start in the world.
+/// Ends a file. A file that includes a scene replaces what it says of the job. Transforms for its Camera start in the
+/// world.
 void SceneBuilder::end_file(const SourceFile& file) {
   if (!world_where_ || world_where_->file != &file) return;
   scene_is_whole_ = true;

@@ -25,14 +25,14 @@ class SceneBuilder {
 
   /// Applies any directive but Include and Import, which the reader handles; may throw SyntaxError.
   void apply(Directive directive);
-  /// The shape that the last directive has made, if those that repeat it but for numbers may become its run; else null.
-  /// Holds until the next call.
+  /// Returns the shape that the last directive has made, if directives that repeat it except for numbers may become its
+  /// run; otherwise null. Holds until the next call.
   ShapeUse* repeatable() { return repeatable_ != nullptr ? &repeatable_->back() : nullptr; }
-  /// An imported file's changes to the state end with it.
+  /// Begins an imported file, whose changes to the state end with it.
   void begin_import(const Directive& directive);
   void end_import();
   bool world_has_begun() const { return world_where_.has_value(); }
-  /// Of an included or a main file. After a whole scene, the job's directives may be replaced.
+  /// Ends an included or a main file. After a whole scene, the job's directives may be replaced.
   void end_file(const SourceFile& file);
   /// Call it after the last file.
   void finish();
@@ -40,7 +40,7 @@ class SceneBuilder {
  private:
   using Places = std::map<std::string, SourceLocation>;
 
-  /// Where a Dynamic block begins.
+  /// The place where a Dynamic block begins.
   struct DynamicPlace {
     DynamicPlace(int index, const GraphicsState& outer) : block(index), state(outer) {}
     int block;  // into SceneDescription::dynamic_blocks
@@ -100,14 +100,14 @@ class SceneBuilder {
   void replace_block(const Directive& directive);
   bool replace_job(Directive& directive, Variation& variation);
   void scale_light(const Directive& directive, Variation& variation);
-  /// The variation being read; null outside.
+  /// Returns the variation that is being read; null outside.
   Variation* variation_in_force();
   void check_replacements();
 
   void open_block(Block::Kind kind, const Directive& directive, std::string name);
   void close_block(Block::Kind kind, const Directive& directive);
   void dynamic_begin(const Directive& directive);
-  /// `place`: of the scene's block whose contents are replaced, or null.
+  /// Opens a Dynamic block. `place` is that of the scene's block whose contents are replaced, or null.
   void open_dynamic(const Directive& directive, const DynamicPlace* place);
   void object_begin(const Directive& directive);
   void attribute(Directive& directive);
@@ -121,10 +121,10 @@ class SceneBuilder {
   void shape(Directive& directive);
   void object_instance(const Directive& directive);
 
-  /// The type is the directive's last word.
+  /// Takes the type from the directive's last word.
   static PluginUse plugin_use(Directive& directive);
   PluginUse plugin_use(Directive& directive, AttributeTarget target) const;
-  /// The type is the value of "string type"; nullopt, after an error, if that is missing.
+  /// Takes the type from "string type"; returns nullopt, after an error, if that is missing.
   std::optional<PluginUse> named_plugin_use(Directive& directive, AttributeTarget target);
   void define(Places& names, const Directive& directive);
   std::string take_name(ParamList& params);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostNumbers = std::size_t{1} << 31;  // then another run begins
 
-/// Numbers per value; 0: the values are no plain numbers.
+/// Returns the numbers per value; 0 if the values are not plain numbers.
 std::size_t dimension_of(ParamType type) {
   switch (type) {
     case ParamType::number: return 1;
@@ -39,7 +39,7 @@ std::optional<ShapeRun> ShapeRun::after(const ShapeUse& first, std::shared_ptr<c
   return run.take_pieces(first, words) ? std::optional(std::move(run)) : std::nullopt;
 }
 
-/// All parameters must be found in the text: a translation from pbrt-v3 may have made others.
+/// Returns false unless all parameters are found in the text: a translation from pbrt-v3 may have made others.
 bool ShapeRun::take_pieces(const ShapeUse& first, std::string_view words) {
   const std::vector<Param>& params = first.params.params;
   declared_.resize(params.size());
@@ -83,7 +83,7 @@ const char* ShapeRun::read(const char* at) {
   return begin;
 }
 
-/// Another parameter may follow, or something that has no place there: then it is no repetition.
+/// Reads one directive. If another parameter follows, or something that has no place there, it is no repetition.
 bool ShapeRun::read_one(Lexer& lexer) {
   for (const Piece& piece : pieces_) {
     const std::size_t before = numbers_.size();
@@ -99,7 +99,7 @@ bool ShapeRun::read_one(Lexer& lexer) {
   return next.empty() || (is_apart && next.front() >= 'A' && next.front() <= 'Z');
 }
 
-/// What was read of a directive that is no repetition.
+/// Forgets what was read of a directive that is no repetition.
 void ShapeRun::forget_after(std::size_t directives) {
   ends_.resize(directives * pieces_.size());
   numbers_.resize(ends_.empty() ? 0 : ends_.back());

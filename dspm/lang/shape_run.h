@@ -1,6 +1,6 @@
-// Shape directives that repeat the one before them but for numbers: the strands of hair, of which files have millions.
-// They are read without tokens, and kept as numbers and places in the text. Whatever repeats it less exactly is read as
-// any directive is, so no message depends on this.
+// Shape directives that repeat the one before them except for numbers: the strands of hair, of which files have
+// millions. They are read without tokens, and kept as numbers and places in the text. Whatever repeats it less exactly
+// is read as any directive is, so no message depends on this.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ namespace dspm {
 
 class ShapeRun {
  public:
-  /// `first` was read from `words`, a view into the text, and whatever blanks and comments follow it. Nullopt if it has
-  /// no lists of numbers that may differ.
+  /// Begins a run after `first`, which was read from `words`, a view into the text, with the blanks and comments that
+  /// follow it. Returns nullopt if it has no lists of numbers that may differ.
   static std::optional<ShapeRun> after(const ShapeUse& first, std::shared_ptr<const SourceText> source,
                                        std::string_view words);
 
@@ -28,13 +28,13 @@ class ShapeRun {
   const char* read(const char* at);
 
   std::size_t count() const { return places_.size(); }
-  /// `params`: those of the first, or of any other.
+  /// Sets the numbers of directive i in `params`, which are those of the first, or of any other.
   void set_numbers(std::size_t i, ParamList& params) const;
-  /// Directive i as if it had been read like any other, with the places of all that it says.
+  /// Returns directive i as if it had been read like any other, with the places of all that it says.
   ShapeUse at(std::size_t i, const ShapeUse& first) const;
 
  private:
-  /// Text that all have in common, up to a list of numbers.
+  /// Text that all directives have in common, up to a list of numbers.
   struct Piece {
     std::string_view text;
     std::size_t param;      // whose numbers follow, in the list of the first
@@ -56,10 +56,10 @@ class ShapeRun {
   std::vector<std::uint32_t> ends_;    // of each list, in numbers_
 };
 
-/// Those of runs included.
+/// Counts the directives, including those of runs.
 std::size_t count_directives(const std::vector<ShapeUse>& shapes);
 
-/// Calls fn(const ShapeUse&) for each directive, those of runs included.
+/// Calls fn(const ShapeUse&) for each directive, including those of runs.
 template <class Fn>
 void for_each_directive(const std::vector<ShapeUse>& shapes, const Fn& fn) {
   for (const ShapeUse& use : shapes) {

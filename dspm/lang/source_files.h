@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Two names of the same file have the same identity.
+/// Returns the file's identity, which two names of the same file share.
 std::string identity_of(const std::filesystem::path& path);
 
 class SourceFiles {
@@ -19,18 +19,18 @@ class SourceFiles {
   explicit SourceFiles(std::string main_name) : main_name_(std::move(main_name)) {}
 
   const std::string& main_name() const { return main_name_; }
-  /// "-": standard input. Throws std::runtime_error.
+  /// Reads a file; "-" is standard input. Throws std::runtime_error.
   const SourceFile& load(const std::string& path);
-  /// A text in memory, as if it were that file's. Throws std::runtime_error if it is no plain text.
+  /// Takes a text in memory as if it were that file's. Throws std::runtime_error if it is not plain text.
   void put(const std::string& path, std::string text);
-  /// Next to the file that names it, else next to the main file.
+  /// Returns the path of a file: next to the file that names it, else next to the main file.
   std::filesystem::path find(const std::string& name, const SourceFile& file) const;
-  /// The bytes that were loaded again, if they are too many for the bytes that were read; else 0.
+  /// Returns the bytes that were loaded again, if they are too many for the bytes that were read; otherwise 0.
   std::size_t excessive_repeats() const;
-  /// All files are to be read once more.
+  /// Lets all files be read once more.
   void start_again();
 
-  /// In the order in which they were loaded.
+  /// Returns the files in the order in which they were loaded.
   std::vector<std::unique_ptr<SourceFile>> take() { return std::move(files_); }
   const std::vector<std::unique_ptr<SourceFile>>& all() const { return files_; }
 

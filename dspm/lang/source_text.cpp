@@ -17,7 +17,7 @@ int as_int(std::size_t n) {
   return static_cast<int>(std::min<std::size_t>(n, static_cast<std::size_t>(std::numeric_limits<int>::max())));
 }
 
-/// The next `$` from `from` on that is not in a comment; `in_string` carries over.
+/// Returns the next `$` from `from` on that is not in a comment; `in_string` carries over.
 std::size_t find_dollar(std::string_view text, std::size_t from, bool& in_string) {
   for (std::size_t i = from; i < text.size(); ++i) {
     const char c = text[i];

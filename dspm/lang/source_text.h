@@ -27,7 +27,7 @@ class SyntaxError : public std::runtime_error {
 };
 
 bool is_define_name(std::string_view name);
-/// Whether the text contains $define.
+/// Returns whether the text contains $define.
 bool refers_to(std::string_view text, std::string_view define);
 
 /// Characters of a file, from `begin` to `end`.
@@ -35,16 +35,16 @@ struct TextPart {
   std::size_t begin = 0, end = 0;
 };
 
-/// The parts of a text that are each read with the defines of that time: they end after a Default, an Include or an
-/// Import, which may give a name its value. A text without `$` is one part.
+/// Splits a text into parts that are each read with the defines of that time: they end after a Default, an Include or
+/// an Import, which may give a name its value. A text without `$` is one part.
 std::vector<TextPart> parts_of(std::string_view text);
 
-/// Every undefined `$name` is an error.
+/// A text in which `$name` is replaced. Every undefined `$name` is an error.
 class SourceText {
  public:
   /// Leaves `$name` as it is.
   explicit SourceText(const SourceFile& file);
-  /// The characters `part` of `whole`, which leaves `$name` as it is and outlives this.
+  /// Takes the characters `part` of `whole`, which leaves `$name` as it is and must outlive this text.
   SourceText(const SourceText& whole, const TextPart& part, const Defines& defines, Diagnostics& diagnostics);
 
   SourceText(const SourceText&) = delete;
@@ -52,7 +52,7 @@ class SourceText {
 
   std::string_view text() const { return text_; }
   const SourceFile& file() const { return file_; }
-  /// `piece` is a view into text().
+  /// Returns the location of `piece`, a view into text().
   SourceLocation locate(std::string_view piece) const;
 
  private:

@@ -14,7 +14,7 @@ class Scan {
  public:
   explicit Scan(std::string_view text) : text_(text) {}
 
-  /// The next word, string or single sign; empty at the end.
+  /// Returns the next word, string or single sign; empty at the end.
   std::string_view next() {
     skip_blank();
     const std::size_t begin = at_;
@@ -35,7 +35,7 @@ class Scan {
     while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '#'))
       at_ = text_[at_] == '#' ? std::min(text_.find('\n', at_), text_.size()) : at_ + 1;
   }
-  /// It ends with its line at the latest.
+  /// Skips a string, which ends with its line at the latest.
   void skip_string() {
     for (++at_; at_ < text_.size() && text_[at_] != '\n'; ++at_) {
       if (text_[at_] == '"') return void(++at_);

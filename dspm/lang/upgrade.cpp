@@ -16,7 +16,7 @@
 namespace dspm {
 namespace {
 
-/// What was between this place and the token before it.
+/// A place between tokens, with what was between it and the token before it.
 struct Place {
   const char* at;
   bool after_code, after_blank_line;  // on its line; above it
@@ -97,7 +97,7 @@ class Upgrade {
     if (kind == DirectiveKind::world_begin && !std::exchange(is_world_, true)) translator_.settle(translated_);
   }
 
-  /// After the directive on its line, if no other comment is there.
+  /// Writes a comment after the directive on its line, if no other comment is there.
   void write(const Comment& comment, std::string& text) {
     const bool joins = comment.after_code && !is_after_comment_ && !text.empty();
     if (joins) text.pop_back();  // the newline

@@ -8,8 +8,9 @@
 
 namespace dspm {
 
-/// What dspm makes of the file when it reads it, as canonical text. Files that it includes are left alone. Nullopt,
-/// after an error, if it is for another version of pbrt, or cannot be translated. A note says what is only close.
+/// Returns what dspm makes of the file when it reads it, as canonical text. Files that it includes are left alone.
+/// Returns nullopt, after an error, if it is for another version of pbrt, or cannot be translated. A note says what is
+/// only close.
 std::optional<std::string> upgrade_scene(const SourceFile& file, Diagnostics& diagnostics);
 
 }  // namespace dspm

@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-/// The piece that an axis's variation adds to the combination's name.
+/// Returns the piece that an axis's variation adds to the combination's name.
 std::string part_of_name(std::size_t axis, const Variation& variation) {
   return axis == 0 ? variation.name : "-" + variation.name;
 }
@@ -45,7 +45,7 @@ class Search {
     return false;
   }
 
-  /// From the last axis to the first: the places in a pattern from which some choices lead to its end.
+  /// Finds, from the last axis to the first, the places in a pattern from which some choices lead to its end.
   void learn_ends() {
     ends_.resize(axes_.size() + 1);
     for (const Glob& glob : globs_) {
@@ -92,7 +92,7 @@ class Search {
   std::vector<Combination> found_;
 };
 
-/// "2 x 3 x 500 = 3000"; with many axes, only the product.
+/// Returns "2 x 3 x 500 = 3000"; with many axes, only the product.
 std::string product_in_words(const std::vector<VariationAxis>& axes) {
   double product = 1;
   std::string factors;

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// Reading it gives the same directive, but for source locations.
+/// Writes the directive. Reading it gives the same directive, except for source locations.
 std::string text_of(const Directive& directive);
 
 }  // namespace dspm

@@ -146,7 +146,7 @@ class DiffuseArea final : public Light {
     return [this](const SurfacePoint& point) { return relative_at(point) * present_at(point); };
   }
 
-  /// `cosine` of the direction to the normal.
+  /// Returns the densities for the `cosine` of the direction to the normal.
   EmissionPdf pdf(float pdf_a, float cosine) const {
     const float direction = cosine_hemisphere_pdf_w(glow_.two_sided ? std::abs(cosine) : cosine) / sides();
     return {glow_.hidden ? 1 : pdf_a, direction, glow_.hidden, false};

@@ -1,5 +1,5 @@
-// Area lights whose radiance varies over their shape as a texture says. Lights know no textures, so world implements this
-// with one.
+// Area lights whose radiance varies over their shape as a texture says. Lights know no textures, so world implements
+// this with one.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,11 @@ namespace dspm {
 class EmissionPattern {
  public:
   virtual ~EmissionPattern() = default;
-  /// A factor to the radiance, not negative.
+  /// Returns a factor to the radiance, which is not negative.
   virtual Rgb at(const SurfacePoint& point) const = 0;
 };
 
-/// An area light "diffuse" with these parameters; null: no pattern.
+/// Makes an area light "diffuse" with these parameters; `pattern` is null if there is none.
 std::unique_ptr<Light> make_diffuse_area(ParamReader& reader, const LightContext& context,
                                          std::shared_ptr<const EmissionPattern> pattern);
 

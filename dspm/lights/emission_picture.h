@@ -1,5 +1,5 @@
-// A picture on the surface of a light, or on a screen before it: (0, 0) is its lower left corner, values between the centres of pixels are
-// bilinear, and beyond the rim it goes on as it ends there.
+// A picture on the surface of a light, or on a screen before it: (0, 0) is its lower left corner, values between the
+// centres of pixels are bilinear, and beyond the rim it continues as it ends there.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace dspm {
 
 class EmissionPicture {
  public:
-  /// The values of `image` must be finite; those below 0 count as 0.
+  /// Takes an image whose values must be finite; those below 0 count as 0.
   explicit EmissionPicture(Image image) : image_(std::move(image)) {
     for (Rgb& c : image_.pixels) c = {std::max(c.r, 0.f), std::max(c.g, 0.f), std::max(c.b, 0.f)};
   }

@@ -85,7 +85,7 @@ void EmitterPoints::measure(const Brightness& brightness, const std::vector<floa
   }
 }
 
-/// Row by row, the mean over samples of each cell.
+/// Returns the mean over samples of each cell, row by row.
 std::vector<Rgb> EmitterPoints::brightness_of_cells(const Brightness& brightness, int primitive, int side) const {
   std::vector<Rgb> cells(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   const int n = side * kSamplesAlongCell;

@@ -15,19 +15,19 @@ namespace dspm {
 
 class EmitterPoints {
  public:
-  /// What leaves the surface at a point, relative to what the whole would emit; null: 1 everywhere.
+  /// What leaves the surface at a point, relative to what the whole would emit; null if it is 1 everywhere.
   using Brightness = std::function<Rgb(const SurfacePoint&)>;
 
-  /// `placed` must outlive this.
+  /// `placed` must outlive this object.
   EmitterPoints(const PlacedShape& placed, const Brightness& brightness);
 
   struct Start : AreaSample {
     int primitive;
   };
   Start sample(Vec2 u) const;
-  /// Of a point of that primitive, whose normal is ng.
+  /// Returns the density of a point of that primitive, whose normal is ng.
   float pdf_a(int primitive, const Vec3& p, const Vec3& ng) const;
-  /// The u for which sample(u) gives that point, but for rounding; nullopt if it is not known.
+  /// Returns the u for which sample(u) gives that point, up to rounding; nullopt if it is not known.
   std::optional<Vec2> numbers(int primitive, const Vec3& p) const;
   bool empty() const { return !(area_ > 0); }
   /// The brightness integrated over the area.

@@ -11,10 +11,10 @@
 namespace dspm {
 namespace {
 
-/// Of node i among those of `count` pixels.
+/// Returns the place of node i of those of `count` pixels.
 double place_of_node(int i, int count) { return std::clamp((i - 0.5) / count, 0., 1.); }
 
-/// A cell's first and last node, in pixels from half of one before the rim.
+/// Returns a cell's first and last node, in pixels from half a pixel before the rim.
 std::pair<float, float> ends(int cell, int count) {
   const auto first = static_cast<float>(cell);
   return {std::max(first, 0.5f), std::min(first + 1, static_cast<float>(count) + 0.5f)};
@@ -25,7 +25,8 @@ T mix(const T& a, const T& b, float t) {
   return a + (b - a) * t;
 }
 
-/// The picture goes on beyond its rim: by its other side, or, of the octahedron, beyond an edge that is folded onto itself.
+/// Returns the pixel beyond the rim, where the picture continues: on its other side or, for the octahedron, across an
+/// edge that is folded onto itself.
 const Rgb& pixel_beyond(const Image& image, SphereMapping mapping, int x, int y) {
   const int w = image.width, h = image.height;
   if (mapping == SphereMapping::equirectangular) return image.at((x + w) % w, y);
@@ -42,8 +43,8 @@ Rgb mean_of_row(const Image& image, int y) {
   return {mean(0), mean(1), mean(2)};
 }
 
-/// Half way between the pixels on both sides of the rim. A pole, which is the whole rim of a latitude-longitude picture,
-/// has one radiance.
+/// Returns the mean of the pixels on both sides of the rim. A pole, which is the whole rim of a latitude-longitude
+/// picture, has one radiance.
 Rgb radiance_of_node(const Image& image, SphereMapping mapping, int x, int y) {
   const bool at_pole = mapping == SphereMapping::equirectangular && (y == 0 || y == image.height + 1);
   if (at_pole) return mean_of_row(image, y == 0 ? 0 : image.height - 1);
@@ -74,7 +75,7 @@ struct EnvironmentMap::Cell {
   float light(Vec2 rest) const { return mix(upper.light(rest.x), lower.light(rest.x), rest.y); }
   float light_left(float down) const { return mix(upper.light_left, lower.light_left, down); }
   float light_right(float down) const { return mix(upper.light_right, lower.light_right, down); }
-  /// Integrated over the cell.
+  /// Integrates over the cell.
   float whole(const SphereBand& band) const {
     return width * (upper.mean() * band.upper() + lower.mean() * band.lower());
   }
@@ -96,7 +97,7 @@ EnvironmentMap::EnvironmentMap(const Image& image, SphereMapping mapping)
   rows_ = distribution_of_rows();
 }
 
-/// Fills the rows as well.
+/// Returns the distribution of rows, and fills the rows as well.
 Distribution1D EnvironmentMap::distribution_of_rows() {
   const auto cells = static_cast<std::size_t>(width_) + 1;
   std::vector<float> totals, weights(cells);

@@ -31,11 +31,11 @@ class EnvironmentMap {
 
   Rgb radiance(const Vec3& direction) const;
   float pdf_w(const Vec3& direction) const;
-  /// Only if the map is not black.
+  /// Draws a direction; the map must not be black.
   Sample sample(Vec2 u) const;
   /// Brings what sample(u) will read into the cache.
   void prefetch(Vec2 u) const;
-  /// The u for which sample(u) has that direction.
+  /// Returns the u for which sample(u) has that direction.
   Vec2 sample_numbers(const Vec3& direction) const;
   friend bool operator==(const EnvironmentMap& a, const EnvironmentMap& b);
   /// The radiance, if it is the same in all directions and not black.
@@ -47,13 +47,13 @@ class EnvironmentMap {
   bool is_black() const { return !(rows_.total() > 0); }
   /// Radiance integrated over all directions.
   Rgb fluence() const;
-  /// For a surface that faces +z: the integral of luminance times cosine over the directions above.
+  /// Returns the integral of luminance times cosine over the directions above a surface that faces +z.
   float illuminance() const;
 
  private:
-  /// The centre of a pixel, or a place at the picture's rim: each row and column has two more than pixels. Four are the
-  /// corners of a cell, within which radiance is bilinear. A row's cells are the bins of the luminance in them; a cell
-  /// stands with its upper left corner. What a sample needs lies together: memory is what it waits for.
+  /// The centre of a pixel, or a place at the picture's rim: each row and column has two more nodes than pixels. Four
+  /// are the corners of a cell, within which radiance is bilinear. A row's cells are the bins of the luminance in them;
+  /// a cell is stored with its upper left corner. What a sample needs lies together: memory is what it waits for.
   struct Node : Bin {
     Rgb radiance;
   };

@@ -40,7 +40,7 @@
 namespace dspm {
 namespace {
 
-/// Latitude and longitude; the first row looks up.
+/// Makes a map of latitude and longitude, whose first row looks up.
 EnvironmentMap map_of(const Photometry& photometry) {
   constexpr int kRows = 540;
   Image image(photometry.is_symmetric() ? 1 : 2 * kRows, kRows);
@@ -51,7 +51,7 @@ EnvironmentMap map_of(const Photometry& photometry) {
   return EnvironmentMap(image, SphereMapping::equirectangular);
 }
 
-/// Nullopt if it is another kind of file.
+/// Returns nullopt if it is another kind of file.
 std::optional<Photometry> read_ies(const std::filesystem::path& file) {
   try {
     const std::string bytes = read_file(file);

@@ -68,7 +68,7 @@ Body body_of(std::string_view text) {
   return {tilt, text.substr(end)};
 }
 
-/// Factors for a lamp that is mounted at other angles than it was measured at: not used.
+/// Skips factors for a lamp that is mounted at other angles than it was measured at: they are not used.
 void skip_tilt(std::string_view tilt, Numbers& numbers) {
   if (tilt != "INCLUDE") return;
   numbers.next("the lamp's geometry");
@@ -95,7 +95,7 @@ void check_angles(const Photometry& p) {
                     first, last));
 }
 
-/// Between which entries x lies, and how far; x is within them.
+/// The entries between which x lies, and how far; x must be within them.
 struct Between {
   std::size_t index;
   float rest;
@@ -108,7 +108,7 @@ Between between(const std::vector<float>& angles, float x) {
   return {index, std::clamp((x - angles[index]) / (angles[index + 1] - angles[index]), 0.f, 1.f)};
 }
 
-/// The angle in 0..360 at which the same was measured.
+/// Returns the angle in 0..360 at which the same was measured.
 float mirrored(const std::vector<float>& horizontal, float around) {
   const float last = horizontal.back();
   if (last == 90 && around > 180) around = 360 - around;

@@ -13,15 +13,15 @@ struct Photometry {
   std::vector<float> horizontal;  // degrees around the axis, ascending; one: it is the same all around
   std::vector<float> candela;     // for each horizontal angle, the values of all vertical ones
 
-  /// Linear between the angles that were measured, mirrored where only a half or a quarter was; zero above and below
-  /// the vertical ones.
+  /// Interpolates linearly between the angles that were measured, mirrored if only a half or a quarter was; zero above
+  /// and below the vertical ones.
   float intensity(float from_down, float around) const;
   bool is_symmetric() const { return horizontal.size() == 1; }
 };
 
-/// Of a file as it is.
+/// Tests a file as it is.
 bool is_ies(std::string_view bytes);
-/// Takes plain_text(). Throws std::runtime_error with a sentence that does not name the file.
+/// Reads the plain_text() of a file. Throws std::runtime_error with a sentence that does not name the file.
 Photometry parse_ies(std::string_view text);
 
 }  // namespace dspm

@@ -22,8 +22,8 @@ class LightSpace {
   Vec3 to_world(const Vec3& direction) const { return normalize(to_world_.vector(placed(direction))); }
   Vec3 to_light(const Vec3& direction) const { return normalize(placed(to_world_.inverse_vector(direction))); }
 
-  /// Takes the density of a direction in the light's space to that in the world. A map M turns a solid angle around the
-  /// unit vector w into |det M| / |M w|^3 of it: 1 unless M stretches.
+  /// Returns the factor from the density of a direction in the light's space to that in the world. A map M turns a
+  /// solid angle around the unit vector w into |det M| / |M w|^3 of it: 1 unless M stretches.
   float density_scale(const Vec3& in_light) const {
     const float stretch = length(to_world_.vector(placed(in_light)));
     return stretch * stretch * stretch / volume_scale_;

@@ -1,4 +1,4 @@
-// What a scene says about the photons of any light, whatever its plugin.
+// What a scene says about the photons of any light, for any plugin.
 #pragma once
 
 #include "dspm/params/params.h"
@@ -13,7 +13,7 @@ struct PhotonControls {
 inline constexpr const char* kPhotonsParam = "photons";
 inline constexpr const char* kCausticsParam = "caustics";
 
-/// To be called before the light's own factory reads the rest.
+/// Reads the controls. Call it before the light's own factory reads the rest.
 PhotonControls read_photon_controls(ParamReader& params);
 
 }  // namespace dspm

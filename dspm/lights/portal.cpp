@@ -22,7 +22,7 @@ struct Sky {
   friend bool operator==(const Sky& a, const Sky& b) { return a.space == b.space && a.map == b.map; }
 };
 
-/// As fine as the picture, within bounds.
+/// Makes a map as fine as the picture, within bounds.
 WindowMap map_of(const Sky& sky) {
   const int size = sky.map.size(), side = std::clamp(size, 128, 1024);
   return WindowMap(side, std::clamp((2 * size - 1) / side + 1, 2, 4), [&](const Vec3& w) { return sky.radiance(w); });
@@ -94,13 +94,13 @@ class PortalLight final : public Light {
   /// Across the direction, the portal is smaller by the cosine.
   EmissionPdf pdf(float cosine, float pdf_w) const { return {1 / (portal_.area() * cosine), pdf_w, false, false}; }
 
-  /// The directions in which p sees the portal; nullopt from its other side.
+  /// Returns the directions in which p sees the portal; nullopt from its other side.
   std::optional<WindowMap::Part> seen_from(const Vec3& p) const {
     const Vec3 low = portal_.basis.to_local(portal_.corner - p);
     if (!(low.z > 0)) return std::nullopt;
     return WindowMap::Part{WindowMap::place_of(low), WindowMap::place_of(low + Vec3{portal_.width, portal_.height, 0})};
   }
-  /// The place of the ray's direction, if the ray passes the portal.
+  /// Returns the place of the ray's direction, if the ray passes the portal.
   std::optional<Vec2> seen_along(const Ray& ray) const {
     const Vec3 w = portal_.basis.to_local(ray.direction);
     const auto part = w.z > 0 ? seen_from(ray.origin) : std::nullopt;

@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Four points in the world. Nullopt if they are not given, or after an error.
+/// Reads four points in the world. Returns nullopt if they are not given, or after an error.
 std::optional<Rectangle> read_portal(ParamReader& reader);
 
 std::unique_ptr<Light> make_portal_light(const LightContext& context, const EnvironmentMap& map, float scale,

@@ -17,7 +17,7 @@ struct Rectangle {
 
   float area() const { return width * height; }
   Vec3 at(Vec2 place) const { return corner + basis.x * (place.x * width) + basis.y * (place.y * height); }
-  /// Where the line crosses it, both in [0, 1]; nullopt if it does not, or runs along it.
+  /// Returns where the line crosses it, both in [0, 1]; nullopt if it does not, or runs along it.
   std::optional<Vec2> place_of(const Ray& line) const {
     const Vec3 from = basis.to_local(line.origin - corner), along = basis.to_local(line.direction);
     const float t = -from.z / along.z;
@@ -31,8 +31,8 @@ struct Rectangle {
   }
 };
 
-/// pbrt's order: x from the first point to the last, y from the first to the second. Nullopt if the points are no
-/// rectangle, up to a thousandth.
+/// Takes points in pbrt's order: x from the first point to the last, y from the first to the second. Returns nullopt if
+/// they are no rectangle, up to a thousandth.
 inline std::optional<Rectangle> rectangle_of(std::span<const Vec3> p) {
   if (p.size() != 4) return std::nullopt;
   const Vec3 x = p[3] - p[0], y = p[1] - p[0], x2 = p[2] - p[1], y2 = p[2] - p[3];

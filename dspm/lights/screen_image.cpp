@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// An even number of each pixel's, and not few along the shorter axis.
+/// Returns an even number of cells for each pixel, and not few along the shorter axis.
 int cells_of_pixel(const Image& image) {
   constexpr int kFewest = 64;
   return 2 * ((kFewest - 1) / (2 * std::min(image.width, image.height)) + 1);
@@ -25,7 +25,7 @@ Vec2 half_of_screen(const Image& image, float fov) {
 
 }  // namespace
 
-/// By luminance: of its corners and what lies between them.
+/// The luminance of a cell: of its corners and what lies between them.
 struct ScreenImage::Cell {
   float upper_left, upper_right, lower_left, lower_right;
 

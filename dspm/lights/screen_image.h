@@ -22,25 +22,25 @@ class ScreenImage {
     float pdf_w;
   };
 
-  /// The shorter axis of the image covers `fov` degrees. All values must be finite and non-negative.
+  /// Takes an image whose shorter axis covers `fov` degrees. All values must be finite and non-negative.
   ScreenImage(Image image, float fov);
 
   Rgb radiance(const Vec3& direction) const;
   float pdf_w(const Vec3& direction) const;
-  /// Only if the image is not black.
+  /// Draws a direction; the image must not be black.
   Sample sample(Vec2 u) const;
-  /// The u for which sample(u) has that direction, if there is one.
+  /// Returns the u for which sample(u) has that direction, if there is one.
   Vec2 sample_numbers(const Vec3& direction) const;
   bool is_black() const { return !(rows_.total() > 0); }
-  /// Integrated over all directions.
+  /// The radiant intensity integrated over all directions.
   Rgb fluence() const;
   friend bool operator==(const ScreenImage& a, const ScreenImage& b) {
     return a.half_ == b.half_ && a.picture_ == b.picture_;
   }
 
  private:
-  /// Pixels are cut into an even number of cells, so that their solid angle varies little within one and the image is
-  /// bilinear in it.
+  /// A place in a cell. Pixels are cut into an even number of cells, so that their solid angle varies little within one
+  /// and the image is bilinear in it.
   struct Place {
     int x, y;  // of the cell
     Vec2 rest;
@@ -50,7 +50,7 @@ class ScreenImage {
 
   std::optional<Place> place_of(const Vec3& direction) const;
   Cell cell(int x, int y) const;
-  /// Of the whole screen.
+  /// Returns the place on the whole screen.
   Vec2 place_in(int x, int y, Vec2 rest) const;
   Rgb at(Vec2 place) const { return picture_.at({place.x, 1 - place.y}); }
   float solid_angle(int x, int y) const;

@@ -1,5 +1,5 @@
-// A band of a picture around the sphere, between two rows of nodes: how much of the sphere lies where in it. Places in it
-// go from t = 0 at the upper row to 1 at the lower one.
+// A band of a picture around the sphere, between two rows of nodes: how much of the sphere lies where in it. Places in
+// it go from t = 0 at the upper row to 1 at the lower one.
 #pragma once
 
 #include "dspm/math/sphere_mapping.h"
@@ -8,15 +8,15 @@ namespace dspm {
 
 class SphereBand {
  public:
-  /// Between two places down the picture, 0 <= top < bottom <= 1.
+  /// Takes the band between two places down the picture, 0 <= top < bottom <= 1.
   SphereBand(SphereMapping mapping, double top, double bottom);
 
-  /// Solid angle per unit of the place across, where directions count by 1 - t, and by t.
+  /// The solid angle per unit of the place across, with directions weighted by 1 - t; lower() weights them by t.
   float upper() const { return upper_; }
   float lower() const { return lower_; }
-  /// A t in proportion to solid angle times what is linear between a and b, neither below 0, from a uniform number.
+  /// Draws t in proportion to solid angle times what is linear between a and b, neither below 0, from a uniform number.
   float sample(float u, float a, float b) const;
-  /// The u with sample(u, a, b) = t.
+  /// Returns the u with sample(u, a, b) = t.
   float number(float t, float a, float b) const;
 
  private:

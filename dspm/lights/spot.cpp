@@ -44,7 +44,7 @@ float sample_falloff(float u) {
 
 class Spot final : public Light {
  public:
-  /// The cones are given as 1 - cos of their half angles.
+  /// Takes the cones as 1 - cos of their half angles.
   Spot(const Vec3& p, const Vec3& axis, const Rgb& intensity, float inner, float outer)
       : p_(p), basis_(Basis::around(axis)), intensity_(intensity), inner_(inner), outer_(outer) {}
 
@@ -101,7 +101,7 @@ class Spot final : public Light {
   }
 
  private:
-  /// Of the power.
+  /// Returns the inner cone's share of the power.
   float share_of_inner() const { return 2 * inner_ / (inner_ + outer_); }
 
   EmissionPdf pdf(const Vec3& w) const { return {1, falloff(w) / (kPi * (inner_ + outer_)), true, false}; }

@@ -12,7 +12,8 @@ namespace dspm {
 /// The narrowest disk whose rim is well above rounding, in degrees.
 inline constexpr float kLeastSunAngle = 0.01f;
 
-/// `angle`: the disk's diameter in degrees, from kLeastSunAngle to 180. `irradiance`: on a surface that faces the light.
+/// `angle` is the disk's diameter in degrees, from kLeastSunAngle to 180; `irradiance` is that on a surface that faces
+/// the light.
 std::unique_ptr<Light> make_sun_disk(const LightContext& context, const Vec3& towards_light, const Rgb& irradiance,
                                      float angle);
 

@@ -23,7 +23,7 @@ double projected_solid_angle(int x, int y, int side) {
   return between_corners(edge(x, side), edge(y, side), edge(x + 1, side), edge(y + 1, side), projected_solid_angle_to);
 }
 
-/// The t in [low, high] with f(t) = value, for an f that is monotone, and linear between whole numbers.
+/// Returns the t in [low, high] with f(t) = value, for an f that is monotone, and linear between whole numbers.
 template <class F>
 double inverse(double low, double high, double value, F&& f) {
   int first = static_cast<int>(low), last = static_cast<int>(std::ceil(high));
@@ -53,8 +53,8 @@ float WindowMap::solid_angle_per_place(const Vec3& d) {
 
 int WindowMap::cell(float place) const { return std::clamp(static_cast<int>(place * side()), 0, image_.width - 1); }
 
-/// A cell's luminance. Light that reaches into a cell between the directions that were looked up is sampled, too: its
-/// neighbours have it.
+/// Returns the luminance by which a cell is sampled. Light that reaches into a cell between the directions that were
+/// looked up is sampled, too: its neighbours have it.
 float WindowMap::sampled_light(int x, int y) const {
   constexpr float kShare = 1 / 8.f;
   float around = 0;

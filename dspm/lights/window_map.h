@@ -28,7 +28,7 @@ class WindowMap {
     float pdf_w;
   };
 
-  /// `radiance(direction)` is averaged over each of `side` x `side` cells by `samples` x `samples` directions.
+  /// Averages `radiance(direction)` over each of `side` x `side` cells by `samples` x `samples` directions.
   template <class Radiance>
   WindowMap(int side, int samples, Radiance&& radiance) : image_(side, side) {
     for (int y = 0; y < side; ++y)
@@ -40,17 +40,17 @@ class WindowMap {
   static Vec2 place_of(const Vec3& direction);
 
   bool is_black() const { return !(rows_.total() > 0); }
-  /// Integrated over the hemisphere, times the cosine to z: irradiance on the window.
+  /// Integrates over the hemisphere, times the cosine to z: the irradiance on the window.
   Rgb irradiance() const;
 
-  /// Within a part, by the cells' luminance. Nullopt if it is black there.
+  /// Draws a direction within a part, by the cells' luminance. Returns nullopt if it is black there.
   std::optional<Sample> sample(const Part& part, Vec2 u) const;
   float pdf_w(const Part& part, Vec2 place) const;
 
-  /// Over the hemisphere, by luminance times the cosine to z of the cells. Only if the map is not black.
+  /// Draws a direction over the hemisphere, by luminance times the cosine to z of the cells. The map must not be black.
   Sample sample_crossing(Vec2 u) const;
   float crossing_pdf_w(Vec2 place) const;
-  /// The u for which sample_crossing(u) has that place.
+  /// Returns the u for which sample_crossing(u) has that place.
   Vec2 crossing_numbers(Vec2 place) const;
 
  private:
@@ -74,7 +74,7 @@ class WindowMap {
   void sum();
   float sampled_light(int x, int y) const;
   static float solid_angle_per_place(const Vec3& direction);
-  /// Luminance integrated over [0, x] x [0, y] of the square; in cells, not in places.
+  /// Returns the luminance integrated over [0, x] x [0, y] of the square; x and y are in cells, not in places.
   double sum_to(double x, double y) const;
   double sum_in(double x0, double y0, double x1, double y1) const;
   double weight(int x, int y) const { return sum_in(x, y, x + 1, y + 1); }

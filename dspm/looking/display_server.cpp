@@ -31,7 +31,7 @@ std::vector<float> values_within(const Image& image, const PixelRect& where, int
   return values;
 }
 
-/// Never 0, which means that nothing was sent.
+/// Returns a digest that is never 0, which means that nothing was sent.
 std::size_t digest(const std::vector<float>& values) {
   const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
   return std::hash<std::string_view>()(bytes) | 1;

@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// An image without one is opaque.
+/// Compares opacities; an image without alpha is opaque.
 double alpha_rmse(const Image& reference, const Image& test) {
   double squares = 0;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Over all components of the linear values of all pixels that are finite in both images.
+/// Figures over all components of the linear values of all pixels that are finite in both images.
 struct ErrorFigures {
   double rmse = 0;  // root of the mean squared error
   // Errors over the reference's values, which count as a hundredth of their mean at least. Of a black reference: none.

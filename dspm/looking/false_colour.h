@@ -1,4 +1,4 @@
-// Numbers as colours.
+// Shows numbers as colours.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// 0 is black, `white` and above are pale yellow, by the scale "magma" of matplotlib. The image is linear.
+/// Makes 0 black, and `white` and above pale yellow, by the scale "magma" of matplotlib. The image is linear.
 Image false_colours(const std::vector<float>& values, int width, float white = 1);
 
 }  // namespace dspm

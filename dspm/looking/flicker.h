@@ -1,4 +1,4 @@
-// How much an animation flickers, apart from what moves steadily.
+// Measures how much an animation flickers, apart from what moves steadily.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// x is a pixel's brightness on a screen, in 0..1 of sRGB's scale. Of three frames one after the other, what is left of
-/// the middle one less the mean of its neighbours does not see steady change. Noise of standard deviation s that is
-/// independent from frame to frame leaves s sqrt(3/2), so it is divided by that root.
+/// x is a pixel's brightness on a screen, in 0..1 of sRGB's scale. In three frames one after the other, the difference
+/// of the middle one from the mean of its neighbours does not see steady change. Noise of standard deviation s that is
+/// independent from frame to frame leaves s sqrt(3/2), so the difference is divided by that root.
 struct Flicker {
   double rms = 0;      // over pixels and frames
   double typical = 0;  // the same for normal noise, but from the median: what moves in a few pixels does not count
@@ -18,7 +18,7 @@ struct Flicker {
 
 class FlickerMeter {
  public:
-  /// The next frame, as a view shows it. Throws std::runtime_error if its size differs.
+  /// Adds the next frame, as a view shows it. Throws std::runtime_error if its size differs.
   void add(const Image& shown);
   /// Throws std::runtime_error if there are fewer than three frames.
   Flicker result() const;

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// A plane of numbers, and what lies outside of it: its edge, repeated.
+/// A plane of numbers that continues outside as its edge.
 struct Plane {
   int width, height;
   std::vector<float> values;
@@ -22,7 +22,7 @@ struct Plane {
   }
 };
 
-/// Weights of -radius to radius.
+/// Weights from -radius to radius.
 using Kernel = std::vector<double>;
 
 template <class Weight>
@@ -38,7 +38,7 @@ double sum(const Kernel& values) {
   return total;
 }
 
-/// Along the rows by one kernel, then along the columns by the other.
+/// Filters along the rows by one kernel, then along the columns by the other.
 Plane filtered(const Plane& plane, const Kernel& across, const Kernel& down) {
   const auto along = [](const Plane& from, const Kernel& weights, int dx, int dy) {
     const int radius = static_cast<int>(weights.size()) / 2;
@@ -70,7 +70,7 @@ Triple times(const double (&m)[3][3], const Triple& v) {
   return result;
 }
 
-/// XYZ over white's, to lightness and two opponents; CIELAB does it to their cube roots.
+/// Converts XYZ over white's to lightness and two opponents; CIELAB does it to their cube roots.
 Triple opponents(const Triple& v) { return {116 * v[1] - 16, 500 * (v[0] - v[1]), 200 * (v[1] - v[2])}; }
 
 Triple ycxcz(const Triple& rgb) {
@@ -84,7 +84,7 @@ Triple rgb_of_ycxcz(const Triple& v) {
   return times(kToRgb, {(y + v[1] / 500) * kWhite[0], y * kWhite[1], (y - v[2] / 200) * kWhite[2]});
 }
 
-/// CIELAB, with opponents that fade in the dark. [Hunt's effect; section 4.1]
+/// Converts to CIELAB, with opponents that fade in the dark. [Hunt's effect; section 4.1]
 Triple hunt_lab(const Triple& rgb) {
   constexpr double kKnee = 6. / 29;
   Triple xyz = times(kToXyz, rgb);
@@ -97,12 +97,12 @@ Triple hunt_lab(const Triple& rgb) {
   return lab;
 }
 
-/// The distance HyAB to the power 0.7.
+/// Returns the distance HyAB to the power 0.7.
 double distance(const Triple& a, const Triple& b) {
   return std::pow(std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]), 0.7);
 }
 
-/// Distances onto 0..1: the lower 0.4 of their range takes 0.95 of it.
+/// Maps distances to 0..1: the lower 0.4 of their range takes 0.95 of it.
 double redistributed(double d) {
   static const double most = distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1}));
   constexpr double kShare = 0.4, kTarget = 0.95;
@@ -141,7 +141,8 @@ struct Features {
   std::vector<float> edges, points;
 };
 
-/// Positive weights add up to 1, negative ones to -1; `smooth` runs across and adds up to `total`.
+/// Scales the positive weights to add up to 1, and the negative ones to -1, after the kernel across them, which adds up
+/// to `total`.
 Kernel balanced(Kernel weights, double total) {
   double positive = 0, negative = 0;
   for (const double w : weights) (w > 0 ? positive : negative) += std::abs(w) * total;

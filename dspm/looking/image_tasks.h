@@ -9,20 +9,21 @@
 
 namespace dspm {
 
-/// Files on the command line, and how they are shown.
+/// The files on the command line, and how they are shown.
 struct ImageTask {
   std::vector<std::string> files;  // numbered_files() of each
   ViewSettings view;
   std::string written;  // a false colour image; empty: a name of its own
 };
 
-/// The figures of the second file against the first, in words; writes where FLIP sees errors. Throws UsageError if there
-/// are not two, std::runtime_error if they cannot be read or compared.
+/// Returns the figures of the second file against the first, in words; writes where FLIP sees errors. Throws UsageError
+/// if there are not two, std::runtime_error if they cannot be read or compared.
 std::string compare_images(const ImageTask& task);
-/// Of the files, in their order; writes where it flickers. Likewise.
+/// Returns how the files flicker, in their order; writes where they do. Throws what compare_images() does.
 std::string measure_flicker(const ImageTask& task);
 
-/// A sheet and a video of files; empty names: none. Says what it has written. Throws likewise, and WriteError.
+/// The names of a sheet and a video of files; an empty name means none. make_pages() returns what it has written, and
+/// throws what compare_images() does, and WriteError.
 struct PageFiles {
   std::string sheet, video;
   SheetStyle style;

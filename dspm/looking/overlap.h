@@ -1,4 +1,4 @@
-// Where two images show the same pixels of a picture: one may be a crop of it, or both.
+// Where two images show the same pixels of a picture: one or both of them may be a crop of it.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,12 @@ struct Framing {
 };
 Framing framing_of(const std::filesystem::path& file, const Image& image);
 
-/// What the two have in common, in pixels of the whole picture; two images of one size have all. Throws
-/// std::runtime_error, naming the files, if they have nothing in common or are parts of pictures of different sizes.
+/// Returns what the two have in common, in pixels of the whole picture; two images of one size have everything in
+/// common. Throws std::runtime_error, naming the files, if they have nothing in common or are parts of pictures of
+/// different sizes.
 Framing overlap_of(const std::string& first, const Framing& a, const std::string& second, const Framing& b);
 
-/// Those pixels of an image that is framed like `of`.
+/// Returns those pixels of an image that is framed like `of`.
 Image cut_out(const Image& image, const Framing& of, const Framing& part);
 
 }  // namespace dspm

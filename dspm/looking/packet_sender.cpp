@@ -23,13 +23,13 @@ using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
 std::string in_words(int error) { return std::generic_category().message(error); }
 
-/// Waits until the socket can be written to, at most a moment. False: not yet.
+/// Waits until the socket can be written to, but only for a moment. Returns false if it cannot yet.
 bool is_writable(int socket) {
   pollfd one{socket, POLLOUT, 0};
   return poll(&one, 1, kMoment) > 0;
 }
 
-/// Servers of this protocol send nothing: what can be read is their end.
+/// Returns whether the server is gone. Servers of this protocol send nothing: what can be read is their end.
 bool has_vanished(int socket) {
   char byte;
   const ssize_t count = recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);

@@ -21,19 +21,20 @@ class PacketSender {
   PacketSender(const PacketSender&) = delete;
   PacketSender& operator=(const PacketSender&) = delete;
 
-  /// Counts the connections: another number means a server that knows nothing of what was sent. 0: none so far.
+  /// Counts the connections: another number means a server that knows nothing of what was sent. It is 0 if there was
+  /// none so far.
   int connection() const { return connection_; }
-  /// Connected, and all that was given has been sent.
+  /// Returns whether it is connected and has sent everything.
   bool is_idle() const;
-  /// Dropped if there is no connection, or another one.
+  /// Sends a packet, which is dropped if there is no connection, or another one.
   void send(std::string packet, int connection);
-  /// Why there is no connection, once; empty: there is one, or it was told.
+  /// Returns why there is no connection, once; empty if there is one, or if it has been told.
   std::string take_fault();
 
  private:
   using Clock = std::chrono::steady_clock;
   void run();
-  /// A socket, or -1 with the fault set.
+  /// Returns a socket, or -1 with the fault set.
   int connected();
   void serve(int socket);
   bool ends() const { return ended_ && (queue_.empty() || Clock::now() > deadline_); }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kUsualRate = 24;
 
-/// On black, if its shape is another one.
+/// Fits an image into that size, on black if its shape is another one.
 Image fitted(const Image& image, int width, int height) {
   if (static_cast<long>(image.width) * height == static_cast<long>(image.height) * width) return image;
   const double share = std::min(static_cast<double>(width) / image.width, static_cast<double>(height) / image.height);
@@ -56,7 +56,7 @@ void check_files(const ImageTask& task, const PageFiles& pages, const std::vecto
   expect_distinct(read, written);
 }
 
-/// All images on one sheet; moving, each on a sheet of its own.
+/// Puts all images on one sheet; if it moves, each on a sheet of its own.
 class Sheets {
  public:
   Sheets(std::string path, std::size_t count, const Image& first, const SheetStyle& style)

@@ -18,12 +18,12 @@ class Preview {
   int width() const { return std::min(size_.columns * size_.cell_width, graphics_.max_width); }
   int height() const { return std::min(rows() * size_.cell_height, graphics_.max_height); }
 
-  /// The window's size, which may have changed.
+  /// Adapts to the window's size, which may have changed.
   void fit_into(const TerminalSize& size);
-  /// What to print to show it: in the place of the one before if that is still on the screen and has kept its place, else
-  /// below. The cursor begins and ends at the start of an empty line.
+  /// Returns what to print to show it: in the place of the one before if that is still on the screen and has kept its
+  /// place, else below. The cursor begins and ends at the start of an empty line.
   std::string show(const Image& shown);
-  /// Other text is printed.
+  /// Call this when other text is printed.
   void text_follows(std::string_view text);
 
  private:

@@ -26,7 +26,7 @@ bool has_extension(const std::filesystem::path& path, const List& extensions) {
   return std::find(std::begin(extensions), std::end(extensions), extension_of(path)) != std::end(extensions);
 }
 
-/// For a whole name; the number is its group. Empty: the name has no place for one.
+/// Returns an expression for a whole name, in which the number is a group; empty if the name has no place for one.
 std::string expression_of(const std::string& name) {
   static const std::regex place("##+|%0?[0-9]{0,2}d"), special(R"([.^$|()\[\]{}*+?\\])");
   std::smatch found;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{400};
 
-/// Without echo, and read as the bytes come.
+/// Turns off echo, and lets bytes be read as they come.
 class RawInput {
  public:
   explicit RawInput(int descriptor) : descriptor_(descriptor), good_(tcgetattr(descriptor, &before_) == 0) {
@@ -39,13 +39,14 @@ class RawInput {
   bool good_;
 };
 
-/// Where the attributes begin in an answer, after "ESC [ ?"; npos: they have not come.
+/// Returns where the attributes begin in an answer, after "ESC [ ?"; npos if they have not come.
 std::size_t attributes_in(std::string_view answer) {
   const std::size_t begin = answer.find("\x1b[?");
   return begin == answer.npos || answer.find('c', begin) == answer.npos ? answer.npos : begin + 3;
 }
 
-/// What the terminal says until it has told its attributes, which are asked for last, or has kept silent for too long.
+/// Returns what the terminal says until it has told its attributes, which are asked for last, or has kept silent for
+/// too long.
 std::string answer_to(std::string_view query, int descriptor) {
   std::string answer;
   if (write(descriptor, query.data(), query.size()) < 0) return answer;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kPayload = 4096;  // the most that a command may carry
 constexpr int kImageNumber = 4711, kPlacement = 1;
 
-/// [RFC 4648]
+/// Encodes bytes. [RFC 4648]
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -33,7 +33,7 @@ std::string base64(std::string_view bytes) {
 
 constexpr int kLevels = 6;  // of each component
 
-/// The colours of all pixels as numbers of the palette, dithered in cells of 4 x 4. [Bayer 1973]
+/// Returns the colours of all pixels as numbers of the palette, dithered in cells of 4 x 4. [Bayer 1973]
 std::vector<int> palette_indices(const Image& image) {
   constexpr int kBayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
   const std::string bytes = srgb_bytes(image);
@@ -49,7 +49,7 @@ std::vector<int> palette_indices(const Image& image) {
   return indices;
 }
 
-/// A row of sixels, each six pixels high, in one colour: lengths of runs and their bits.
+/// Encodes a row of sixels, each six pixels high, in one colour: lengths of runs and their bits.
 std::string runs(const std::vector<int>& bits) {
   std::string text;
   for (std::size_t begin = 0; begin < bits.size();) {

@@ -12,14 +12,14 @@ namespace dspm {
 /// endian, texts end with a zero.
 enum class TevMessage : char { close_image = 2, create_image = 4, update_image_v3 = 6 };
 
-/// A black image.
+/// Creates a black image.
 std::string tev_create_image(const std::string& name, int width, int height, const std::vector<std::string>& channels);
 
-/// `values`: of the rectangle's pixels row by row, the channels of a pixel one after the other.
+/// Updates a rectangle. `values` are those of its pixels row by row, the channels of a pixel one after the other.
 std::string tev_update_image(const std::string& name, const PixelRect& where, const std::vector<std::string>& channels,
                              const std::vector<float>& values);
 
-/// No error if there is none of that name.
+/// Closes an image. It is no error if there is none of that name.
 std::string tev_close_image(const std::string& name);
 
 }  // namespace dspm

@@ -20,7 +20,7 @@ struct Remarks {
   std::set<std::string> unknown;     // parameters that v3 did not know either, and ignored
 };
 
-/// v4 has nothing like it.
+/// Thrown for what v4 has nothing like.
 class NoCounterpart : public SyntaxError {
  public:
   NoCounterpart(const Directive& directive, std::string_view kind, const std::string& type, const std::string& way_out);
@@ -42,20 +42,20 @@ class Edit {
 
   std::string type() const;
   void set_type(std::string_view type);
-  /// Of the material or texture that it defines; empty: none.
+  /// Returns the name of the material or texture that it defines; empty if it defines none.
   std::string name() const;
   const SourceLocation& where() const { return directive_.where; }
 
-  /// "type" of a MakeNamed... directive is no parameter here.
+  /// Applies a rule. "type" of a MakeNamed... directive is no parameter here.
   void apply(const Rule& rule);
 
   const Param* find(std::string_view name) const { return directive_.params.find(name); }
   std::optional<Param> take(std::string_view name);
   std::string take_text(std::string_view name);
   bool take_flag(std::string_view name, bool fallback);
-  /// The name of its texture, if it is one; empty: not a texture.
+  /// Returns the name of the parameter's texture; empty if it is not a texture.
   std::string texture(std::string_view name) const;
-  /// Its value, if it is one number or one rgb colour.
+  /// Returns its value, if it is one number or one rgb colour.
   std::optional<Rgb> constant(std::string_view name) const;
   std::optional<float> number(std::string_view name) const;
 
@@ -63,19 +63,19 @@ class Edit {
   void set_number(std::string name, float value) { set(ParamType::number, std::move(name), std::vector{value}); }
   void set_rgb(std::string name, const Rgb& c) { set(ParamType::rgb, std::move(name), std::vector{c.r, c.g, c.b}); }
 
-  /// `what` is translated, but does not look quite the same.
+  /// Remarks that `what` is translated, but does not look quite the same.
   void only_close(std::string what) { remarks_.only_close.insert(std::move(what)); }
 
-  /// Nor was it to v3, which ignored it.
+  /// Remarks that v4 does not know `what`, nor did v3, which ignored it.
   void not_known(std::string what) { remarks_.unknown.insert(std::move(what)); }
 
-  /// Further directives around this one.
+  /// Puts a directive before this one.
   void before(Directive directive) { before_.push_back(std::move(directive)); }
   bool is_before(std::string_view defined) const;  // one that defines this name
   void after(Directive directive) { after_.push_back(std::move(directive)); }
   std::vector<Directive> take_before() { return std::move(before_); }
   std::vector<Directive> take_after() { return std::move(after_); }
-  /// A directive without parameters, at this one's place.
+  /// Makes a directive without parameters, at this one's place.
   Directive make(std::string_view name, const std::vector<std::string>& words) const;
 
   Directive& directive() { return directive_; }

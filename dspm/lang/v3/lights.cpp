@@ -33,7 +33,7 @@ float luminance(const Spectrum& spectrum) {
   return sum / whole;
 }
 
-/// Empty, if the wavelengths are not in order: who reads the parameter says so.
+/// Returns an empty spectrum if the wavelengths are not in order; whoever reads the parameter reports that.
 Spectrum of_pairs(const std::vector<float>& pairs) {
   Spectrum spectrum;
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
@@ -45,7 +45,7 @@ Spectrum of_pairs(const std::vector<float>& pairs) {
   return in_order ? spectrum : Spectrum();
 }
 
-/// Leaves the hue in the parameter, and returns what v4 loses of its strength.
+/// Leaves the hue in the parameter, and returns the strength that v4 takes away from it.
 float take_strength(Edit& edit, const std::string& name) {
   const Param* const param = edit.find(name);
   const auto* values = param != nullptr ? std::get_if<std::vector<float>>(&param->values) : nullptr;
@@ -62,7 +62,7 @@ float take_strength(Edit& edit, const std::string& name) {
 
 bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }
 
-/// v3's scale is a colour, v4's a number.
+/// Splits v3's scale, which is a colour; v4's is a number.
 void scale(Edit& edit, const std::string& colour) {
   const float strength = take_strength(edit, colour);
   const bool has_map = edit.find("filename") != nullptr;
@@ -83,7 +83,7 @@ void scale(Edit& edit, const std::string& colour) {
   if (factor.r != 1) edit.set_number("scale", factor.r);
 }
 
-/// v3's goniometric maps have their pole at +y, dspm's at +z: y and z change places.
+/// Turns v3's goniometric maps, whose pole is at +y, to dspm's +z: y and z change places.
 void stand_upright(Edit& edit) {
   edit.set(ParamType::text, "mapping", std::vector<std::string>{"equirectangular"});
   Directive exchange = edit.make("ConcatTransform", {});

@@ -42,14 +42,14 @@ constexpr Rule kMaterials[] = {
 };
 // clang-format on
 
-/// What reflects the share f0 head-on.
+/// Returns the eta of what reflects the share f0 head-on.
 float eta_of(float f0) {
   const float root = std::sqrt(std::clamp(f0, 0.f, 0.36f));
   return (1 + root) / (1 - root);
 }
 float f0_of(float eta) { return (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
 
-/// A coat that reflects f0 head-on; none for 0.
+/// Adds a coat that reflects f0 head-on; none for 0.
 void coat(Edit& edit, float f0) {
   if (f0 > 1e-5f) return edit.set_number("eta", eta_of(f0));
   edit.set_type("diffuse");
@@ -57,7 +57,7 @@ void coat(Edit& edit, float f0) {
     edit.take(name);
 }
 
-/// The strength of a lobe, taken out: 1 for a texture.
+/// Takes out the strength of a lobe; it is 1 for a texture.
 float take_strength(Edit& edit, std::string_view name) {
   const auto value = edit.constant(name);
   edit.take(name);
@@ -69,7 +69,7 @@ void plastic(Edit& edit) {
   coat(edit, take_strength(edit, "Ks") * f0_of(1.5f));
 }
 
-/// Ks is what it reflects head-on [Ashikhmin and Shirley 2000].
+/// Translates a substrate: Ks is what it reflects head-on [Ashikhmin and Shirley 2000].
 void substrate(Edit& edit) {
   edit.only_close("substrate (its lobes become a coat over a matte ground)");
   const bool is_texture = !edit.texture("Ks").empty();
@@ -77,8 +77,8 @@ void substrate(Edit& edit) {
   coat(edit, is_texture ? f0_of(1.5f) : strength);
 }
 
-/// Each time that light passes the surface, it is multiplied by `through`: principled's does so by the root of its
-/// basecolor. Roughness is alpha by now, and principled's the root of it.
+/// Colours glass. Each time that light passes the surface, it is multiplied by `through`: principled's does so by the
+/// root of its basecolor. Roughness is alpha by now, and principled's the root of it.
 void colour_glass(Edit& edit, const Rgb& through) {
   edit.set_type("principled");
   edit.set_number("transmission", 1);
@@ -92,7 +92,7 @@ void colour_glass(Edit& edit, const Rgb& through) {
   edit.set_number("roughness", is_alpha ? std::sqrt(alpha) : std::sqrt(std::sqrt(alpha)));
 }
 
-/// What passes has the colour Kt; what is mirrored is as bright as glass mirrors, if it has any Kr.
+/// Translates glass. What passes has the colour Kt; what is mirrored is as bright as glass mirrors, if it has any Kr.
 void glass(Edit& edit) {
   const auto mirrored = edit.constant("Kr"), through = edit.constant("Kt");
   const bool is_given = mirrored != Rgb(1), is_texture = !through;
@@ -102,7 +102,7 @@ void glass(Edit& edit) {
   if (*through != Rgb(1)) colour_glass(edit, *through);
 }
 
-/// A mix of the material and nothing.
+/// Mixes the material with nothing.
 void make_see_through(Edit& edit, float opacity) {
   const std::string name = edit.name().empty() ? fmt::format("line {}", edit.where().line) : edit.name();
   const auto add = [&](const std::string& part, ParamList params) {
@@ -169,7 +169,8 @@ void translucent(Edit& edit) {
     edit.set(ParamType::texture, "transmittance", scaled(transmit));
 }
 
-/// What tints highlights and sheen: white, and the hue of the colour by `tint`. [pbrt-v3, src/materials/disney.cpp]
+/// Returns the tint of highlights and sheen: white, and the hue of the colour by `tint`. [pbrt-v3,
+/// src/materials/disney.cpp]
 Rgb tinted(Edit& edit, std::string_view tint) {
   const float share = edit.number(tint).value_or(0);
   edit.take(tint);
@@ -178,7 +179,8 @@ Rgb tinted(Edit& edit, std::string_view tint) {
   return Rgb(1 - share) + *colour * (share / luminance(*colour));
 }
 
-/// Of a thin wall, half of "difftrans" of the diffuse light goes through; bodies have neither that nor "flatness".
+/// Makes a thin wall, through which half of "difftrans" of the diffuse light goes; bodies have neither that nor
+/// "flatness".
 void thin_disney(Edit& edit) {
   const bool is_flat = edit.take("flatness").has_value(), is_thin = edit.take_flag("thin", false);
   const std::string texture = edit.texture("difftrans");
@@ -193,7 +195,7 @@ void thin_disney(Edit& edit) {
     edit.set(ParamType::texture, "diffusetransmission", std::vector{scaled_texture(edit, "float", texture, 0.5f)});
 }
 
-/// v3's coat reflects a quarter of clear varnish, with an alpha from 0.1 to 0.001 [Burley 2012].
+/// Translates disney. v3's coat reflects a quarter of clear varnish, with an alpha from 0.1 to 0.001 [Burley 2012].
 void disney(Edit& edit) {
   edit.only_close("disney (its coat is GGX)");
   const float gloss = edit.number("clearcoatgloss").value_or(1);
@@ -211,7 +213,7 @@ void disney(Edit& edit) {
   thin_disney(edit);
 }
 
-/// "amount" is of the first material in v3, of the second in v4.
+/// Translates a mix, whose "amount" is that of the first material in v3, of the second in v4.
 void mix(Edit& edit) {
   const std::string first = edit.take_text("namedmaterial1"), second = edit.take_text("namedmaterial2");
   edit.set(ParamType::text, "materials", std::vector{second, first});
@@ -222,7 +224,7 @@ void mix(Edit& edit) {
   }
 }
 
-/// v3's folders of spectra hold what v4 knows by name: "spds/Au.eta.spd" is "metal-Au-eta".
+/// Names metals: v3's folders of spectra hold what v4 knows by name: "spds/Au.eta.spd" is "metal-Au-eta".
 void name_metals(Edit& edit) {
   constexpr std::string_view kMetals[] = {"Ag", "Al", "Au", "Cu", "CuZn", "MgO", "TiO2"};
   for (const std::string& part : {std::string("eta"), std::string("k")}) {

@@ -19,13 +19,14 @@ struct OnCurve {
   Weighted p, derivative;
 };
 
-/// The index of the span that holds t: its first knot. Among its control points, it is that of the last one.
+/// Returns the index of the span that holds t: its first knot. Among its control points, it is that of the last one.
 int span_of(const KnotVector& k, float t) {
   const auto begin = k.knots.begin() + k.order - 1, end = k.knots.begin() + k.count;
   return k.order - 2 + static_cast<int>(std::max(std::upper_bound(begin, end, t) - begin, std::ptrdiff_t{1}));
 }
 
-/// [de Boor 1972, On Calculating with B-Splines]. `points`: those of the span, as many as the order.
+/// Evaluates the curve from the `points` of the span, as many as the order. [de Boor 1972, On Calculating with
+/// B-Splines]
 OnCurve de_boor(const KnotVector& k, int span, double t, std::vector<Weighted> points) {
   const int degree = k.order - 1;
   const auto knot = [&](int i) { return static_cast<double>(k.knots[static_cast<std::size_t>(i)]); };
@@ -46,7 +47,7 @@ Vec3 narrow(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
-/// The derivative of p / w.
+/// Returns the derivative of p / w.
 Vec3 derivative(const Weighted& p, const Weighted& d) {
   const auto by = [&](std::size_t c) { return (d[c] - p[c] / p[3] * d[3]) / p[3]; };
   return narrow(by(0), by(1), by(2));

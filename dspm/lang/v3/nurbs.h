@@ -23,11 +23,11 @@ struct SplinePoint {
 
 class NurbsSurface {
  public:
-  /// Control points with weights, w x, w y, w z, w: u runs fastest.
+  /// Takes control points with weights, w x, w y, w z, w; u runs fastest.
   NurbsSurface(KnotVector u, KnotVector v, std::vector<float> points)
       : u_(std::move(u)), v_(std::move(v)), points_(std::move(points)) {}
 
-  /// Within the knots' first() and last().
+  /// Evaluates the surface; u and v must be within the knots' first() and last().
   SplinePoint at(float u, float v) const;
 
  private:

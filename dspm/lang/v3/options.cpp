@@ -97,7 +97,7 @@ float shutter_seconds(Header& header, Remarks& remarks) {
   return seconds > 0 ? seconds : 1;
 }
 
-/// v3's film multiplies by "scale"; v4's by the seconds of the shutter and iso / 100.
+/// Translates the film's speed: v3 multiplies by "scale", v4 by the seconds of the shutter and iso / 100.
 void settle_speed(Header& header, Remarks& remarks) {
   Directive* const film = find_in(header, DirectiveKind::film);
   if (film == nullptr) return;
@@ -107,7 +107,7 @@ void settle_speed(Header& header, Remarks& remarks) {
   if (iso != 100) edit.set_number("iso", iso);
 }
 
-/// sppm makes as many iterations as the sampler takes samples.
+/// Makes as many iterations of sppm as the sampler takes samples.
 void settle_iterations(Header& header, Remarks& remarks) {
   Directive* const integrator = find_in(header, DirectiveKind::integrator);
   if (integrator == nullptr) return;

@@ -8,10 +8,11 @@
 
 namespace dspm::v3 {
 
-/// `Texture "name" "float" "scale" "texture tex" of "float scale" by` before the directive, under a name of its own.
+/// Puts `Texture "name" "float" "scale" "texture tex" of "float scale" by` before the directive, under a name of its
+/// own, which it returns.
 std::string scaled_texture(Edit& edit, std::string_view type, const std::string& of, float by);
 
-/// "roughness", "uroughness" and "vroughness": numbers become alpha itself, unless textures are among them.
+/// Converts "roughness", "uroughness" and "vroughness": numbers become alpha itself, unless textures are among them.
 void convert_roughness(Edit& edit);
 
 }  // namespace dspm::v3

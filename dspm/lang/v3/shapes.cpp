@@ -22,7 +22,7 @@ constexpr Rule kShapes[] = {
     {"curve", "", "P type N width width0 width1 degree basis splitdepth"},
 };
 
-/// A mesh of nu by nv points over the unit square, row by row, in place of the shape.
+/// A mesh of nu by nv points over the unit square, row by row, which replaces the shape.
 struct Grid {
   std::vector<float> points, normals;  // no normals, or one for each point
   std::vector<float> uvs;              // one for each point, or else those of the unit square
@@ -54,8 +54,8 @@ float take_number(Edit& edit, std::string_view name, float fallback) {
   return value;
 }
 
-/// What turns around the z axis, with the normals that v3 gives it: cross(dp/du, dp/dv), u being the angle.
-/// profile(v): its points at the angle 0.
+/// Makes a surface that turns around the z axis, with the normals that v3 gives it: cross(dp/du, dp/dv), u being the
+/// angle. profile(v) returns its points at the angle 0.
 template <class Profile>
 void turn(Edit& edit, Profile&& profile) {
   constexpr int kSlices = 128, kRings = 16;
@@ -101,14 +101,14 @@ void hyperboloid(Edit& edit) {
   turn(edit, [=](float v) { return a + (b - a) * v; });
 }
 
-/// The number of an integer parameter; 0: none.
+/// Takes the number of an integer parameter; 0 if there is none.
 int take_integer(Edit& edit, std::string_view name) {
   const auto param = edit.take(name);
   const auto* values = param ? std::get_if<std::vector<int>>(&param->values) : nullptr;
   return values != nullptr && values->size() == 1 ? values->front() : 0;
 }
 
-/// Heights over the unit square, as the mesh that v3 made of them.
+/// Makes heights over the unit square the mesh that v3 made of them.
 void heightfield(Edit& edit) {
   const int nu = take_integer(edit, "nu"), nv = take_integer(edit, "nv");
   const auto param = edit.take("Pz");
@@ -127,7 +127,7 @@ std::vector<float> take_numbers(Edit& edit, std::string_view name) {
   return param ? numbers_of(*param) : std::vector<float>{};
 }
 
-/// One direction of a nurbs shape: `axis` is "u" or "v".
+/// Takes one direction of a nurbs shape: `axis` is "u" or "v".
 KnotVector take_knots(Edit& edit, const std::string& axis) {
   KnotVector k{take_integer(edit, "n" + axis), take_integer(edit, axis + "order"), take_numbers(edit, axis + "knots")};
   constexpr int kMost = 16;  // the work is its cube
@@ -142,7 +142,7 @@ KnotVector take_knots(Edit& edit, const std::string& axis) {
   return k;
 }
 
-/// Control points with weights: v3's "Pw" has x, y and z already times w.
+/// Takes control points with weights: v3's "Pw" has x, y and z already times w.
 std::vector<float> take_control_points(Edit& edit, std::size_t count) {
   const std::vector<float> plain = take_numbers(edit, "P");
   std::vector<float> weighted = take_numbers(edit, "Pw");

@@ -28,7 +28,7 @@ constexpr Rule kTextures[] = {
 };
 #undef DSPM_MAPPING
 
-/// v3 decodes sRGB by default from PNG and TGA, v4 from all integers.
+/// Sets the encoding: v3 decodes sRGB by default from PNG and TGA, v4 from all integers.
 void imagemap(Edit& edit) {
   const Param* name = edit.find("filename");
   const auto* texts = name != nullptr ? std::get_if<std::vector<std::string>>(&name->values) : nullptr;
@@ -43,7 +43,7 @@ void imagemap(Edit& edit) {
   if (edit.take_flag("trilinear", false)) edit.set(ParamType::text, "filter", std::vector<std::string>{"trilinear"});
 }
 
-/// v4 multiplies a texture by a texture of numbers only.
+/// Translates a product, because v4 multiplies a texture by a texture of numbers only.
 void scale(Edit& edit) {
   const bool is_colour = edit.directive().words[1].text == "spectrum";
   const auto rename = [&](std::string_view from, const std::string& to) {
@@ -72,14 +72,14 @@ void scale(Edit& edit) {
   }
 }
 
-/// Red is s, green is t; v3 takes their fractions.
+/// Translates uv: red is s, green is t, and v3 takes their fractions.
 void uv(Edit& edit) {
   edit.only_close("uv (it does not repeat outside of 0 to 1)");
   for (const float s : {0.f, 1.f})
     for (const float t : {0.f, 1.f}) edit.set_rgb(fmt::format("v{}{}", s, t), {s, t, 0});
 }
 
-/// v3 projects along axes of the world, whatever the transform in force.
+/// Lays the texture flat: v3 projects along axes of the world, whatever the transform in force.
 void lay_flat_in_world(Edit& edit) {
   const Param* const mapping = edit.find("mapping");
   const auto* texts = mapping != nullptr ? std::get_if<std::vector<std::string>>(&mapping->values) : nullptr;

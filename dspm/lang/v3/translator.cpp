@@ -10,7 +10,7 @@ namespace dspm::v3 {
 namespace {
 
 using enum DirectiveKind;
-/// v3 allows a name to be defined again; what follows then means the later one. v4 wants a new name.
+/// Defines a name. v3 allows it to be defined again, and what follows then means the later one; v4 wants a new name.
 void define(Argument& name, Translator::Defined& defined) {
   const int times = ++defined[name.text];
   if (times > 1) name.text += fmt::format(", {}", times);

@@ -15,11 +15,11 @@ class Translator {
  public:
   using Defined = std::map<std::string, int>;  // how often each name has been
 
-  /// What stands in the directive's place in v4, mostly one directive. Throws NoCounterpart.
+  /// Returns what replaces the directive in v4, mostly one directive. Throws NoCounterpart.
   std::vector<Directive> translate(Directive directive);
   void settle(Header& header) { settle_header(header, remarks_); }
 
-  /// One line: what was translated, and what is only close.
+  /// Returns one line: what was translated, and what is only close.
   std::string summary() const;
 
  private:
