@@ -92,7 +92,8 @@ Radiance escaped(const Query& query, const Rays& rays, const Parts& parts) {
   return in_chunks<Radiance>(parts.size(), [&](std::size_t i, Radiance& chunk) {
     if (!parts.hits[i].missed()) return;
     const Ray& ray = rays.rays[static_cast<std::size_t>(parts.ray[i])];
-    for_each_escape(*query.scene, parts.frames[i], ray,
+    constexpr int kBounces = 1;  // the light, whatever the camera sees instead
+    for_each_escape(*query.scene, parts.frames[i], ray, kBounces,
                     [&](FrameSet frames, const Rgb& radiance, const SceneLight& light, const Light& state) {
                       chunk.add(parts.ray[i], frames, radiance, light.probability * state.escaped_pdf_w(ray));
                     });

@@ -85,7 +85,7 @@ class HitPointTracer {
 
   void escaped(const CameraPath& path, FrameSet frames) {
     if ((path.indirect && !path.looks) || (render_.transparent && path.bounces == 0)) return;
-    for_each_escape(scene_, frames, path.ray,
+    for_each_escape(scene_, frames, path.ray, path.bounces,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float weight = path.looks ? weight_of_look(path, scene_light, light,
                                                                        {{path.from, -path.ray.direction}, {}, -1})

@@ -173,13 +173,13 @@ void for_each_emission(const Scene& scene, const Vertex& vertex, FrameSet frames
 }
 
 /// Calls fn(FrameSet, const Rgb&, const SceneLight&, const Light&) with the light from infinity for a path that left
-/// the scene.
+/// the scene. After no bounces it is what the camera sees as the background.
 template <class Fn>
-void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, Fn&& fn) {
+void for_each_escape(const Scene& scene, FrameSet frames, const Ray& ray, int bounces, Fn&& fn) {
   for (const int index : scene.infinite_lights) {
     const SceneLight& scene_light = scene.lights[static_cast<std::size_t>(index)];
     scene_light.states.for_each(frames, [&](FrameSet common, const Light& light) {
-      const Rgb radiance = light.escaped(ray);
+      const Rgb radiance = bounces == 0 ? light.background(ray) : light.escaped(ray);
       if (!is_black(radiance)) fn(common, radiance, scene_light, light);
     });
   }

@@ -60,7 +60,7 @@ class PathTracer {
 
   void escaped(const CameraPath& path, FrameSet frames) {
     if (render_.transparent && path.bounces == 0) return;
-    for_each_escape(scene_, frames, path.ray,
+    for_each_escape(scene_, frames, path.ray, path.bounces,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       add(path, path.bounces, lit,
                           path.throughput * radiance * weight_of_escape(scene_, path, scene_light, light),

@@ -1,8 +1,8 @@
 // LightSource "infinite" "string filename" "sky.exr" "float scale" 2
 //
 // Light from all directions: of one colour, or an image around the scene, bilinear between the centres of its pixels
-// also across the image's rim. Directions are sampled in exact proportion to its luminance. Photons start on a disk, perpendicular to their
-// direction, that covers the sphere around the scene.
+// also across the image's rim. Directions are sampled in exact proportion to its luminance. Photons start on a disk,
+// perpendicular to their direction, that covers the sphere around the scene.
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |
@@ -12,6 +12,8 @@
 // | scale       | 1       | multiplies L or the image |
 // | portal      |         | four points in the world: the light comes only through their rectangle, from x cross y, where
 // |             |         | x leads from the first point to the last and y from the first to the second |
+// | background  |         | radiance that the camera sees behind everything, instead of the light |
+// | backgroundblur | 0   | degrees by which it sees the image blurred there; mirrors and glass show it as it is |
 // | illuminance | -1      | if above 0: lux on a surface facing +z of light space; with L, as if its luminance were 1 |
 //
 // +z of light space is the middle of a square image and the top row of a latitude-longitude one. With an image,
@@ -24,6 +26,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/lights/background.h"
 #include "dspm/lights/environment_map.h"
 #include "dspm/lights/light.h"
 #include "dspm/lights/light_space.h"
@@ -40,11 +43,12 @@ namespace {
 
 class Infinite final : public Light {
  public:
-  Infinite(const LightContext& context, EnvironmentMap map, float scale)
+  Infinite(const LightContext& context, EnvironmentMap map, float scale, std::optional<Background> background)
       : scene_(context),
         space_(context.to_world),
         map_(std::move(map)),
         scale_(scale),
+        background_(std::move(background)),
         power_(map_.fluence() * (scene_.disk_area() * scale)) {}
 
   Rgb power() const override { return power_; }
@@ -79,6 +83,10 @@ class Infinite final : public Light {
   bool is_infinite() const override { return true; }
   Rgb escaped(const Ray& ray) const override { return scale_ * map_.radiance(space_.to_light(ray.direction)); }
 
+  Rgb background(const Ray& ray) const override {
+    return background_ ? background_->scale * background_->map.radiance(space_.to_light(ray.direction)) : escaped(ray);
+  }
+
   float escaped_pdf_w(const Ray& ray) const override {
     const Vec3 w = space_.to_light(ray.direction);
     return map_.pdf_w(w) * space_.density_scale(w);
@@ -104,14 +112,9 @@ class Infinite final : public Light {
   LightSpace space_;
   EnvironmentMap map_;
   float scale_;
+  std::optional<Background> background_;
   Rgb power_;  // an estimate if the transform stretches
 };
-
-EnvironmentMap read_map(const std::filesystem::path& file, const std::string& mapping, ParamReader& reader) {
-  Image image = read_light_image(file, reader);
-  const SphereMapping kind = mapping_of(image, mapping);
-  return EnvironmentMap(image, kind);
-}
 
 EnvironmentMap constant(const Rgb& radiance) {
   Image image(1, 1);
@@ -128,20 +131,28 @@ std::unique_ptr<Light> make_infinite(ParamReader& reader, const LightContext& co
       reader.choice("mapping", "auto", kMappingWords, "how the image covers the sphere; auto: by its aspect ratio");
   const Strength strength = read_illuminance(reader);
   const std::optional<Rectangle> portal = read_portal(reader);
+  const BackgroundChoice choice = read_background(reader);
   if (reader.has("L") && reader.has("filename"))
     reader.error("filename", reader.subject() + " takes \"L\" or \"filename\", not both");
+  if (choice.blur > 0 && file.empty())
+    reader.error("backgroundblur", "there is no image to be blurred", "\"filename\" names it");
   reader.finish();
 
   EnvironmentMap map = constant(radiance);
   float scale = strength.factor(kPi);
+  std::optional<Background> background;
   if (!file.empty()) try {
-      map = read_map(file, mapping, reader);
+      const Image image = read_light_image(file, reader);
+      const SphereMapping kind = mapping_of(image, mapping);
+      map = EnvironmentMap(image, kind);
       scale = strength.factor(map.illuminance());
+      if (choice.blur > 0) background = Background{blurred(image, kind, choice.blur), scale};
     } catch (const std::runtime_error& e) {
       reader.error("filename", e.what());
     }
-  if (portal) return make_portal_light(context, map, scale, *portal);
-  return std::make_unique<Infinite>(context, std::move(map), scale);
+  if (choice.colour) background = Background{constant(*choice.colour)};
+  if (portal) return make_portal_light(context, map, scale, *portal, std::move(background));
+  return std::make_unique<Infinite>(context, std::move(map), scale, std::move(background));
 }
 
 }  // namespace dspm

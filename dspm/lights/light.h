@@ -97,11 +97,13 @@ class Light {
   virtual Rgb emitted(const SurfacePoint&, const Vec3& /*w*/) const { return {}; }
   /// The density by solid angle with which illuminate(from) samples that point of the light's primitive.
   virtual float pdf_w(const Vec3& /*from*/, const SurfacePoint&, int /*primitive*/) const { return 0; }
-  /// Returns whether rays that leave the scene see the light; if so, it implements the next two functions.
+  /// Returns whether rays that leave the scene see the light; if so, it implements escaped() and escaped_pdf_w().
   virtual bool is_infinite() const { return false; }
   /// The radiance along a ray that leaves the scene (infinite lights). escaped_pdf_w() returns the density with which
   /// illuminate() at the ray's origin draws its direction.
   virtual Rgb escaped(const Ray& /*ray*/) const { return {}; }
+  /// What the camera sees along a ray that has met nothing: the picture's background, which need not be the light.
+  virtual Rgb background(const Ray& ray) const { return escaped(ray); }
   virtual float escaped_pdf_w(const Ray& /*ray*/) const { return 0; }
 };
 

@@ -1,6 +1,7 @@
 #include "dspm/lights/portal.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/lights/light_space.h"
@@ -32,12 +33,14 @@ WindowMap map_of(const Sky& sky) {
 /// the scene, on lines through the portal, and are lost if something lies before it.
 class PortalLight final : public Light {
  public:
-  PortalLight(const LightContext& context, const EnvironmentMap& map, float scale, const Rectangle& portal)
+  PortalLight(const LightContext& context, const EnvironmentMap& map, float scale, const Rectangle& portal,
+              std::optional<Background> background)
       : scene_(context),
         portal_(portal),
         sky_{map, LightSpace(context.to_world), portal.basis},
         map_(map_of(sky_)),
         scale_(scale),
+        background_(std::move(background)),
         power_(map_.irradiance() * (portal.area() * scale)) {}
 
   Rgb power() const override { return power_; }
@@ -79,6 +82,10 @@ class PortalLight final : public Light {
   Rgb escaped(const Ray& ray) const override {
     return seen_along(ray) ? scale_ * sky_.radiance(portal_.basis.to_local(ray.direction)) : Rgb();
   }
+  Rgb background(const Ray& ray) const override {
+    if (!background_ || !seen_along(ray)) return escaped(ray);
+    return background_->scale * background_->map.radiance(sky_.space.to_light(ray.direction));
+  }
   float escaped_pdf_w(const Ray& ray) const override {
     const auto place = seen_along(ray);
     return place ? map_.pdf_w(*seen_from(ray.origin), *place) : 0;
@@ -114,6 +121,7 @@ class PortalLight final : public Light {
   Sky sky_;
   WindowMap map_;
   float scale_;
+  std::optional<Background> background_;
   Rgb power_;
 };
 
@@ -131,8 +139,8 @@ std::optional<Rectangle> read_portal(ParamReader& reader) {
 }
 
 std::unique_ptr<Light> make_portal_light(const LightContext& context, const EnvironmentMap& map, float scale,
-                                         const Rectangle& portal) {
-  return std::make_unique<PortalLight>(context, map, scale, portal);
+                                         const Rectangle& portal, std::optional<Background> background) {
+  return std::make_unique<PortalLight>(context, map, scale, portal, std::move(background));
 }
 
 }  // namespace dspm

@@ -66,7 +66,7 @@ class CameraSubpathTracer {
   void escaped(const CameraSubpath& path, FrameSet frames) {
     if (pass_.render.transparent && path.bounces == 0) return;
     const Vec3& w = path.ray.direction;
-    for_each_escape(scene_, frames, path.ray,
+    for_each_escape(scene_, frames, path.ray, path.bounces,
                     [&](FrameSet lit, const Rgb& radiance, const SceneLight& scene_light, const Light& light) {
                       const float next_event = light_samples(scene_, scene_light) * light.escaped_pdf_w(path.ray);
                       const LightStart start{{path.ray.origin, -w}, {}, -1};
