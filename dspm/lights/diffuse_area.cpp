@@ -54,7 +54,9 @@ struct Glow {
 class DiffuseArea final : public Light {
  public:
   DiffuseArea(const PlacedShape& placed, Glow glow, const Strength& strength)
-      : placed_(placed), glow_(std::move(glow)), points_(placed, brightness()) {
+      : placed_(placed),
+        glow_(std::move(glow)),
+        points_(placed, brightness(), glow_.pattern ? Measured::deferred : Measured::at_once) {
     const Rgb flux_at_1 = points_.total() * (kPi * sides());
     glow_.radiance = glow_.radiance * strength.factor(luminance(flux_at_1));
     power_ = glow_.radiance * flux_at_1;
@@ -123,6 +125,8 @@ class DiffuseArea final : public Light {
   }
 
  private:
+  using Measured = EmitterPoints::Measured;
+
   float sides() const { return glow_.two_sided ? 2.f : 1.f; }
 
   bool shines_along(const SurfacePoint& point, const Vec3& w) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,12 @@ class EmitterPoints {
   /// What leaves the surface at a point, relative to what the whole would emit; null if it is 1 everywhere.
   using Brightness = std::function<Rgb(const SurfacePoint&)>;
 
-  /// `placed` must outlive this object.
-  EmitterPoints(const PlacedShape& placed, const Brightness& brightness);
+  /// When brightness is measured all over the surface. Of an animated texture there are many states, most of which are
+  /// never drawn from: deferred, a sixteenth of the samples estimate the total, and the first draw takes the others.
+  enum class Measured { at_once, deferred };
+
+  /// `placed`, and what `brightness` needs, must outlive this.
+  EmitterPoints(const PlacedShape& placed, Brightness brightness, Measured when);
 
   struct Start : AreaSample {
     int primitive;
@@ -40,17 +45,32 @@ class EmitterPoints {
     std::vector<Distribution1D> columns;  // of each row
   };
 
-  void measure(const Brightness& brightness, const std::vector<float>& areas, std::vector<float>& weights);
-  std::vector<Rgb> brightness_of_cells(const Brightness& brightness, int primitive, int side) const;
+  struct Tables {
+    std::vector<Cells> cells;  // by primitive; empty: uniform
+    std::optional<Distribution1D> primitives;
+  };
+
+  enum class Threads { all, this_one };
+
+  int cells_along_side() const;
+  /// By primitive, row by row.
+  std::vector<std::vector<Rgb>> measure(int samples_along_cell, Threads threads) const;
+  std::vector<Rgb> brightness_of_cells(int primitive, int samples_along_cell) const;
+  Rgb total_of(const std::vector<std::vector<Rgb>>& cells) const;
+  void make_tables(const std::vector<std::vector<Rgb>>& cells) const;
+  const Tables& tables() const;
   const Cells* cells_of(int primitive) const {
-    return cells_.empty() ? nullptr : &cells_[static_cast<std::size_t>(primitive)];
+    const std::vector<Cells>& cells = tables().cells;
+    return cells.empty() ? nullptr : &cells[static_cast<std::size_t>(primitive)];
   }
 
   const PlacedShape& placed_;
-  std::vector<Cells> cells_;  // by primitive; empty: uniform
-  std::optional<Distribution1D> primitives_;
+  Brightness brightness_;
+  std::vector<float> areas_;  // by primitive
   double area_ = 0;
   Rgb total_;
+  mutable std::once_flag made_;
+  mutable Tables tables_;
 };
 
 }  // namespace dspm

@@ -159,15 +159,17 @@ bool Looks::is_kept(const std::vector<int>& state_of, int state) const {
 template <class T, class Make>
 bool Looks::look_at(Look<T>& look, Make&& make) {
   std::set<const PluginUse*> wrong;  // reported once
+  std::shared_ptr<const T> last;     // holds the pictures that the next state shows, too
   for (std::size_t s = 0; s < look.recipes.states.size(); ++s) {
     const Recipe& recipe = look.recipes.states[s];
     look.made.emplace_back();
     if (wrong.count(recipe.use) > 0) continue;
     const int errors = diagnostics_.error_count();
-    const std::shared_ptr<const T> made = make(recipe, known_textures(recipe));
+    std::shared_ptr<const T> made = make(recipe, known_textures(recipe));
     if (diagnostics_.error_count() > errors) wrong.insert(recipe.use);
     look.made.back() = made;
     if (is_kept(look.recipes.state_of, static_cast<int>(s))) look.kept.push_back(made);
+    last = std::move(made);
   }
   return wrong.empty();
 }
