@@ -25,10 +25,17 @@ void add(CLI::App& app, Options& o) {
   app.add_option("--camera", o.camera,
                  "which camera of a glTF file looks, by its name or its number from 1; else the first")
       ->type_name("NAME");
-  app.add_option("--studio", o.studio, "camera, lights and ground for a glTF file: auto (what it lacks), on or off")
+  app.add_option("--studio", o.studio,
+                 "camera, softboxes and ground for a glTF file: auto (what it lacks), on (whatever it has) or off")
       ->check(CLI::IsMember({"auto", "on", "off"}).description(""))
       ->type_name("KIND");
-  app.add_option("--hdr", o.hdr, "a picture of the sky that lights a glTF file")->check(kNamesAFile)->type_name("FILE");
+  CLI::Option* const hdr = app.add_option("--hdr", o.hdr, "a picture of the sky that lights a glTF file");
+  hdr->check(kNamesAFile)->type_name("FILE");
+  app.add_option("--hdr-backdrop", o.hdr_backdrop,
+                 "how the camera sees that picture: shown (the default), blurred, or hidden behind a plain grey")
+      ->needs(hdr)
+      ->check(CLI::IsMember({"shown", "blurred", "hidden"}).description(""))
+      ->type_name("KIND");
   app.add_flag("--explain", o.explain,
                "say what is shared between frames and what is not, and why; and where photons start");
   app.add_option("--integrator", o.integrator,

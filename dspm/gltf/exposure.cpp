@@ -9,7 +9,7 @@
 namespace dspm::gltf {
 namespace {
 
-constexpr double kPlausible = 8;  // times as dark or bright as it should be
+constexpr double kTooBright = 2, kTooDark = 8;  // times as bright or dark as it should be; what is dark shows yet
 
 double brightest(const Value& light) {
   const auto colour = light["color"].numbers(std::array<double, 3>{1, 1, 1});
@@ -37,7 +37,7 @@ double illuminance(const Document& document, const Poses& poses, const std::vect
 
 std::optional<double> exposure_for(double illuminance) {
   const double white = illuminance / static_cast<double>(kPi);  // the radiance of a white surface
-  if (!(white > 0) || (white < kPlausible && white > 1 / kPlausible)) return std::nullopt;
+  if (!(white > 0) || (white < kTooBright && white > 1 / kTooDark)) return std::nullopt;
   return std::exp2(std::round(-std::log2(white)));
 }
 

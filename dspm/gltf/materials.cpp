@@ -151,9 +151,9 @@ class MaterialTranslator {
   struct Facets {
     double roughness, anisotropy;
   };
-  /// Returns roughness and anisotropy. glTF stretches alpha along the tangent to alpha + (1 - alpha) s^2 with the
-  /// strength s. principled keeps the product of both alphas, and their ratio is 1 - 0.9 anisotropy. If pictures change
-  /// them, s stands for the anisotropy.
+  /// glTF stretches alpha along the tangent to alpha + (1 - alpha) s^2 with the strength s. principled keeps the
+  /// product of both alphas, and their ratio is 1 - 0.9 anisotropy. Where pictures change them, s stands for the
+  /// anisotropy.
   Facets facets() const {
     const Value pbr = material_["pbrMetallicRoughness"], stretched = material_.extension("KHR_materials_anisotropy");
     const double factor = pbr["roughnessFactor"].number(1), strength = stretched["anisotropyStrength"].number(0);

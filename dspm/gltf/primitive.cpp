@@ -145,6 +145,13 @@ void move_by_joints(Primitive& p, const std::vector<Matrix4>& skin) {
   }
 }
 
+Numbers elements_of(const Numbers& numbers, const std::vector<std::size_t>& chosen) {
+  if (numbers.count == 0) return {};
+  Numbers some{chosen.size(), numbers.width, {}};
+  for (const std::size_t i : chosen) some.values.insert(some.values.end(), numbers[i], numbers[i] + numbers.width);
+  return some;
+}
+
 void append(std::string& bytes, const void* data, std::size_t size) {
   bytes.append(static_cast<const char*>(data), size);
 }
@@ -159,6 +166,16 @@ bool has_surface(const Value& primitive) {
 
 Primitive read_primitive(const Document& document, const Value& primitive) {
   return Reader(document, primitive).read();
+}
+
+Primitive vertices_of(const Primitive& p, const std::vector<std::size_t>& chosen) {
+  Primitive some;
+  some.positions = elements_of(p.positions, chosen);
+  for (const Primitive::Target& target : p.targets)
+    some.targets.push_back({elements_of(target.positions, chosen), {}, {}});
+  for (const Numbers& joints : p.joints) some.joints.push_back(elements_of(joints, chosen));
+  for (const Numbers& weights : p.weights) some.weights.push_back(elements_of(weights, chosen));
+  return some;
 }
 
 void pose(Primitive& p, const std::vector<double>& weights, const std::vector<Matrix4>& skin) {

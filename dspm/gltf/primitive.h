@@ -32,6 +32,9 @@ bool has_surface(const Value& primitive);
 /// Throws std::runtime_error.
 Primitive read_primitive(const Document& document, const Value& primitive);
 
+/// Returns some of its vertices, without what only surfaces have, to see where they go.
+Primitive vertices_of(const Primitive& primitive, const std::vector<std::size_t>& chosen);
+
 /// Moves the vertices by morph targets, then by joints. `skin` has a matrix for each joint; it is empty if the
 /// primitive is not skinned.
 void pose(Primitive& primitive, const std::vector<double>& weights, const std::vector<Matrix4>& skin);

@@ -6,16 +6,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dspm/gltf/excerpt.h"
 #include "dspm/gltf/exposure.h"
 #include "dspm/gltf/lights.h"
 #include "dspm/gltf/primitive.h"
+#include "dspm/gltf/studio.h"
 
 namespace dspm::gltf {
 namespace {
 
-constexpr int kMostFrames = 100'000, kMostFramesSeen = 8;
-constexpr std::size_t kMostPoints = 4096;  // of a mesh, to frame the picture
+constexpr int kMostFrames = 100'000;
 constexpr int kHeight = 720, kMostWidth = 4096;
+constexpr double kBesideOwnLights = 0.35;  // of the studio's light, for what the file's own lights leave dark
 
 std::string prefix_of(const Document& document, const Settings& settings) {
   return settings.around ? document.path().stem().string() + ": " : "";
@@ -27,8 +29,8 @@ std::shared_ptr<const SceneWriter::Motion> SceneWriter::motion_of(const Document
   auto motion = std::make_shared<Motion>();
   motion->animation = choose_animation(document, settings.animation);
   if (!settings.animation.empty() && motion->animation.played.empty())
-    throw std::runtime_error(fmt::format("it has no animation \"{}\"; available: {}", settings.animation,
-                                         fmt::join(motion->animation.left_out, ", ")));
+    throw std::runtime_error(fmt::format("it has no animation \"{}\"; available: {}", excerpt(settings.animation),
+                                         names_in_words(motion->animation.left_out)));
   motion->fps = settings.around ? settings.around->fps.value_or(settings.fps) : settings.fps;
   motion->frames =
       settings.around ? settings.around->frames : frames_of(motion->animation.duration(), motion->fps, kMostFrames);
@@ -82,8 +84,8 @@ Translation SceneWriter::write() {
 
   const auto& played = motion_->animation.played;
   if (const auto& left_out = motion_->animation.left_out; !left_out.empty() && settings_.animation.empty())
-    result_.notes.push_back(fmt::format("of its animations, {} {} shown, and not {}", fmt::join(played, ", "),
-                                        played.size() == 1 ? "is" : "are", fmt::join(left_out, ", ")));
+    result_.notes.push_back(fmt::format("of its animations, {} {} shown, and not {}", names_in_words(played),
+                                        played.size() == 1 ? "is" : "are", names_in_words(left_out)));
   for (const std::string& note : materials_.notes()) result_.notes.push_back(note);
   return std::move(result_);
 }
@@ -121,63 +123,6 @@ void SceneWriter::visit(std::size_t node) {
   useful_[node] = useful && (poses.at(node, 0).visible || poses.changes_visibility(node));
 }
 
-/// Reads a mesh for the first time, so what is wrong with it is said before anything is rendered.
-void SceneWriter::see(std::size_t node, std::size_t mesh) {
-  const Document& document = *document_;
-  const Poses& poses = *motion_->poses;
-  const auto skin = document["nodes"][node]["skin"].index(document["skins"].size());
-  const Value primitives = document["meshes"][mesh]["primitives"];
-  const bool is_stiff = !skin && primitives[0]["targets"].size() == 0;
-  std::vector<Vec3>& stiff = stiff_points_[mesh];
-  if (is_stiff && !stiff.empty()) return see_points(node, stiff);
-  for (std::size_t i = 0; i < primitives.size(); ++i) {
-    if (!has_surface(primitives[i])) continue;
-    const Primitive rest = read_primitive(document, primitives[i]);
-    const auto sample = [&](const Primitive& posed) {
-      std::vector<Vec3> points;
-      const std::size_t step = posed.positions.count / kMostPoints + 1;
-      for (std::size_t v = 0; v < posed.positions.count; v += step)
-        points.push_back({posed.positions[v][0], posed.positions[v][1], posed.positions[v][2]});
-      return points;
-    };
-    if (is_stiff) {
-      const std::vector<Vec3> points = sample(rest);
-      stiff.insert(stiff.end(), points.begin(), points.end());
-      continue;
-    }
-    for (const int frame : frames_to_see()) {
-      Primitive posed = rest;
-      pose(posed, poses.at(node, frame).weights, skin ? poses.skin(document, *skin, frame) : std::vector<Matrix4>());
-      see_points(sample(posed), skin ? Matrix4() : poses.world(node, frame));
-    }
-  }
-  if (is_stiff) see_points(node, stiff);
-}
-
-void SceneWriter::see_points(std::size_t node, const std::vector<Vec3>& points) {
-  for (const int frame : frames_to_see()) {
-    const Matrix4 place = motion_->poses->world(node, frame);
-    if ((*document_)["nodes"][node].extension("EXT_mesh_gpu_instancing").exists())
-      for (const Pose& instance : instances_of(node)) see_points(points, place * instance.transform());
-    else
-      see_points(points, place);
-  }
-}
-
-void SceneWriter::see_points(const std::vector<Vec3>& points, const Matrix4& place) {
-  const Transform to_world(Matrix4::scale(1, 1, -1) * place);
-  for (const Vec3& point : points) subject_.add(to_world.point(point));
-}
-
-/// Returns some of the frames, from the first to the last.
-std::vector<int> SceneWriter::frames_to_see() const {
-  if (motion_->animation.channels.empty() || motion_->frames == 1) return {0};
-  const int count = std::min(motion_->frames, kMostFramesSeen);
-  std::vector<int> frames;
-  for (int i = 0; i < count; ++i) frames.push_back(i * (motion_->frames - 1) / (count - 1));
-  return frames;
-}
-
 void SceneWriter::choose_camera() {
   if (settings_.studio == "on") return;
   const Value cameras = (*document_)["cameras"];
@@ -191,11 +136,11 @@ void SceneWriter::choose_camera() {
     if (!camera_node_ && (settings_.camera.empty() || is_wanted)) camera_node_ = node;
   }
   if (!settings_.camera.empty() && !camera_node_)
-    throw std::runtime_error(fmt::format("it has no camera \"{}\"; available: {}", settings_.camera,
-                                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    throw std::runtime_error(
+        fmt::format("it has no camera \"{}\"; available: {}", excerpt(settings_.camera), names_in_words(names)));
   if (settings_.camera.empty() && names.size() > 1)
-    result_.notes.push_back(
-        fmt::format("of its cameras, {} is shown; --camera chooses among {}", names.front(), fmt::join(names, ", ")));
+    result_.notes.push_back(fmt::format("of its cameras, {} is shown; --camera chooses among {}",
+                                        excerpt(names.front()), names_in_words(names)));
 }
 
 std::string SceneWriter::camera(std::size_t node, double& aspect) {
@@ -229,37 +174,52 @@ std::string SceneWriter::camera(std::size_t node, double& aspect) {
 std::string SceneWriter::header() {
   const std::string stem = document_->path().stem().string();
   double aspect = 4.0 / 3;
-  const bool studio = settings_.studio == "on", none = settings_.studio == "off";
   std::string sight;
-  if (camera_node_ && !studio)
+  if (camera_node_)
     sight = camera(*camera_node_, aspect);
   else
-    sight = view_of(subject_, aspect) + fmt::format("Camera \"perspective\" \"float fov\" {}\n", kStudioFov);
+    sight = view_of(subject_, aspect) + fmt::format("Camera \"perspective\" \"float fov\" {}\n", kUsualFov);
   const int width = std::clamp(static_cast<int>(std::lround(kHeight * aspect)), 16, kMostWidth);
   std::string text = fmt::format("# {}, as dspm reads it\n", document_->path().filename().string());
   if (motion_->frames > 1) text += fmt::format("Frames {} \"float fps\" {}\n", motion_->frames, motion_->fps);
   text += sight;
-  const bool lights = studio || !settings_.hdr.empty() || (!has_light_ && !none);
+  const std::optional<double> factor = has_light_ ? exposure() : std::nullopt;
   text += fmt::format("Film \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {} \"string filename\" {}{}\n",
-                      width, kHeight, in_quotes(stem + ".exr"), lights ? "" : exposure());
+                      width, kHeight, in_quotes(stem + ".exr"),
+                      factor ? fmt::format(" \"float iso\" {}", 100 * *factor) : "");
   text += "\nWorldBegin\n";
-  if (lights) text += light_for(subject_, settings_.hdr);
-  if (studio || (lights && !camera_node_ && settings_.hdr.empty())) text += ground_for(subject_);
+  return text + surroundings(1 / factor.value_or(1));
+}
+
+/// What the file lacks of light and ground. `strength`: of light that makes the image of a white surface about 1.
+std::string SceneWriter::surroundings(double strength) {
+  const bool is_whole = settings_.studio == "on", is_off = settings_.studio == "off";
+  std::string text;
+  if (!settings_.hdr.empty()) {
+    text = light_of_picture(settings_.hdr, settings_.backdrop, strength);
+  } else if (!is_off) {
+    const std::string sky = folder_ + "/" + files_.add("studio-sky", "sky") + ".pfm";
+    result_.files[sky] = sky_picture;
+    const bool is_beside = has_light_ && !is_whole;
+    text = softboxes_around(subject_, sky, strength * (is_beside ? kBesideOwnLights : 1));
+    if (is_beside) result_.notes.push_back("softboxes stand beside its lights; --studio off leaves them out");
+  }
+  if (is_whole || (!is_off && !camera_node_)) text += ground_for(subject_);
   return text;
 }
 
-/// Returns the exposure for the file's own lights alone: the studio's are as bright as they should be.
-std::string SceneWriter::exposure() {
+/// What the images are multiplied by for the file's own lights. Nullopt: nothing.
+std::optional<double> SceneWriter::exposure() {
   std::vector<std::size_t> nodes;
   for (std::size_t node = 0; node < useful_.size(); ++node)
     if (useful_[node]) nodes.push_back(node);
-  const Vec3 middle = subject_.bounds.empty() ? Vec3{} : subject_.bounds.center();
+  const Vec3 middle = subject_.center();
   const double lux = illuminance(*document_, *motion_->poses, nodes, {middle.x, middle.y, -middle.z});
   const std::optional<double> factor = exposure_for(lux);
-  if (!factor) return {};
-  result_.notes.push_back(
-      fmt::format("its lights bring {:.4g} lux, so all images are multiplied by {:.3g} (Film's iso)", lux, *factor));
-  return fmt::format(" \"float iso\" {}", 100 * *factor);
+  if (factor)
+    result_.notes.push_back(
+        fmt::format("its lights bring {:.4g} lux, so all images are multiplied by {:.3g} (Film's iso)", lux, *factor));
+  return factor;
 }
 
 std::string SceneWriter::picture_name(std::size_t image) {

@@ -1,5 +1,5 @@
-// Writes a document's scene: its materials, its tree of nodes, its variants; and what goes before these if it is a
-// whole scene.
+// Writes a document's scene: its materials, its tree of nodes, its variants; and what goes before if it is a whole
+// scene.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,9 @@
 #include "dspm/gltf/material_uses.h"
 #include "dspm/gltf/names.h"
 #include "dspm/gltf/poses.h"
-#include "dspm/gltf/studio.h"
+#include "dspm/gltf/primitive.h"
 #include "dspm/gltf/translation.h"
+#include "dspm/gltf/view.h"
 #include "dspm/math/transform.h"
 #include "dspm/math/vec.h"
 
@@ -38,9 +39,12 @@ class SceneWriter {
   void visit(std::size_t node);
 
   void see(std::size_t node, std::size_t mesh);
+  void see_deformed(std::size_t node, const Primitive& rest);
   void see_points(std::size_t node, const std::vector<Vec3>& points);
   void see_points(const std::vector<Vec3>& points, const Matrix4& place);
+  bool stays(std::size_t node) const;
   std::vector<int> frames_to_see() const;
+  std::size_t points_to_see(std::size_t frames) const;
   std::vector<Pose> instances_of(std::size_t node) const;
 
   void write_node(std::size_t node, int depth);
@@ -62,7 +66,8 @@ class SceneWriter {
   std::string world_name() const { return document_->path().stem().string() + ": world"; }
   std::string object_of(std::size_t mesh, std::size_t node);
   std::string header();
-  std::string exposure();
+  std::optional<double> exposure();
+  std::string surroundings(double strength);
   std::string camera(std::size_t node, double& aspect);
   void choose_camera();
   std::string name_of(std::size_t node, const char* instead) const;

@@ -1,34 +1,24 @@
-// A neutral studio for a file that has no camera or no light.
+// Where a file has no light, or hardly any: a photographer's studio, or the light of a picture.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
-#include "dspm/math/vec.h"
+#include "dspm/gltf/translation.h"
+#include "dspm/gltf/view.h"
 
 namespace dspm::gltf {
 
-/// What is to be seen, in dspm's world: y is up, and the front faces -z.
-struct Subject {
-  Bounds3 bounds;
-  std::vector<Vec3> points;  // some of its surface
+/// Softboxes and a sky around the subject. A white surface that faces a softbox is about 1 at the strength 1. `sky`:
+/// the name of a file with the bytes of sky_picture().
+std::string softboxes_around(const Subject& subject, const std::string& sky, double strength);
 
-  void add(const Vec3& point) {
-    bounds.add(point);
-    if (points.size() < 50'000) points.push_back(point);
-  }
-};
+/// Brighter at and below the horizon, as if a ground went on for ever, than overhead. A PFM.
+std::string sky_picture();
 
-inline constexpr double kStudioFov = 28;  // degrees, over the height
+/// The light of the picture `hdr`, so strong that a white ground is 1 at the strength 1.
+std::string light_of_picture(const std::string& hdr, Backdrop backdrop, double strength);
 
-/// Returns a LookAt from the front, a little from the right and from above, with all points in the picture.
-std::string view_of(const Subject& subject, double aspect);
-
-/// Returns a plain sky and a soft key light, or the sky of the file `hdr` alone.
-std::string light_for(const Subject& subject, const std::string& hdr);
-
-/// Returns a matte ground under the subject, as far as the picture goes.
+/// A matte ground under the subject, which fades into whatever is behind. Empty if there is no subject.
 std::string ground_for(const Subject& subject);
 
 }  // namespace dspm::gltf

@@ -12,6 +12,9 @@
 
 namespace dspm::gltf {
 
+/// How the camera sees the picture that lights a file: as it is, blurred, or a plain background instead.
+enum class Backdrop { shown, blurred, hidden };
+
 /// The animation of the scene that a file becomes a part of.
 struct Around {
   int frames = 1;
@@ -20,11 +23,12 @@ struct Around {
 
 struct Settings {
   double fps = 24;
-  std::string animation;        // its name; empty: the first, and those that set other things
-  std::string camera;           // its name or number, from 1; empty: the first
-  std::string studio = "auto";  // on, off, or auto: what is missing
-  std::string hdr;              // a picture of the light around; empty: none
-  /// If set, the file becomes part of a scene, without camera and studio; otherwise it is a whole scene.
+  std::string animation;                // its name; empty: the first, and those that set other things
+  std::string camera;                   // its name or number, from 1; empty: the first
+  std::string studio = "auto";          // on, off, or auto: what is missing
+  std::string hdr;                      // a picture of the light around; empty: none
+  Backdrop backdrop = Backdrop::shown;  // of that picture
+  /// It becomes part of a scene, without camera and studio; else it is a whole scene.
   std::optional<Around> around = std::nullopt;
   bool is_defined = false;  // names of materials and variants are known, as of a file that comes again
 };

@@ -169,10 +169,9 @@ std::string SceneWriter::object_of(std::size_t mesh, std::size_t node) {
 
 /// Returns whether the node is outside of Dynamic blocks, whose names are those of what is in them.
 bool SceneWriter::is_still(std::size_t node) const {
-  const Poses& poses = *motion_->poses;
-  if (changes_shape(node)) return false;
-  for (std::optional<std::size_t> at = node; at; at = poses.parent(*at))
-    if (poses.moves(*at) || poses.changes_visibility(*at)) return false;
+  if (changes_shape(node) || !stays(node)) return false;
+  for (std::optional<std::size_t> at = node; at; at = motion_->poses->parent(*at))
+    if (motion_->poses->changes_visibility(*at)) return false;
   return true;
 }
 

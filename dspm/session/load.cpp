@@ -23,6 +23,9 @@ gltf::Settings gltf_settings_of(const Choices& choices) {
   gltf::Settings settings;
   if (choices.page_fps > 0) settings.fps = choices.page_fps;
   settings.animation = choices.animation, settings.camera = choices.camera, settings.studio = choices.studio;
+  settings.backdrop = choices.hdr_backdrop == "hidden"    ? gltf::Backdrop::hidden
+                      : choices.hdr_backdrop == "blurred" ? gltf::Backdrop::blurred
+                                                          : gltf::Backdrop::shown;
   if (!choices.hdr.empty()) settings.hdr = std::filesystem::absolute(choices.hdr).string();
   return settings;
 }

@@ -35,7 +35,7 @@ struct Choices {
 
   // Of glTF files; see gltf::Settings.
   double page_fps = 0;  // also of images that exist; 0: 24, or as images say
-  std::string animation, camera, studio = "auto", hdr;
+  std::string animation, camera, studio = "auto", hdr, hdr_backdrop = "shown";
 
   std::string outfile;               // empty: the Film's filename
   std::optional<bool> half;          // none: as the Film says

@@ -103,6 +103,71 @@ TEST(GltfScene, IsExposedToItsLights) {
   EXPECT_EQ(iso(R"("type":"point","intensity":0.5)"), 100 * 32);            // 1/8 lux, 0.04
 }
 
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// Softboxes beside the file's own lights, as bright as these are in the picture.
+TEST(GltfScene, HasSurroundingsBesideItsLights) {
+  TemporaryDirectory directory;
+  const auto translated = [&](const std::string& light, const std::string& studio) {
+    put_file(directory / "lamp.gltf", lamp(light));
+    gltf::Settings settings;
+    settings.studio = studio;
+    return gltf::translate(directory / "lamp.gltf", "lamp", settings);
+  };
+  const std::string dim = R"("type":"directional","intensity":3)", bright = R"("type":"directional","intensity":2049)";
+  const std::string text = translated(dim, "auto").text;
+  EXPECT_EQ(count_of("\"point3 portal\"", text), 4u) << text;
+  EXPECT_EQ(count_of("\"float scale\" 0.35", text), 5u) << text;  // and the sky's
+  EXPECT_EQ(count_of("Shape \"disk\"", text), 1u) << text;
+  EXPECT_EQ(count_of(fmt::format("\"float scale\" {}", 0.35f * 512), translated(bright, "auto").text), 5u);
+  EXPECT_EQ(count_of("\"float scale\" 1", translated(dim, "on").text), 5u);
+  const gltf::Translation bare = translated(dim, "off");
+  EXPECT_EQ(count_of("\"infinite\"", bare.text) + count_of("\"disk\"", bare.text), 0u) << bare.text;
+  EXPECT_EQ(bare.files.size(), 1u);  // the mesh
+}
+
+TEST(GltfScene, ThePictureOfTheLightMayBeBlurredOrHidden) {
+  TemporaryDirectory directory;
+  put_file(directory / "chair.gltf", chair());
+  const auto text_with = [&](gltf::Backdrop backdrop) {
+    gltf::Settings settings;
+    settings.hdr = "sky.hdr", settings.backdrop = backdrop;
+    return gltf::translate(directory / "chair.gltf", "chair", settings).text;
+  };
+  const std::string shown = text_with(gltf::Backdrop::shown);
+  EXPECT_EQ(count_of("LightSource", shown), 1u) << shown;
+  EXPECT_EQ(count_of("background", shown), 0u) << shown;
+  EXPECT_EQ(count_of("Shape \"disk\"", shown), 1u) << shown;
+  EXPECT_EQ(count_of("\"float backgroundblur\"", text_with(gltf::Backdrop::blurred)), 1u);
+  EXPECT_EQ(count_of("\"rgb background\"", text_with(gltf::Backdrop::hidden)), 1u);
+}
+
+// For one frame of 25 it jumps down by 7.
+TEST(GltfScene, TheGroundIsBelowAllFrames) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  const int times = file.add_floats({0, 0.5f, 0.54f, 1}, "SCALAR", 1),
+            places = file.add_floats({0, 0, 0, 0, -7, 0, 0, 0, 0, 0, 0, 0}, "VEC3", 3);
+  put_file(
+      directory / "a.gltf",
+      file.text(fmt::format(R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],"animations":[{{"channels":)"
+                            R"([{{"sampler":0,"target":{{"node":0,"path":"translation"}}}}],"samplers":[)"
+                            R"({{"input":{},"output":{},"interpolation":"STEP"}}]}}])",
+                            square.primitive(), times, places)));
+  const SceneDescription scene = parsed(directory / "a.gltf");
+  const auto ground = std::find_if(scene.shapes.begin(), scene.shapes.end(),
+                                   [](const ShapeUse& shape) { return shape.type == "disk"; });
+  ASSERT_NE(ground, scene.shapes.end());
+  const double height = ground->world_from_object.at(Moment()).m[1][3];
+  EXPECT_LT(height, -8);
+  EXPECT_GT(height, -8.01);
+}
+
 TEST(GltfScene, SaysWhatIsWrong) {
   TemporaryDirectory directory;
   put_file(directory / "a.dsc", "WorldBegin Import \"b.gltf\" Include \"c.dsc\" \"string animation\" \"x\"");
@@ -325,6 +390,33 @@ TEST(GltfScene, VerticesHaveColours) {
       painted<std::uint16_t>({65535, 32768, 0, 1, 65535, 32768, 0, 1, 65535, 32768, 0, 1, 65535, 32768, 0, 1}, 5123, 4),
       true);
   check(painted<std::uint8_t>({255, 128, 0, 1, 255, 128, 0, 1, 255, 128, 0, 1, 255, 128, 0, 1}, 5121, 4), true);
+}
+
+// However many there are, and whatever is in their names.
+TEST(GltfScene, NamesTheAnimationsThatThereAre) {
+  TemporaryDirectory directory;
+  GltfFile file;
+  const Square square(file);
+  std::string animations;
+  for (int i = 0; i < 30; ++i)
+    animations += fmt::format(R"({}{{"name":"Walk\n{}","channels":[],"samplers":[]}})", i > 0 ? "," : "",
+                              i == 0 ? std::string(100'000, 'x') : std::to_string(i));
+  put_file(directory / "a.gltf",
+           file.text(fmt::format(R"("nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{}]}}],"animations":[{}])",
+                                 square.primitive(), animations)));
+  gltf::Settings settings;
+  settings.animation = "Run\n" + std::string(100'000, 'y');
+  try {
+    gltf::translate(directory / "a.gltf", "a", settings);
+    ADD_FAILURE();
+  } catch (const std::runtime_error& e) {
+    const std::string said = e.what();
+    EXPECT_EQ(said.find("it has no animation \"Run yyy"), 0u) << said;
+    EXPECT_NE(said.find("available: Walk xxx"), std::string::npos) << said;
+    EXPECT_NE(said.find("Walk 19 and 10 more"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    EXPECT_LT(said.size(), 1000u);
+  }
 }
 
 TEST(GltfScene, OneOfItsCamerasLooks) {

@@ -1,6 +1,8 @@
 // What --to-dsc writes renders the same bits as the file itself; and pictures of glTF files whose answer is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dspm/image/image.h"
 #include "tests/gltf/gltf_file.h"
 #include "tests/support/process.h"
@@ -41,9 +43,9 @@ TEST(ToDsc, RendersTheSameImages) {
   ASSERT_EQ(own.code, 0) << own.err;
   const Outcome written = run(directory, {"--to-dsc", "toy.gltf", "--fps", "2"});
   ASSERT_EQ(written.code, 0) << written.err;
-  EXPECT_EQ(written.out, "toy.dsc, and 5 files in toy/\n");
+  EXPECT_EQ(written.out, "toy.dsc, and 6 files in toy/\n");
   const Outcome elsewhere = run(directory, {"--to-dsc", "toy.gltf", "--fps", "2", "-o", "there/left.dsc"});
-  EXPECT_EQ(elsewhere.out, "there/left.dsc, and 5 files in there/left/\n") << elsewhere.err;
+  EXPECT_EQ(elsewhere.out, "there/left.dsc, and 6 files in there/left/\n") << elsewhere.err;
   EXPECT_EQ(run(directory, {"--to-dsc", "toy.gltf", "-o", "left.exr"}).code, 2);
   std::filesystem::remove(directory / "toy.gltf");
   const Outcome moved = run(directory, Arguments{"there/left.dsc", "-o", "moved.####.pfm"} + quick);
@@ -101,6 +103,33 @@ TEST(ToDsc, SecondCoordinatesAndCameras) {
   const Outcome wrong = run(directory, {"first.gltf", "--camera", "side"});
   EXPECT_NE(wrong.code, 0);
   EXPECT_NE(wrong.err.find("it has no camera \"side\"; available: away, front"), std::string::npos) << wrong.err;
+}
+
+/// A matte card that lies on the ground, seen from above.
+std::string card(double reflectance) {
+  GltfFile file;
+  const Square square(file);
+  return file.text(fmt::format(
+      R"("nodes":[{{"mesh":0,"rotation":[-0.7071068,0,0,0.7071068]}},{{"camera":0,"translation":[0,4,0],"rotation":)"
+      R"([-0.7071068,0,0,0.7071068]}}],"cameras":[{{"type":"orthographic","orthographic":{{"xmag":0.9,"ymag":0.9,)"
+      R"("znear":0.1,"zfar":9}}}}],"meshes":[{{"primitives":[{}]}}],"materials":[{{"pbrMetallicRoughness":)"
+      R"({{"baseColorFactor":[{},{},{},1],"metallicFactor":0,"roughnessFactor":1}}}}])",
+      square.primitive(R"(,"material":0)"), reflectance, reflectance, reflectance));
+}
+
+// The camera is among the softboxes, and none of them is in its way.
+TEST(GltfPicture, TheStudioExposesAsAPhotographerDoes) {
+  TemporaryDirectory directory;
+  for (const double reflectance : {0.18, 1.0}) {
+    put_file(directory / "card.gltf", card(reflectance));
+    const Outcome outcome = run(directory, {"card.gltf", "--integrator", "path", "--iterations", "32", "--resolution",
+                                            "8x8", "-o", "card.pfm", "--quiet"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    Rgb mean;
+    for (const Rgb& pixel : read_image(directory / "card.pfm").pixels) mean += pixel / 64.f;
+    EXPECT_GT(mean.g, 0.75f * static_cast<float>(reflectance));
+    EXPECT_LT(mean.g, std::min(1.f, static_cast<float>(reflectance) + 0.04f));  // of which it mirrors 0.02
+  }
 }
 
 /// A square that fills the picture and shines by itself; from left to right its vertices' alpha goes from 0 to 1.
