@@ -1,5 +1,6 @@
 // What the camera sees behind everything where a light from infinity is to look different there: "rgb background" and
-// "float backgroundblur" of an infinite light. The light itself, and what mirrors and glass show of it, stay as they are.
+// "float backgroundblur" of an infinite light. The light itself, and what mirrors and glass show of it, stay as they
+// are.
 #pragma once
 
 #include <optional>
