@@ -14,6 +14,7 @@
 #include "dspm/app/signals.h"
 #include "dspm/app/watch.h"
 #include "dspm/machines/leader.h"
+#include "dspm/math/frames.h"
 #include "dspm/modules/all_plugins.h"
 #include "dspm/output/results.h"
 #include "dspm/output/step_log.h"

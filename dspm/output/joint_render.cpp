@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dspm/image/image.h"
 #include "dspm/output/denoised.h"
 #include "dspm/output/developed.h"
 #include "dspm/output/results.h"

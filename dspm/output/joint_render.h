@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dspm/image/image.h"
 #include "dspm/integrators/integrator.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/output.h"

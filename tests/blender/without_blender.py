@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """What of the add-on needs no Blender: its process. If Blender is killed, dspm saves its checkpoint and ends.
+Exit code 77: numpy is missing.
 usage: without_blender.py dspm"""
+import importlib.util
 import os
 import pathlib
 import signal
@@ -58,6 +60,9 @@ def main(program):
         print("dspm ends with Blender, and its checkpoint has all iterations")
 
 
+if importlib.util.find_spec("numpy") is None:
+    print("SKIPPED: needs the package python3-numpy")
+    sys.exit(77)
 if sys.argv[1] == "crash":
     crash(*sys.argv[2:])
 else:
