@@ -122,9 +122,10 @@ def expect_frames_as_they_are_done(scene):
 
 def expect_resumed(scene, alone):
     """A render that breaks off leaves its checkpoint beside the .blend file, from which the next one gets the same bits."""
-    blend = os.path.join(folder, "kept.blend")
+    blend = os.path.join(folder, "{a} #1", "kept.blend")
+    os.mkdir(os.path.dirname(blend))
     bpy.ops.wm.save_as_mainfile(filepath=blend)
-    kept, program_that_breaks = os.path.join(folder, "kept.dspm", "ViewLayer.0001-0003"), os.path.join(folder, "breaking")
+    kept, program_that_breaks = blend[:-6] + ".dspm/ViewLayer.0001-0003", os.path.join(folder, "breaking")
     with open(program_that_breaks, "w") as script:
         script.write(f'#!/bin/sh\n"{program}" "$@" --checkpoint-every 1\nexit 1\n')
     os.chmod(program_that_breaks, 0o755)
@@ -143,7 +144,7 @@ def expect_resumed(scene, alone):
     expect(os.stat(os.path.join(kept, "scene.dsc")).st_mtime_ns == begun, "what is resumed is not exported again")
     scene.dspm.resume = False
     rendered_in_blender(scene, "again")
-    expect(not os.path.exists(os.path.join(folder, "kept.dspm")), "nothing is kept of a render that is complete")
+    expect(not os.path.exists(blend[:-6] + ".dspm"), "nothing is kept of a render that is complete")
 
 
 def expect_guide(scene):

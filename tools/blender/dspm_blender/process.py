@@ -16,7 +16,7 @@ def find_program(preferred):
     program = preferred or shutil.which("dspm")
     if not program or not os.access(program, os.X_OK):
         raise RuntimeError("the program dspm is not found: Preferences > Add-ons > dspm says where it is")
-    return program
+    return os.path.abspath(program)
 
 
 LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
@@ -35,13 +35,14 @@ class Run:
 
     def __init__(self, program, scene, frames, arguments, seconds_between_pictures):
         self.stem = f"{os.path.splitext(scene)[0]}.result"
+        folder, name = os.path.split(self.stem)  # apart, as braces in a name are a template's
         self.numbers = ".{:04}" if frames > 1 else ""
         self.share, self.messages, self.lines, self.is_stopping = 0.0, [], queue.Queue(), False
         self.done = set()  # frames whose pictures do not get better
         self.process = subprocess.Popen(
-            [program, scene, "-o", f"{self.stem}{'.####' if frames > 1 else ''}.exr", "--float", "--compression", "none",
+            [program, scene, "-o", f"{name}{'.####' if frames > 1 else ''}.exr", "--float", "--compression", "none",
              "--progress", "json", "--write-every", f"{seconds_between_pictures}s", *arguments],
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
+            cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
             preexec_fn=ends_with_blender)
         self.reader = threading.Thread(target=self._read, daemon=True)
         self.reader.start()

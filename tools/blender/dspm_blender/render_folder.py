@@ -3,20 +3,28 @@ import json
 import os
 import shutil
 import tempfile
+import zlib
 
 import bpy
 
 from .textures import file_name
 
 
+def own_name(layer):
+    """No other view layer has it, though characters that files do not have are replaced."""
+    name = file_name(layer)
+    return name if name == layer else f"{name}-{zlib.crc32(layer.encode()):08x}"
+
+
 class RenderFolder:
     """Of one view layer of some frames. It goes when the render is complete; what has not come that far stays to be resumed."""
 
     def __init__(self, settings, layer, frames):
-        self.frames, self.is_kept = frames, bool(settings.checkpoint and bpy.data.filepath)
+        beside = os.path.dirname(bpy.data.filepath)
+        self.frames, self.is_kept = frames, bool(settings.checkpoint and beside and os.access(beside, os.W_OK))
         if self.is_kept:
             which = f"{frames[0]:04}" if len(frames) == 1 else f"{frames[0]:04}-{frames[-1]:04}"
-            self.path = os.path.join(f"{os.path.splitext(bpy.data.filepath)[0]}.dspm", f"{file_name(layer)}.{which}")
+            self.path = os.path.join(f"{os.path.splitext(bpy.data.filepath)[0]}.dspm", f"{own_name(layer)}.{which}")
         else:
             self.path = tempfile.mkdtemp(prefix="dspm-")
         self.scene, self.checkpoint = (os.path.join(self.path, name) for name in ("scene.dsc", "checkpoint"))

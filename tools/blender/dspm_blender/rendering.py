@@ -58,7 +58,7 @@ class Rendering:
 
     def _export(self, engine, depsgraph, settings):
         if settings.checkpoint and not self.folder.is_kept and len(self.frames) > 1:
-            engine.report({"WARNING"}, "the .blend file has not been saved yet, so there is no checkpoint beside it")
+            engine.report({"WARNING"}, "the .blend file has not been saved, or its folder cannot be written, so there is no checkpoint beside it")
         if settings.resume:
             engine.report({"WARNING"}, f"there is nothing to resume in {self.folder.path}: the render begins")
         self.folder.begin()
