@@ -14,9 +14,9 @@ namespace {
 constexpr double kMostStops = 64;
 constexpr int kMostPixels = 8192;
 
-Rgb background_of(const std::string& text) {
+void set_background(Options& o, const std::string& text) {
   try {
-    return parse_background(text);
+    o.view.background = parse_background(text), o.transparent = true;
   } catch (const std::runtime_error& error) {
     throw UsageError(fmt::format("--background {}: {}", text, error.what()));
   }
@@ -33,7 +33,7 @@ void add(CLI::App& app, Options& o) {
       ->type_name("STOPS");
   add_text(app, "--background", "COLOUR",
            "put white, black or #rrggbb behind everything that is shown, with the same numbers under every view",
-           [&](const std::string& text) { o.view.background = background_of(text), o.transparent = true; });
+           [&](const std::string& text) { set_background(o, text); });
   app.add_option("--png-bits", o.view.png_bits, "8 or 16 bits per channel of PNGs (default: 8)")
       ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("N");

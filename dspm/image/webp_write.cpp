@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dspm/image/encoding.h"
+#include "dspm/image/image.h"
 #include "dspm/image/webp.h"
 #include "dspm/system/atomic_file.h"
 
