@@ -20,7 +20,7 @@ void write_webp(const std::filesystem::path& path, const Image& image) {
   const std::string file(reinterpret_cast<const char*>(data), size);
   WebPFree(data);
   if (size == 0)
-    throw WriteError(path, image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION
+    throw WriteError(path, image.width > kMostOfWebp || image.height > kMostOfWebp
                                ? "WebP images have at most 16383 pixels a side"
                                : "the WebP library cannot encode it");
   write_file(path, file);

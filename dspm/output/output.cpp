@@ -10,6 +10,7 @@
 
 #include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
+#include "dspm/image/webp.h"
 #include "dspm/integrators/surface_outputs.h"
 #include "dspm/math/frames.h"
 #include "dspm/output/developed.h"
@@ -67,6 +68,8 @@ Output::Output(const Job& job, const OutputSettings& settings, const OtherFiles&
     warn_of_little_space(name(job.frames.front()), bytes_on_disk(), "the images", messages);
   }
   const int width = job.settings.crop.width(), height = job.settings.crop.height();
+  if (extension_of(job.film.filename) == ".webp" && std::max(width, height) > kMostOfWebp)
+    throw UsageError(fmt::format("{}: WebP images have at most {} pixels a side", job.film.filename, kMostOfWebp));
   const auto variation = [&](FileFrame frame) { return job.description->frames.combination_of(frame); };
   const bool is_one_variation = std::all_of(job.frames.begin(), job.frames.end(), [&](FileFrame frame) {
     return variation(frame) == variation(job.frames.front());

@@ -171,6 +171,8 @@ Translate 0 -1.2 0 Rotate 90 1 0 0 Shape "disk" "float radius" 9 "bool shadowcat
   const Outcome outcome = run(directory, {"catcher.dsc", "-o", "alone.hdr"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("alone.hdr cannot hold alpha"), outcome.err.npos) << outcome.err;
+  const Outcome wide = run(directory, {"catcher.dsc", "-o", "alone.webp", "--resolution", "16384x1"});
+  EXPECT_EQ(wide.err, "dspm: alone.webp: WebP images have at most 16383 pixels a side\n") << "before it renders";
 }
 
 const Rgb kFirst{0.4f, 0.2f, 0.1f}, kSecond{0.05f, 0.1f, 0.3f};
