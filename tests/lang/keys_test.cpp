@@ -329,6 +329,16 @@ TEST(Aims, MakeTheCameraCubicToo) {
   expect_ahead(in_camera(view, kBall, 3), std::hypot(1 - .25, 1.25, 5 + 5 / 12.));
 }
 
+TEST(Aims, AreForCamerasOfVariations) {
+  const SceneDescription scene =
+      good(std::string("Frames 25\nCamera \"c\" WorldBegin\n") + kBall +
+           " VariationBegin \"close\" LookAt 1 2 -5 \"ball\" 0 1 0 Camera \"d\" VariationEnd");
+  const Moment moment = Moment::numbered(13);
+  expect_ahead(origin(scene.axes.at(0).variations.at(0).camera->camera_from_world.at(moment) *
+                      scene.shapes.at(0).world_from_object.at(moment)),
+               std::hypot(6 - 1, 1 + 1.5 - 2, 2.5 + 5));
+}
+
 TEST(Aims, AtTheCameraMakeBillboards) {
   const SceneDescription scene = good(
       "Frames 3\nKeyframe 1 LookAt 0 0 -5  0 0 0  0 1 0 Keyframe 3 LookAt 5 2 -5  0 0 0  0 1 0 KeyframeEnd Camera "

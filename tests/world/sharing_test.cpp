@@ -79,7 +79,7 @@ TEST(Sharing, CountsNoStateTwice) {
   TestScene test(test::box("Frames 12\n", R"(
 DynamicBegin "still" Keyframe 1 "string ease" "cubic" Rotate 33 1 2 3 Keyframe 5 "string ease" "cubic" Rotate 33 1 2 3
 Keyframe 9 Rotate 33 1 2 3 KeyframeEnd Shape "sphere" "float radius" 0.1 DynamicEnd
-DynamicBegin "swings" Keyframe 1 "string ease" "cubic" Rotate 0 0 0 1 Keyframe 3 "string ease" "cubic" Rotate 33 0 0 1
+DynamicBegin "swings" Keyframe 1 "string ease" "cubic" Rotate 0 0 0 1 Keyframe 2 "string ease" "cubic" Rotate 33 0 0 1
 Keyframe 5 Rotate 0 0 0 1 KeyframeEnd "string after" "repeat" Shape "disk" "float radius" 0.1 DynamicEnd
 )"));
   const std::string all = explained(test, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
