@@ -261,7 +261,7 @@ bool SceneBuilder::replace_job(Directive& directive, Variation& variation) {
   if (is_camera ? variation.camera.has_value() : variation.integrator.has_value())
     diagnostics_.error(directive.where, fmt::format("a second {} in this variation", directive.info->name));
   if (is_camera) {
-    variation.camera = CameraUse{plugin_use(directive), place_of_replacing_camera()};
+    variation.camera = CameraUse{plugin_use(directive), place_of_replacing_camera().of_camera()};
     state_.ctm = {};
   } else {
     variation.integrator = plugin_use(directive);
