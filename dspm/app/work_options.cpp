@@ -8,11 +8,16 @@ namespace {
 constexpr int kMaxThreads = 1024;
 
 void add(CLI::App& app, Options& o) {
-  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads, "threads (default: one per core, within a container's quota)");
+  add_count(app, "-t,--nthreads", o.threads, 0, kMaxThreads,
+            "threads (default: one per core, within a container's quota)");
   // Image headers keep it as a double.
   app.add_option("--seed", o.seed, "seed of the random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53).description(""))
       ->type_name("N");
+  app.add_option("--noise", o.noise,
+                 "of frames: frozen (all share it) or perframe (not those in which the camera has moved)")
+      ->check(CLI::IsMember({"frozen", "perframe"}).description(""))
+      ->type_name("KIND");
   add_count(app, "--iterations,--spp", o.iterations, 0, kMaxCount, "camera paths per pixel; 0: until stopped");
   add_count(app, "--photons", o.photons, 1, kMaxCount, "photon paths per iteration");
   add_count(app, "--maxdepth", o.max_depth, 0, kMaxCount,

@@ -36,6 +36,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
   facts.push_back(
       {"the crop window", fmt::format("x from {} to {}, y from {} to {}", crop.x0, crop.x1, crop.y0, crop.y1)});
   facts.push_back({"the seed", std::to_string(s.seed)});
+  if (s.noise_per_frame) facts.push_back({"the noise (--noise)", "perframe"});
   const std::set<std::string> outputs(s.outputs.begin(), s.outputs.end());
   const char* space = s.in_camera_space ? "camera" : "world";
   facts.push_back({"the choice of outputs (--aov, --denoise)",
@@ -47,7 +48,7 @@ void add_settings(const Job& job, std::vector<Fact>& facts) {
     facts.push_back({"the scale of displaced edges", fmt::format("{}", scale)});
   facts.push_back({"the integrator", job.integrator});
   facts.push_back(digest_fact(fmt::format("integrator \"{}\"", job.integrator),
-                              digest_of(job.integrator, job.params, {"iterations", "seed"}), job.where));
+                              digest_of(job.integrator, job.params, {"iterations", "noise", "seed"}), job.where));
   static const PluginUse kUsual{kUsualPixelFilter, {}, {}, {}};
   const PluginUse& filter = job.description->filter ? *job.description->filter : kUsual;
   facts.push_back(digest_fact("the pixel filter", digest_of(filter.type, filter.params), filter.where));

@@ -14,6 +14,7 @@
 #include "dspm/integrators/branching_path.h"
 #include "dspm/integrators/camera_path.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/trace_tiles.h"
 #include "dspm/math/frames.h"
@@ -122,7 +123,7 @@ std::unique_ptr<Integrator> make_ambient_occlusion(ParamReader& params, const Sc
   const bool by_cosine = params.flag("cossample", true, "rays by the cosine to the normal, else uniformly");
   const float distance =
       params.number("maxdistance", 0, "world units", "how far away things are in the way; 0: however far");
-  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
+  describe_random_numbers(params);
   if (iterations < 0) params.error("iterations", "the number of iterations must not be negative");
   if (!(distance >= 0)) params.error("maxdistance", "the distance must not be negative");
   params.finish();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "dspm/colour/rgb.h"
 #include "dspm/integrators/path_step.h"
@@ -66,16 +68,30 @@ inline float path_width(const RenderSettings& render, std::uint64_t iteration) {
   return render.filter_textures ? std::max(0.125f, 1 / std::sqrt(static_cast<float>(iteration) + 1)) : 0;
 }
 
-/// Calls start(const CameraPath&) for each state of the camera, at pixel x, y of the full image, or lost(const
-/// CameraPath&) if the camera's ray is not finite. No path starts where the camera's lens lets nothing through.
+/// The seed of a camera's paths. States of the camera have paths of their own, so they lose no sharing if they draw other
+/// numbers. What a state sees tells it from the others, whichever frames are rendered.
+inline std::uint64_t camera_seed(const RenderSettings& render, const Camera& camera) {
+  std::uint64_t seed = render.seed;
+  if (!render.noise_per_frame) return seed;
+  const auto width = static_cast<float>(render.width), height = static_cast<float>(render.height);
+  for (const Vec2 film : {Vec2{width / 2, height / 2}, Vec2{width, height}}) {
+    const Ray ray = camera.ray(film, {0.5f, 0.5f});
+    for (const Vec3& v : {ray.origin, ray.direction})
+      for (const float number : {v.x, v.y, v.z}) seed = mix_bits(seed ^ std::bit_cast<std::uint32_t>(number));
+  }
+  return seed;
+}
+
+/// Calls start(const CameraPath&) for each state of the camera in these frames, at pixel x, y of the full image, or
+/// lost(const CameraPath&) if the camera's ray is not finite. No path starts where its lens lets nothing through.
 template <class Start, class Lost>
 void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
-                        Start&& start, Lost&& lost) {
+                        FrameSet among, Start&& start, Lost&& lost) {
   CameraPath path;
-  path.random = PathRandom(render.seed, Stream::camera, camera_path_index(render, x, y), iteration);
   path.pixel = pixel_in_crop(render.crop, x, y), path.width = path_width(render, iteration);
-  const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
-  scene.camera.for_each(scene.frames(), [&](FrameSet frames, const Camera& camera) {
+  scene.camera.for_each(among & scene.frames(), [&](FrameSet frames, const Camera& camera) {
+    path.random = PathRandom(camera_seed(render, camera), Stream::camera, camera_path_index(render, x, y), iteration);
+    const Vec2 film = film_point(render, x, y, path.random), lens = path.random.pair(0, kLightDirection);
     const float weight = camera.weight(film, lens);
     if (!(weight > 0)) return;
     path.throughput = Rgb(weight), path.eta_scale = weight;
@@ -91,6 +107,13 @@ void start_camera_paths(const Scene& scene, const RenderSettings& render, int x,
     for (const auto& around : scene.around_camera)
       if (const FrameSet common = frames & around.frames; !common.empty()) begin(common, around.inside);
   });
+}
+
+/// The same in all frames.
+template <class Start, class Lost>
+void start_camera_paths(const Scene& scene, const RenderSettings& render, int x, int y, std::uint64_t iteration,
+                        Start&& start, Lost&& lost) {
+  start_camera_paths(scene, render, x, y, iteration, scene.frames(), start, lost);
 }
 
 }  // namespace dspm

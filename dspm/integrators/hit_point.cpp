@@ -55,7 +55,7 @@ class HitPointTracer {
   /// Traces the camera path of pixel x, y of the full image. Paths whose frames part wait for finish().
   void trace(int x, int y, std::uint64_t iteration) {
     start_camera_paths(
-        scene_, render_, x, y, iteration,
+        scene_, render_, x, y, iteration, settings_.frames,
         [&](const CameraPath& path) {
           branches_.push(path);
           branches_.follow(*this);

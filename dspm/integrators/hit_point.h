@@ -71,6 +71,7 @@ struct HitPointSettings {
   bool share_paths = false;               // frames that differ only in appearance or light share paths; else they part
   /// Camera paths go on from hit points to others and find what rough surfaces scatter; photons need not.
   bool go_on = false;
+  FrameSet frames = FrameSet::first(kMaxFrames);  // in which camera paths are traced
 };
 
 /// The hit points of one tile of pixels.

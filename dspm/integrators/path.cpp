@@ -18,6 +18,7 @@
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/missed_light.h"
 #include "dspm/integrators/path_tracer.h"
+#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/trace_tiles.h"
 #include "dspm/params/params.h"
@@ -81,7 +82,7 @@ std::unique_ptr<Integrator> make_path(ParamReader& params, const Scene& scene, c
   const int max_depth = params.integer("maxdepth", 5, "", "maximum number of bounces");
   const bool indirect =
       params.flag("indirect", true, "light that rough surfaces have scattered more than once, too; false: direct only");
-  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
+  describe_random_numbers(params);
   params.choice("lightsampler", "power", {"power", "bvh", "uniform", "exhaustive"},
                 "accepted for pbrt compatibility; dspm samples all lights, or eight of many");
   if (params.flag("regularize", false, "accepted for pbrt compatibility"))

@@ -15,6 +15,7 @@
 #include "dspm/integrators/learn_emission.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/memory_needs.h"
+#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
@@ -272,7 +273,7 @@ std::unique_ptr<Integrator> make_photonmap(ParamReader& params, const Scene& sce
   s.least_alpha = params.number("gatheralpha", s.least_alpha, "GGX alpha",
                                 "lobes at least this rough gather photons; smoother ones extend the path");
   s.guided = read_emission(params);
-  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
+  describe_random_numbers(params);
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };

@@ -6,6 +6,7 @@
 #include "dspm/integrators/learn_indirect.h"
 #include "dspm/integrators/max_depth.h"
 #include "dspm/integrators/pixel_count.h"
+#include "dspm/integrators/random_params.h"
 #include "dspm/params/params.h"
 
 namespace dspm {
@@ -41,7 +42,7 @@ ProgressiveSettings read_progressive_settings(ParamReader& params, const RenderS
   const bool share_paths =
       params.flag("sharepaths", true,
                   "frames that differ only in appearance or light share paths, each with a weight; false: they part");
-  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
+  describe_random_numbers(params);
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };

@@ -44,6 +44,7 @@ struct Choices {
   std::optional<Denoiser> denoiser;  // none: no second images
 
   std::optional<std::uint64_t> seed;
+  std::string noise;              // frozen or perframe; empty: what the scene says
   std::string integrator, accel;  // empty: what the scene says
   std::optional<int> iterations, photons, max_depth;
   double until_error = 0;                            // relative; 0: the number of iterations decides

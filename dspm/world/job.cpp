@@ -171,8 +171,9 @@ void add_own_integrators(const SceneDescription& description, const Choices& cho
       if (!variation.integrator) continue;
       const PluginUse& use = *variation.integrator;
       IntegratorChoice choice = choose_integrator(description, choices, diagnostics, &use);
-      if (const Param* const seed = choice.params.find("seed"))
-        diagnostics.error(seed->where, "the seed is the same for all variations");
+      for (const char* const name : {"seed", "noise"})
+        if (const Param* const param = choice.params.find(name))
+          diagnostics.error(param->where, fmt::format("the {} is the same for all variations", name));
       if (choice.plugin != nullptr && choice.plugin != job.plugin)
         diagnostics.error(use.type_where, "the integrator's type is the same for all variations",
                           fmt::format("the scene's is \"{}\"; other settings of it are possible", job.integrator));
@@ -182,7 +183,15 @@ void add_own_integrators(const SceneDescription& description, const Choices& cho
     }
 }
 
-/// Returns the settings of the scene's frames, which share them; null if they are the job's.
+/// The command line's, else the integrator's, else the sampler's.
+std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choices& choices) {
+  if (!choices.noise.empty()) return choices.noise;
+  const Param* const own = job.params.find("noise");
+  const auto* values = own != nullptr ? std::get_if<std::vector<std::string>>(&own->values) : nullptr;
+  return values != nullptr && values->size() == 1 ? values->front() : sampler.noise;
+}
+
+/// Of the scene's frames, which have the same; null: the job's.
 const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
   if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
   const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());
@@ -277,6 +286,7 @@ Job make_job(const SceneDescription& description, const Choices& choices, Diagno
   settings.default_iterations = sampler.pixel_samples.value_or(usual_samples(description));
   const int seed = sampler.seed.value_or(description.options.seed.value_or(0));
   settings.seed = choices.seed.value_or(static_cast<std::uint64_t>(integer_of(job.params, "seed", seed)));
+  settings.noise_per_frame = noise_of(job, sampler, choices) == "perframe";
   if (job.plugin != nullptr) {
     check_integrator(job, job.params, job.where, diagnostics);
     add_own_integrators(description, choices, job, diagnostics);

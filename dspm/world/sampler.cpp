@@ -9,12 +9,16 @@
 namespace dspm {
 namespace {
 
-/// Reads a sampler. pbrt's have different parameters; here each accepts all, so a scene may change its sampler alone.
+const std::vector<std::string> kNoises = {"frozen", "perframe"};
+
+/// pbrt's samplers have different parameters; here each accepts all, so a scene may change its sampler alone.
 SamplerSettings read(ParamReader& reader, const std::string& type) {
   SamplerSettings settings;
   const int samples = reader.integer("pixelsamples", type == "independent" ? 4 : 16, "",
                                      "camera paths per pixel, or iterations; the default is that of .pbrt files"),
             seed = reader.integer("seed", 0, "", "of the random numbers");
+  const std::string noise =
+      reader.choice("noise", kNoises.front(), kNoises, "as the integrator's, which takes precedence");
   const int across = reader.integer("xsamples", 4, "", "of \"stratified\": times ysamples, the same as pixelsamples"),
             down = reader.integer("ysamples", 4, "", "likewise");
   reader.text("randomization", "", "without effect");
@@ -23,6 +27,7 @@ SamplerSettings read(ParamReader& reader, const std::string& type) {
   if (type == "stratified" && (reader.has("xsamples") || reader.has("ysamples")))
     settings.pixel_samples = across * down;
   if (reader.has("seed")) settings.seed = seed;
+  if (reader.has("noise")) settings.noise = noise;
   if (settings.pixel_samples && *settings.pixel_samples < 1)
     reader.error("pixelsamples", "there must be at least one sample");
   return settings;

@@ -12,6 +12,7 @@ namespace dspm {
 
 struct SamplerSettings {
   std::optional<int> pixel_samples, seed;
+  std::string noise;  // empty: it does not say
 };
 
 SamplerSettings read_sampler(const std::optional<PluginUse>& use, Diagnostics& diagnostics);

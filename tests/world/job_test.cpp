@@ -30,6 +30,18 @@ TEST(Job, TheCommandLinesSeedGoesFirstThenTheIntegratorsTheSamplersAndTheOptions
   EXPECT_EQ(job_of(option + sampler + integrator, options).settings.seed, 4u);
 }
 
+TEST(Job, TheCommandLinesNoiseGoesFirstThenTheIntegratorsThenTheSamplers) {
+  const std::string sampler = "Sampler \"halton\" \"string noise\" \"perframe\" ",
+                    frozen = "Integrator \"path\" \"string noise\" \"frozen\" ";
+  EXPECT_FALSE(job_of("").settings.noise_per_frame);
+  EXPECT_TRUE(job_of(sampler).settings.noise_per_frame);
+  EXPECT_FALSE(job_of(sampler + frozen).settings.noise_per_frame);
+  Choices options;
+  options.noise = "perframe";
+  EXPECT_TRUE(job_of(sampler + frozen, options).settings.noise_per_frame);
+  EXPECT_THROW(job_of("Integrator \"path\" \"string noise\" \"own\""), SceneError);
+}
+
 TEST(Job, SamplesOfAPixelAreTheIterationsOfIntegratorsThatNameNone) {
   EXPECT_EQ(job_of("Sampler \"halton\" \"integer pixelsamples\" 12").settings.default_iterations, 12);
   EXPECT_EQ(job_of("Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5").settings.default_iterations,

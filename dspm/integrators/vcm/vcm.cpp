@@ -33,6 +33,7 @@
 #include "dspm/integrators/memory_needs.h"
 #include "dspm/integrators/pilot_pixels.h"
 #include "dspm/integrators/pixel_count.h"
+#include "dspm/integrators/random_params.h"
 #include "dspm/integrators/summing_integrator.h"
 #include "dspm/integrators/vcm/camera_subpaths.h"
 #include "dspm/integrators/vcm/light_subpaths.h"
@@ -191,7 +192,7 @@ VcmSettings read_settings(ParamReader& params, const RenderSettings& render) {
   s.share_paths = params.flag("sharepaths", true,
                               "frames that differ only in appearance or light share paths, each with a weight; false: "
                               "they part");
-  params.integer("seed", 0, "", "seed of the random numbers; the command line takes precedence");
+  describe_random_numbers(params);
   const auto demand = [&](bool holds, std::string_view name, const char* what) {
     if (!holds) params.error(name, what);
   };
