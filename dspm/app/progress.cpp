@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "dspm/looking/terminal.h"
-#include "dspm/output/json.h"
+#include "dspm/system/activity.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/standard_streams.h"
 
@@ -58,6 +58,7 @@ ProgressKind progress_kind(std::string_view word) {
 
 Progress::Progress(const Extent& extent, ProgressKind kind)
     : extent_(extent), kind_(kind), next_(kind == ProgressKind::lines ? kSecondsBetweenLines : 0) {
+  Activity::listen([this](const char* activity) { note(activity); });
   if (kind_ != ProgressKind::json) return;
   std::string line = fmt::format(R"({{"event": "begin", "intervals": {})", extent.intervals);
   if (extent.iterations > 0) line += fmt::format(R"(, "iterations": {})", extent.iterations);
@@ -67,6 +68,7 @@ Progress::Progress(const Extent& extent, ProgressKind kind)
 }
 
 Progress::~Progress() {
+  Activity::listen({});
   clear();
   if (kind_ == ProgressKind::json)
     print_message(fmt::format("{{\"event\": \"end\", \"seconds\": {:.3f}}}\n", elapsed()));
@@ -85,21 +87,34 @@ void Progress::begin(int interval, int iterations) {
 void Progress::step(int interval, int iterations, std::optional<double> error) {
   if (error) trend_.add(iterations, *error);
   if (kind_ == ProgressKind::json) return print_message(json(interval, iterations));
-  if (kind_ == ProgressKind::none || elapsed() < next_) return;
-  next_ = elapsed() + (kind_ == ProgressKind::bar ? kSecondsBetweenBars : kSecondsBetweenLines);
+  if (kind_ == ProgressKind::none || !is_due()) return;
   const std::string line = text(interval, iterations);
   if (kind_ == ProgressKind::lines) return print_message(fmt::format("dspm: {}\n", line));
-  const std::string shown = with_bar(line, share_done(interval, iterations)).substr(0, longest_line());
+  show(with_bar(line, share_done(interval, iterations)));
+}
+
+void Progress::note(const char* activity) {
+  if (kind_ == ProgressKind::none || !is_due()) return;
+  const std::string line = fmt::format("{}, {}", activity, readable_time(elapsed()));
+  switch (kind_) {
+    case ProgressKind::json:
+      return print_message(
+          fmt::format("{{\"event\": \"busy\", \"with\": \"{}\", \"seconds\": {:.3f}}}\n", activity, elapsed()));
+    case ProgressKind::lines: return print_message(fmt::format("dspm: {}\n", line));
+    default: return show(line);
+  }
+}
+
+void Progress::show(const std::string& bar) {
+  const std::string shown = bar.substr(0, longest_line());
   print_message(fmt::format("\r{:{}}", shown, std::min(width_, longest_line())));
   width_ = shown.size();
 }
 
-void Progress::written(int interval, const std::vector<std::string>& frames, bool last) {
-  if (kind_ != ProgressKind::json) return;
-  std::vector<std::string> quoted;
-  for (const std::string& frame : frames) quoted.push_back(quoted_in_json(frame));
-  print_message(fmt::format("{{\"event\": \"images\", \"interval\": {}, \"frames\": [{}], \"last\": {}}}\n",
-                            interval + 1, fmt::join(quoted, ", "), last));
+bool Progress::is_due() {
+  if (elapsed() < next_) return false;
+  next_ = elapsed() + (kind_ == ProgressKind::lines ? kSecondsBetweenLines : kSecondsBetweenBars);
+  return true;
 }
 
 double Progress::elapsed() const {

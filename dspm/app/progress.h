@@ -51,11 +51,17 @@ class Progress {
     std::optional<double> seconds_left = {};  // if it is known
   };
   Outlook outlook(int interval, int iterations) const;
+  /// An iteration is busy with something that has a name of its own; while a Progress lives, it hears of it.
+  void note(const char* activity);
   /// Clears the bar's line, as other output follows.
   void clear();
 
  private:
   double elapsed() const;
+  /// Whether a line is due. If so, the next one is not for a while.
+  bool is_due();
+  /// Over the last one.
+  void show(const std::string& bar);
   std::string text(int interval, int iterations) const;
   std::string json(int interval, int iterations) const;
   double share_done(int interval, int iterations) const;

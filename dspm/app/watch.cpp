@@ -8,6 +8,7 @@
 
 #include "dspm/modules/all_plugins.h"
 #include "dspm/modules/blame.h"
+#include "dspm/system/activity.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/standard_streams.h"
 
@@ -65,8 +66,9 @@ std::string Watch::complaint() const {
   for (const LoadedModule* module : modules_at_work()) who += (who.empty() ? "" : "; ") + in_words(*module);
   if (who.empty()) who = own_;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  return fmt::format("dspm: {} has not ended after {}{}{}\n", step_, readable_time(seconds),
-                     who.empty() ? "" : ", at work: ", who);
+  const char* const activity = Activity::now();
+  return fmt::format("dspm: {} has not ended after {}{}{}\n", activity != nullptr ? activity : step_,
+                     readable_time(seconds), who.empty() ? "" : ", at work: ", who);
 }
 
 }  // namespace dspm

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "dspm/system/activity.h"
 #include "tests/output/json_check.h"
 
 namespace dspm {
@@ -126,6 +127,26 @@ TEST(Progress, SpeaksJsonToPrograms) {
   EXPECT_NE(lines[3].find(R"("interval": 2, "iterations": 2, )"), std::string::npos);
   EXPECT_NE(lines[3].find(R"("share_done": 0.7500, "seconds_left": )"), std::string::npos) << lines[3];
   EXPECT_TRUE(lines[4].starts_with(R"({"event": "end", "seconds": )")) << lines[4];
+}
+
+TEST(Progress, SaysWhatAnIterationIsBusyWith) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress({.iterations = 4}, ProgressKind::json);
+    const Activity outer("learning"), inner("looking");
+  }
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_NE(text.find(R"({"event": "busy", "with": "learning", "seconds": 0.0)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("looking"), std::string::npos) << text;
+  testing::internal::CaptureStderr();
+  {
+    Progress progress({.iterations = 4}, ProgressKind::bar);
+    const Activity activity("learning");
+  }
+  EXPECT_TRUE(testing::internal::GetCapturedStderr().starts_with("\rlearning, 0.0s"));
+  testing::internal::CaptureStderr();
+  { const Activity activity("learning"); }  // nobody listens any more
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "dspm/system/activity.h"
+
 namespace dspm {
 namespace {
 
@@ -30,6 +32,12 @@ TEST(Watch, SaysWhoHasNotEndedAndWaitsTwiceAsLongEachTime) {
   EXPECT_NE(text.find("s, at work: integrator \"slow\"\n"), std::string::npos) << text;
   // After 0.02, 0.04, 0.08, 0.16 s; two more where the machine is slow and the step takes up to 1.28 s.
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 6) << text;
+}
+
+TEST(Watch, SaysThatAnIterationLearns) {
+  const Activity activity("learning where photons start");
+  const std::string text = reports(0.02, std::chrono::milliseconds(100));
+  EXPECT_TRUE(text.starts_with("dspm: learning where photons start has not ended after 0.")) << text;
 }
 
 }  // namespace
