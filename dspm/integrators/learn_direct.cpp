@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-constexpr double kPilotPixels = 4096;
+constexpr double kPilotPixels = 1024;
 constexpr std::uint64_t kFirstIteration = 2 * kPilotIteration;  // random numbers of its own
 constexpr float kLater = 0.55f;                                 // of the initial radius: that after 64 iterations
 constexpr double kLeastByRays = 0.3;     // of the direct light by then, or photons bring it all if no guide was needed
@@ -21,7 +21,7 @@ class Pilot {
  public:
   Pilot(const Scene& sample, const RenderSettings& render, const HitPointSettings& settings)
       : scene_(sample), pixels_(render, kPilotPixels), settings_(settings) {
-    settings_.share_paths = true;
+    settings_.share_paths = true, settings_.frames = few_frames(sample);
   }
 
   /// Returns what rays bring to the hit points, by pilot pixel and frame, if they share direct light as `balance` says;

@@ -16,25 +16,25 @@
 #include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 #include "dspm/scene/scene.h"
+#include "dspm/system/activity.h"
 #include "dspm/system/parallel.h"
 
 namespace dspm {
 namespace {
 
-// A round has a path for every other pilot pixel, within bounds, and enough for every light to be seen.
-constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 15, kPathsOfALight = 1 << 6, kPathsPerTrace = 1 << 4;
+// A round has a path for every other pixel, within bounds, and enough for every light to be seen.
+constexpr std::int64_t kLeastPaths = 1 << 12, kMostPaths = 1 << 14, kPathsOfALight = 1 << 6, kPathsPerTrace = 1 << 4;
 constexpr std::int64_t kLeastLightPaths = 10'000;  // a picture may be small, and what light has to pass smaller
 constexpr std::int64_t kFoundAtOnce = 1 << 6;      // by one thread
 constexpr std::size_t kTreeBytes = 256 * EmissionGuide::kMostCells;  // while it grows
-constexpr double kPilotPixels = 16384;
+constexpr double kLeastPilotPixels = 1 << 11, kMostPilotPixels = 1 << 14, kPixelsAPilot = 4;
 
 // If too few paths are found, the search radius begins far larger, and shrinks once enough are.
 constexpr float kWidest = 1024, kShrink = 4;
 constexpr float kMostRadius = 0.1f;        // of the scene's radius
 constexpr std::size_t kLeastPoints = 256;  // that search, however wide
 constexpr double kEnough = 0.3, kFew = 0.1;
-constexpr std::uint64_t kRoundsOfAView = 4;  // by the same camera paths
-constexpr int kFramesOfARound = 4;           // all of the file's sample after some rounds
+constexpr std::uint64_t kRoundsOfAView = 4;  // by the same camera paths, each in another frame
 constexpr int kWideRounds = 4;               // at most, at each radius
 
 constexpr int kTrialRounds = 2, kLeastRounds = 6, kMostRounds = 16;  // at the final radius
@@ -50,9 +50,10 @@ class Learner {
         photon_(photon),
         camera_(hit_point),
         kinds_(photon.kinds),
-        pixels_(render, kPilotPixels),
+        pixels_(render, std::clamp(static_cast<double>(pixels_of(render)) / kPixelsAPilot, kLeastPilotPixels,
+                                   kMostPilotPixels)),
         paths_(std::clamp<std::int64_t>(
-            std::max<std::int64_t>(static_cast<std::int64_t>(pixels_.columns()) * pixels_.rows() / 2,
+            std::max<std::int64_t>(pixels_of(render) / 2,
                                    kPathsOfALight * static_cast<std::int64_t>(sample.lights.size())),
             photon.are_light_paths ? kLeastLightPaths : kLeastPaths, kMostPaths)) {
     photon_.stream = Stream::pilot, photon_.keep_ends = true, photon_.share_paths = true;
@@ -78,6 +79,10 @@ class Learner {
   }
 
  private:
+  static std::int64_t pixels_of(const RenderSettings& render) {
+    return static_cast<std::int64_t>(render.width) * render.height;
+  }
+
   // All photons count, even if the integrator stores some kinds only: those that arrive first lead to the others.
   EmissionGuides coarse() {
     photon_.kinds = kAllPhotons;
@@ -94,13 +99,14 @@ class Learner {
   }
 
   EmissionGuides fine(EmissionGuides guides, const PilotRound& first, PilotPaths& pilot) {
+    const int least = std::clamp(rounds_of_all_frames(), kLeastRounds, kMostRounds);
     std::vector<PilotRound> rounds;
     for (int i = 0; i < kMostRounds; ++i) {
       rounds.push_back(trace(guides, 1));
       if (i == kTrialRounds) pilot.gain = gain(rounds.back(), first);
       if (i == kTrialRounds && !(pilot.gain > kLeastGain)) return {};
       guides = guides_after(rounds);
-      if (i >= kLeastRounds && rounds.back().share_of_one() < kMostOfOne &&
+      if (i >= least && rounds.back().share_of_one() < kMostOfOne &&
           rounds.back().found_share() < kLeastGrowth * rounds[static_cast<std::size_t>(i) - 2].found_share())
         break;
     }
@@ -111,6 +117,7 @@ class Learner {
 
   /// Traces a round. `scale` multiplies the search radius.
   PilotRound trace(const EmissionGuides& guides, float scale) {
+    Activity::goes_on();
     look(scale);
     PilotRound round{guides, {}, {}, rounds_, static_cast<std::uint64_t>(paths_), choices_};
     photon_.guides = &guides, photon_.frames = searched_->frames;
@@ -130,28 +137,37 @@ class Learner {
   void look(float scale) {
     if (rounds_ % kRoundsOfAView == 0) {
       searched_ = nullptr;
+      camera_.frames = {};
+      for (std::uint64_t i = 0; i < kRoundsOfAView; ++i) camera_.frames |= frames_of_round(rounds_ + i);
       tiles_ = pixels_.trace(scene_, camera_, kPilotIteration + rounds_);
     }
-    const FrameSet frames = frames_of_round();
+    const FrameSet frames = frames_of_round(rounds_);
     if (searched_ == nullptr || searched_->scale != scale || searched_->frames != frames)
       searched_ =
           std::make_unique<const Searched>(Searched{scale, frames, visible(&HitPointTile::hit_points, scale, frames),
                                                     visible(&HitPointTile::glossy, scale, frames)});
   }
 
-  /// Returns some frames of each choice, in turns.
-  FrameSet frames_of_round() const {
-    const int at_once = std::max(1, kFramesOfARound / static_cast<int>(choices_));
+  /// One of each choice, in turns: those of a view are far apart.
+  FrameSet frames_of_round(std::uint64_t round) const {
     FrameSet frames;
     for (const LightChoice& choice : scene_.light_choices) {
-      const int turns = (choice.frames.count() + at_once - 1) / at_once;
-      int number = 0;
+      const auto count = static_cast<std::uint64_t>(choice.frames.count());
+      if (count == 0) continue;
+      const std::uint64_t views = (count + kRoundsOfAView - 1) / kRoundsOfAView;
+      const std::uint64_t turn = (round % kRoundsOfAView * views + round / kRoundsOfAView % views) % count;
+      std::uint64_t number = 0;
       choice.frames.for_each([&](Frame f) {
-        if (number++ % turns == static_cast<int>(rounds_ % static_cast<std::uint64_t>(turns)))
-          frames |= FrameSet::single(f);
+        if (number++ == turn) frames |= FrameSet::single(f);
       });
     }
     return frames;
+  }
+  /// Until each of the sample's frames has had its turn.
+  int rounds_of_all_frames() const {
+    int most = 0;
+    for (const LightChoice& choice : scene_.light_choices) most = std::max(most, choice.frames.count());
+    return most;
   }
 
   /// Returns the points that can gather photons. Their radii are wider than in a render, because pilot pixels are
@@ -325,6 +341,7 @@ std::shared_ptr<const LearnedEmission> emission_of_file(const Scene& scene, cons
   if (!render.file->learns()) return render.file->earlier(settings, scene);
   if (guided) render.file->expect_known(settings, scene.lights.size());
   const auto learned = render.file->emission(settings, [&] {
+    const Activity activity("learning where photons start");
     PilotPaths pilot;
     LearnedEmission result;
     const std::shared_ptr<const Scene> sample = render.file->scene(scene);

@@ -14,9 +14,9 @@
 namespace dspm {
 namespace {
 
-constexpr double kPilotPixels = 4096;
+constexpr double kPilotPixels = 1024;
 constexpr std::uint64_t kFirstIteration = 3 * kPilotIteration;           // random numbers of its own
-constexpr std::int64_t kLeastPhotons = 1 << 14, kMostPhotons = 1 << 15;  // of each kind: a tenth of an iteration
+constexpr std::int64_t kLeastPhotons = 1 << 11, kMostPhotons = 1 << 13;  // of each kind: a tenth of an iteration
 constexpr std::int64_t kPathsPerTrace = 1 << 5;
 constexpr double kLater = 0.55;      // of the initial radius: that after 64 iterations
 constexpr double kMostOfWork = 0.8;  // to the same variance, or photons bring it all
@@ -45,6 +45,7 @@ class Pilot {
         full_(static_cast<double>(render.width) * render.height) {
     hit_point_.sample_direct = hit_point_.share_paths = photon_.share_paths = true;
     hit_point_.direct = &rays_;
+    hit_point_.frames = photon_.frames = few_frames(scene);
     photon_.stream = Stream::pilot, photon_.guides = &guides, photon_.direct = nullptr, photon_.keep_ends = false;
     photon_.paths_per_trace = kPathsPerTrace;
   }

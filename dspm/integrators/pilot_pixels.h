@@ -14,6 +14,16 @@ namespace dspm {
 
 inline constexpr std::uint64_t kPilotIteration = std::uint64_t{1} << 40;  // no iteration of the camera has that number
 
+/// A few of the sample's, spread over it: what is decided for all frames alike needs no more.
+inline FrameSet few_frames(const Scene& sample) {
+  constexpr int kFew = 4;
+  const int count = sample.frame_count();
+  if (count <= kFew) return sample.frames();
+  FrameSet few;
+  for (int i = 0; i < kFew; ++i) few |= FrameSet::single(static_cast<Frame>(i * (count - 1) / (kFew - 1)));
+  return few;
+}
+
 struct PilotPixels {
   RenderSettings render;  // of the whole image
   int stride;             // between the pixels

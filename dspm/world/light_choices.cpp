@@ -144,8 +144,8 @@ std::vector<LightChoice> LightChoices::in(const std::vector<FileFrame>& frames) 
 }
 
 // A choice without a frame takes the place of one of those with most.
-std::vector<FileFrame> LightChoices::sample() const {
-  const std::size_t all = base, count = std::min(all, kMostChoices);
+std::vector<FileFrame> LightChoices::sample(std::size_t wanted) const {
+  const std::size_t all = base, count = std::min(all, std::max(wanted, probabilities.size()));
   std::vector<int> frames, samples(probabilities.size());
   for (std::size_t i = 0; i < count; ++i) {
     frames.push_back(static_cast<int>(count == 1 ? 0 : i * (all - 1) / (count - 1)));

@@ -101,12 +101,20 @@ FrameStates<T> cut(const Timeline<std::shared_ptr<const T>>& line, const std::ve
 
 }  // namespace
 
+/// What integrators learn from a small picture is worth fewer frames.
+std::size_t size_of_sample(const WorldOptions& options) {
+  constexpr std::size_t kLeast = 4, kPixelsAFrame = 1 << 10;
+  const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  return std::clamp(pixels / kPixelsAFrame, kLeast, LightChoices::kMostChoices);
+}
+
 struct World::Impl {
   Impl(const SceneDescription& text, const WorldOptions& options, Diagnostics& diagnostics)
       : description(text),
         looks(text, diagnostics),
         geometry(text, options.check_meshes, looks, options.kept, diagnostics),
-        kept(options.kept) {
+        kept(options.kept),
+        sample_size(size_of_sample(options)) {
     refuse_media(text, diagnostics);
     looks.refuse_unknown_replacements();
     const bool whole = diagnostics.error_count() == 0;
@@ -216,6 +224,7 @@ struct World::Impl {
   Looks looks;
   Geometry geometry;
   KeptGeometry* kept;
+  std::size_t sample_size;  // frames
   BoundingSphere sphere;
   std::vector<WorldLight> lights;
   LightChoices light_choices;
@@ -291,7 +300,7 @@ void World::Impl::warn_of_overlaps(Diagnostics& diagnostics) const {
   warn_of(find_overlaps(bodies, pairs), bodies, there, looks, description.frames, diagnostics);
 }
 
-std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(); }
+std::vector<FileFrame> World::sample_frames() const { return impl_->light_choices.sample(impl_->sample_size); }
 
 const PluginUse& World::use_of(const SceneElement& element, std::span<const FileFrame> frames, Frame j) const {
   switch (element.kind) {
