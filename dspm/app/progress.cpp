@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "dspm/looking/terminal.h"
+#include "dspm/output/json.h"
 #include "dspm/system/activity.h"
 #include "dspm/system/readable.h"
 #include "dspm/system/standard_streams.h"
@@ -109,6 +110,14 @@ void Progress::show(const std::string& bar) {
   const std::string shown = bar.substr(0, longest_line());
   print_message(fmt::format("\r{:{}}", shown, std::min(width_, longest_line())));
   width_ = shown.size();
+}
+
+void Progress::written(int interval, const std::vector<std::string>& frames, bool last) {
+  if (kind_ != ProgressKind::json) return;
+  std::vector<std::string> quoted;
+  for (const std::string& frame : frames) quoted.push_back(quoted_in_json(frame));
+  print_message(fmt::format("{{\"event\": \"images\", \"interval\": {}, \"frames\": [{}], \"last\": {}}}\n",
+                            interval + 1, fmt::join(quoted, ", "), last));
 }
 
 bool Progress::is_due() {

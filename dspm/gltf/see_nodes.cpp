@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dspm/gltf/scene_writer.h"
+#include "dspm/math/vec.h"
 
 namespace dspm::gltf {
 namespace {

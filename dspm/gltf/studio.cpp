@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "dspm/gltf/statements.h"
+#include "dspm/math/vec.h"
 
 namespace dspm::gltf {
 namespace {

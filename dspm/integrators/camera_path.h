@@ -10,6 +10,7 @@
 #include "dspm/integrators/path_step.h"
 #include "dspm/integrators/tiles.h"
 #include "dspm/math/frames.h"
+#include "dspm/math/ray.h"
 #include "dspm/math/vec.h"
 #include "dspm/scene/scene.h"
 #include "dspm/shapes/curvature.h"

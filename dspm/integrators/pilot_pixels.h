@@ -8,6 +8,7 @@
 
 #include "dspm/integrators/hit_point.h"
 #include "dspm/integrators/integrator.h"
+#include "dspm/math/frames.h"
 #include "dspm/scene/scene.h"
 
 namespace dspm {

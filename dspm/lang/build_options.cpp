@@ -10,6 +10,7 @@
 
 #include "dspm/lang/described_options.h"
 #include "dspm/lang/scene_builder.h"
+#include "dspm/math/frames.h"
 #include "dspm/params/params.h"
 
 namespace dspm {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dspm/lang/old_pbrt.h"
+#include "dspm/math/frames.h"
 
 namespace dspm {
 namespace {

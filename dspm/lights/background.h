@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "dspm/colour/rgb.h"
 #include "dspm/image/image.h"
 #include "dspm/lights/environment_map.h"
 #include "dspm/math/sphere_mapping.h"

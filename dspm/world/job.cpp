@@ -183,7 +183,7 @@ void add_own_integrators(const SceneDescription& description, const Choices& cho
     }
 }
 
-/// The command line's, else the integrator's, else the sampler's.
+/// Returns the noise that the command line asks for, else the integrator, else the sampler.
 std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choices& choices) {
   if (!choices.noise.empty()) return choices.noise;
   const Param* const own = job.params.find("noise");
@@ -191,7 +191,7 @@ std::string noise_of(const Job& job, const SamplerSettings& sampler, const Choic
   return values != nullptr && values->size() == 1 ? values->front() : sampler.noise;
 }
 
-/// Of the scene's frames, which have the same; null: the job's.
+/// Returns the settings of the scene's frames, which share them; null if they are the job's.
 const Job::OwnIntegrator* own_integrator(const Job& job, const Scene& scene) {
   if (job.own_integrators.empty() || scene.file_frames.empty()) return nullptr;
   const PluginUse* const use = job.description->own_integrator_of(scene.file_frames.front());

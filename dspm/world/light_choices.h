@@ -23,9 +23,9 @@ struct LightChoices {
   }
   /// Returns the choices in the scene of these frames.
   std::vector<LightChoice> in(const std::vector<FileFrame>& frames) const;
-  /// That many frames, if there are, spread over the base, and one of each choice at least.
+  /// Returns that many frames of the base, if there are so many, spread over it, and at least one of each choice.
   std::vector<FileFrame> sample(std::size_t wanted = kMostChoices) const;
-  /// See SceneLight::choice_shares.
+  /// Returns SceneLight::choice_shares.
   std::vector<float> shares(const WorldLight& light) const;
 };
 
