@@ -21,14 +21,14 @@ Between between(const std::vector<float>& values, float v) {
   return {after - 1, after, (v - values[after - 1]) / (values[after] - values[after - 1])};
 }
 
-/// The share t of a cell below which lies `part` of the integral of a density that runs linearly from a to b.
+/// Returns the share t of a cell below which lies `part` of the integral of a density that runs linearly from a to b.
 float solve_linear(float part, float a, float b) {
   const float root = std::sqrt(std::max(0.f, a * a + 2 * part * (b - a)));
   return a + root > 0 ? std::clamp(2 * part / (a + root), 0.f, 1.f) : 0;
 }
 float integral_of_linear(float t, float a, float b) { return t * (a + 0.5f * t * (b - a)); }
 
-/// The last i below `last` with until(i) <= part.
+/// Returns the last i below `last` with until(i) <= part.
 template <class Until>
 int find_cell(int last, float part, Until&& until) {
   int low = 0, high = last;

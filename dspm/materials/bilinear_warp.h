@@ -1,5 +1,5 @@
-// Densities over the unit square that are bilinear between the nodes of a grid, and change with two parameters: one grid
-// for each pair of parameter values, linear in between. [Dupuy and Jakob 2018, supplement]
+// Densities over the unit square that are bilinear between the nodes of a grid, and change with two parameters: there
+// is one grid for each pair of parameter values, linear in between. [Dupuy and Jakob 2018, supplement]
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class GridParameters {
  public:
   GridParameters(std::vector<float> first, std::vector<float> second)
       : first_(std::move(first)), second_(std::move(second)) {}
-  /// Beyond the first and last value, these hold.
+  /// Returns the grids for a pair of parameters. Beyond the first and last value, these hold.
   GridMix at(float first, float second) const;
   std::size_t count() const { return first_.size() * second_.size(); }
 
@@ -36,7 +36,7 @@ struct GridPlace {
   float tx, ty;
 
   GridPlace(const Vec2& p, int width, int height);
-  /// Of a value at the nodes: value(x, y).
+  /// Interpolates a value at the nodes: value(x, y).
   template <class Value>
   auto interpolate(Value&& value) const {
     return (value(x, y) * (1 - tx) + value(x + 1, y) * tx) * (1 - ty) +
@@ -46,8 +46,8 @@ struct GridPlace {
 
 class BilinearWarp {
  public:
-  /// Rows of `width` values, `height` of them for each grid; neither negative nor infinite, and with a positive
-  /// integral. At least 2 x 2.
+  /// Takes rows of `width` values, `height` of them for each grid; neither negative nor infinite, and with a positive
+  /// integral. There must be at least 2 x 2.
   BilinearWarp(std::span<const float> values, int width, int height);
 
   struct Point {
@@ -56,16 +56,16 @@ class BilinearWarp {
   };
   /// Warps uniform numbers.
   Point sample(const Vec2& u, const GridMix& mix) const;
-  /// The numbers for which sample() gives p.
+  /// Returns the numbers for which sample() gives p.
   Point invert(const Vec2& p, const GridMix& mix) const;
   float density(const Vec2& p, const GridMix& mix) const;
 
  private:
   float value(int x, int y, const GridMix& mix) const { return mixed(values_, index(x, y), cells(), mix); }
-  /// The integral of the row of nodes up to x.
+  /// Returns the integral of the row of nodes up to x.
   float row_until(int x, int y, const GridMix& mix) const { return mixed(rows_, index(x, y), cells(), mix); }
   float row(int y, const GridMix& mix) const { return row_until(width_ - 1, y, mix); }
-  /// The integral of all that is below the row of nodes.
+  /// Returns the integral of all that is below the row of nodes.
   float below(int y, const GridMix& mix) const {
     return mixed(below_, static_cast<std::size_t>(y), static_cast<std::size_t>(height_), mix);
   }

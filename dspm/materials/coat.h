@@ -24,7 +24,8 @@ struct Coat {
 
   float left(float cos) const { return std::exp(-thickness / std::max(cos, 1e-6f)); }
 
-  /// The share of light from outside that reaches the base, or of diffuse light from the base that leaves this way.
+  /// Returns the share of light from outside that reaches the base, or of diffuse light from the base that leaves this
+  /// way.
   float let_through(const Vec3& w, bool smooth, const Ggx& rough) const {
     if (!loses) return 1 - (smooth || !facets ? fresnel_dielectric(w.z, eta) : mirrored(rough).of(w));
     const float sin2_inside = (1 - w.z * w.z) / (eta * eta);
@@ -32,11 +33,11 @@ struct Coat {
     const float passed = smooth ? 1 - fresnel_dielectric(w.z, eta) : facets->outside.refracted(w.z, mean_alpha(rough));
     return passed * left(std::sqrt(1 - sin2_inside));
   }
-  /// By its facets.
+  /// Returns the albedo of what its facets mirror.
   FacetAlbedo mirrored(const Ggx& rough) const { return {rough.alpha(), facets->outside.reflected, brushed.get()}; }
-  /// Facets of usual indices mirror hardly more than a smooth coat, 0.3% at most. Of others, total reflection or
-  /// Brewster's angle near grazing make it up to 26%: there a facet mirrors no more than the smooth coat does for either
-  /// direction.
+  /// Returns whether facets mirror hardly more than a smooth coat, at most 0.3%. For other indices, total reflection or
+  /// Brewster's angle near grazing make it up to 26%: there a facet mirrors no more than the smooth coat does for
+  /// either direction.
   bool is_usual() const { return eta >= 1 && eta <= 4; }
   float mirrored_by_facet(float cos, float cos_o, float cos_i) const {
     const float mirrored = fresnel_dielectric(cos, eta);
@@ -51,7 +52,8 @@ struct RandomWalk {
   float thickness;
   int visits;  // of the base, at most
 };
-/// If the coat does not lose light, a warning says that thickness, maxdepth and nsamples have no effect.
+/// Reads the walk. If the coat does not lose light, a warning says that thickness, maxdepth and nsamples have no
+/// effect.
 RandomWalk read_random_walk(ParamReader& reader, bool loses);
 
 }  // namespace dspm

@@ -46,7 +46,7 @@ namespace {
 
 constexpr LobeSet kCoat = 1, kMetal = 2, kMadeUp = 4;
 
-/// g, see above.
+/// Returns g, see above.
 float passed_twice(float mirrored_o, float mirrored_i, float metal) {
   const float both = (1 - mirrored_o) * (1 - mirrored_i) / (1 - metal * std::sqrt(mirrored_o * mirrored_i));
   return std::min({both, 1 - mirrored_o, 1 - mirrored_i});
@@ -60,13 +60,13 @@ struct CoatedMetal {
   std::shared_ptr<const AlbedoTable> by_way;  // of white metal under the coat, by its cosine outside and its alpha
   bool makes_up;
 
-  /// In the coat, on the same side of the surface; nullopt if nothing gets in from there.
+  /// Returns the direction in the coat, on the same side of the surface; nullopt if nothing gets in from there.
   std::optional<Vec3> inside(const Vec3& w) const {
     const float cos2 = 1 - (1 - w.z * w.z) / (coat.eta * coat.eta);
     return cos2 > 0 ? std::optional(Vec3{w.x / coat.eta, w.y / coat.eta, std::sqrt(cos2)}) : std::nullopt;
   }
   float mirrored(float cos) const { return fresnel_dielectric(cos, coat.eta); }
-  /// By what the coat and the metal mirror, of white metal; coat_alpha of a smooth coat: 0.
+  /// Returns what white metal loses besides what the coat and the metal mirror. coat_alpha is 0 for a smooth coat.
   float lost(float cos, float alpha, float coat_alpha) const {
     return std::max(0.f,
                     1 - (coat_alpha > 0 ? rough_coat->of(cos, coat_alpha) : mirrored(cos)) - by_way->of(cos, alpha));
@@ -177,7 +177,7 @@ class CoatedConductor final : public Bsdf {
     return chances;
   }
 
-  /// By a smooth coat, and smooth metal below it.
+  /// Returns what smooth metal mirrors under a smooth coat.
   Rgb mirrored(const Vec3& o) const {
     const float coat = shared_->mirrored(o.z);
     const auto inside = is_mirror() ? shared_->inside(o) : std::nullopt;
@@ -254,7 +254,7 @@ class CoatedConductorMaterial final : public Material {
     const RandomWalk walk = read_random_walk(reader, !shared_.makes_up);
     if (!shared_.makes_up) shared_.coat.thickness = walk.thickness;
   }
-  /// After the parameters have been checked.
+  /// Call this after the parameters have been checked.
   void make_table() {
     shared_.by_way = metal_under_coat(shared_.coat.eta);
     shared_.rough_coat = mirrored_by_rough_coat(shared_.coat.eta);

@@ -108,8 +108,8 @@ class CoatedDiffuse final : public Bsdf {
   }
 
  private:
-  /// A dark base must not take all paths from the coat. In steps, so that finishes whose bases are about equally bright
-  /// choose alike and stay one path.
+  /// Limits what a dark base takes from the coat: it must not take all paths. It goes in steps, so that finishes whose
+  /// bases are about equally bright choose alike and stay one path.
   static float weight_in_choice(float reflectance) {
     return reflectance >= 1 / 4.f ? 1 : reflectance >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
   }
@@ -127,7 +127,7 @@ class CoatedDiffuse final : public Bsdf {
   }
   float chance_of_coat(const Vec3& o, LobeSet lobes) const { return chance_of_reflection(share_of_coat(o.z), lobes); }
 
-  /// Both above the surface; as for the density.
+  /// Returns f for directions above the surface, as does the density.
   Rgb f(const Vec3& o, const Vec3& i, LobeSet lobes) const {
     Rgb sum;
     if (lobes & kBase) sum += base_ * (let_through(o) * let_through(i));
@@ -167,7 +167,7 @@ class CoatedDiffuseMaterial final : public Material {
     walk_ = read_random_walk(reader, !makes_up_);
   }
 
-  /// After the parameters have been checked.
+  /// Call this after the parameters have been checked.
   void make_tables() {
     if (!makes_up_) return lose_as_in_pbrt();
     if (roughness_.is_smooth() || !coat_.is_usual()) return;
@@ -196,7 +196,7 @@ class CoatedDiffuseMaterial final : public Material {
     left_inside_ = without > 0 ? mirrored_inside_ / without : 1;
   }
 
-  /// Over eta^2, which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
+  /// Returns the base's factor over eta^2, which is 0 if no light gets in. By reciprocity, 1 - F_in is let_in / eta^2.
   Rgb all(const Rgb& a, Vec2 alpha) const {
     const bool smooth = Ggx::is_smooth(alpha) || !coat_.facets;
     const float let_in = smooth ? let_in_ : 1 - coat_.mirrored(Ggx(alpha)).mean();

@@ -59,7 +59,7 @@ class RoughConductor final : public Bsdf {
  public:
   static constexpr LobeSet kFacets = 1, kMadeUp = 2;
 
-  /// `tables`: null: what meets a second facet is lost. They must outlive it.
+  /// `tables` must outlive it; null means that what meets a second facet is lost.
   RoughConductor(const ShadingFrame& frame, const Ggx& facets, const MetalIndex& index, const MetalTables* tables)
       : frame_(frame), facets_(facets), index_(index), tables_(tables) {}
 
@@ -101,7 +101,7 @@ class RoughConductor final : public Bsdf {
  private:
   FacetAlbedo albedo() const { return {facets_.alpha(), *tables_->even, tables_->brushed}; }
 
-  /// By white facets, so that metals of all colours choose alike.
+  /// Goes by white facets, so that metals of all colours choose alike.
   float chance_of_made_up(const Vec3& o, LobeSet lobes) const {
     constexpr float kLeast = 1e-4f;  // where the tables round the loss to nothing
     if (tables_ == nullptr || !(lobes & kMadeUp)) return 0;
@@ -140,7 +140,7 @@ class ConductorMaterial final : public Material {
   ConductorMaterial(ParamReader& reader, const MaterialContext& context)
       : roughness_(reader, context), metal_(reader, context), makes_up_(read_energy_compensation(reader, context)) {}
 
-  /// After the parameters have been checked.
+  /// Call this after the parameters have been checked.
   void make_tables() {
     if (!makes_up_ || roughness_.is_smooth()) return;
     tables_.even = &even_metal();

@@ -87,7 +87,7 @@ class RoughDielectric final : public Bsdf {
  public:
   static constexpr LobeSet kMadeUp = 4;
 
-  /// `tables`: null: what meets a second facet is lost. They must outlive it.
+  /// `tables` must outlive it; null means that what meets a second facet is lost.
   RoughDielectric(const ShadingFrame& frame, const Ggx& facets, float eta, const GlassTables* tables)
       : frame_(frame), facets_(facets), eta_(eta), tables_(tables) {}
 
@@ -148,7 +148,7 @@ class RoughDielectric final : public Bsdf {
 
  private:
   float eta_from(float side) const { return side > 0 ? eta_ : 1 / eta_; }
-  /// Both above.
+  /// Returns f for directions above the surface.
   float f_above(const Vec3& o, const Vec3& i, float side, LobeSet lobes) const {
     const Vec3 m = normalize(o + i);
     float sum = makes_up(lobes) ? f_made_up(o, i, side) : 0;
@@ -163,7 +163,7 @@ class RoughDielectric final : public Bsdf {
   }
 
   bool makes_up(LobeSet lobes) const { return tables_ != nullptr && (lobes & kMadeUp); }
-  /// What the facets send anywhere.
+  /// Returns the albedo of all that the facets send anywhere.
   FacetAlbedo albedo(float side) const {
     const BrushedGlass* const brushed = tables_->brushed.get();
     return {facets_.alpha(), (side > 0 ? tables_->even->outside : tables_->even->inside).reflected_or_refracted,
@@ -191,9 +191,9 @@ class RoughDielectric final : public Bsdf {
   const GlassTables* tables_;
 };
 
-/// Of one of both lobes of the facets, by their mean Fresnel reflectance as seen from wo, by a midpoint rule (to about
-/// 1e-3). These are equally rough, so no integrator asks for one of them alone in an inner loop. (A lobe alone is sampled
-/// from all facets, not from those that would have chosen it.)
+/// Returns the probability of one of both lobes of the facets by their mean Fresnel reflectance as seen from wo, by a
+/// midpoint rule (to about 1e-3). These lobes are equally rough, so no integrator asks for one of them alone in an
+/// inner loop. (A lobe alone is sampled from all facets, not from those that would have chosen it.)
 float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   const float side = frame_.side(wo), eta = eta_from(side);
   Vec3 o = frame_.local(wo, side);
@@ -212,8 +212,8 @@ float RoughDielectric::lobe_probability(const Vec3& wo, LobeSet lobes) const {
   return rest + (1 - made_up) * share_of(sum / (kSteps * kSteps), lobes);
 }
 
-/// Near an index of 1 facets hardly turn light aside, so what meets a second one is not lost, as the model has it: the
-/// roughness fades, and glass vanishes as its index comes to 1.
+/// Makes the roughness fade near an index of 1. Facets hardly turn light aside there, so what meets a second one is not
+/// lost, as the model has it; and glass vanishes as its index approaches 1.
 float share_of_roughness(float eta) {
   constexpr float kFull = 0.05f;
   return std::min(std::abs(eta - 1) / kFull, 1.f);
@@ -226,7 +226,7 @@ class DielectricMaterial final : public Material {
         roughness_(reader, context),
         makes_up_(read_energy_compensation(reader, context)),
         absorption_(read_absorption(reader)) {}
-  /// After the parameters have been checked.
+  /// Call this after the parameters have been checked.
   void make_tables() {
     if (!makes_up_ || roughness_.is_smooth()) return;
     tables_.emplace([this](float outside) {

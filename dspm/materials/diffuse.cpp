@@ -43,7 +43,7 @@ class Diffuse final : public Bsdf {
   std::optional<Rgb> lambertian(LobeSet lobes) const override { return lobes & 1 ? f_ : Rgb(0); }
 
  private:
-  /// Whether both normals have `w` on the same side.
+  /// Returns whether both normals have `w` on the same side.
   bool faces(const Vec3& w) const { return dot(w, ng_) * dot(w, ns_) > 0; }
   const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 

@@ -62,7 +62,7 @@ class DiffuseTransmission final : public Bsdf {
   }
 
  private:
-  /// Whether both normals have `w` on the same side.
+  /// Returns whether both normals have `w` on the same side.
   bool faces(const Vec3& w) const { return dot(w, ng_) * dot(w, ns_) > 0; }
   const Vec3& axis(Transport transport) const { return transport == Transport::radiance ? ns_ : ng_; }
 
@@ -90,7 +90,7 @@ class DiffuseTransmissionMaterial final : public Material {
   bool is_linear() const override { return is_linear_; }
 
  private:
-  /// That a texture of albedos may have.
+  /// Returns the most that a texture of albedos may have.
   static float most(const Texture<Rgb>& albedo) { return max_component(albedo.constant().value_or(Rgb(1))); }
 
   TexturePtr<Rgb> reflectance_, transmittance_;

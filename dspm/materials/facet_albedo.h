@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// A direction in the plane y = 0.
+/// Returns a direction in the plane y = 0.
 inline Vec3 direction_of_cosine(float cos) { return {std::sqrt(std::max(0.f, 1 - cos * cos)), 0, cos}; }
 
 /// A midpoint rule over facets.
@@ -19,7 +19,7 @@ struct FacetRule {
   float share;  // of the way around: half, if the other half is its mirror image
 };
 
-/// Calls fn(facet normal, weight) for facets visible from o; closer at those that send light down.
+/// Calls fn(facet normal, weight) for facets visible from o; they lie closer where they send light down.
 template <class Fn>
 void for_facets(const Ggx& facets, const Vec3& o, const FacetRule& rule, Fn&& fn) {
   for (int i = 0; i < rule.around; ++i)
@@ -30,8 +30,8 @@ void for_facets(const Ggx& facets, const Vec3& o, const FacetRule& rule, Fn&& fn
     }
 }
 
-/// The mean of fn(facet normal), for equal alphas and o in the plane y = 0. Below 0.1% off from outside, 1% from inside
-/// at alpha = 1.
+/// Returns the mean of fn(facet normal), for equal alphas and o in the plane y = 0. It is off by less than 0.1% from
+/// outside, and 1% from inside at alpha = 1.
 template <class Fn>
 float mean_over_facets(const Ggx& facets, const Vec3& o, Fn&& fn, const FacetRule& rule = {12, 32, 0.5f}) {
   double sum = 0;
@@ -39,7 +39,7 @@ float mean_over_facets(const Ggx& facets, const Vec3& o, Fn&& fn, const FacetRul
   return static_cast<float>(sum);
 }
 
-/// The share of light that facet m sends from o to where it escapes, if it reflects fresnel(cos) of it.
+/// Returns the share of light that facet m sends from o to where it escapes, if it reflects fresnel(cos) of it.
 template <class Fresnel>
 float reflected_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m, Fresnel&& fresnel) {
   const Vec3 i = reflect(o, m);
@@ -50,7 +50,7 @@ inline float refracted_by_facet(const Ggx& facets, const Vec3& o, const Vec3& m,
   return i && i->z < 0 ? (1 - fresnel_dielectric(dot(o, m), eta)) * facets.visible_after(o, *i) : 0.f;
 }
 
-/// The table of what facets do: of_facet(facets, o, m) is the share of light that facet m sends anywhere.
+/// Returns the table of what facets do: of_facet(facets, o, m) is the share of light that facet m sends anywhere.
 template <class Fn>
 BrushedAlbedo brushed_mean(const Fn& of_facet) {
   return BrushedAlbedo([&](const Vec3& o, const Ggx& facets) {
@@ -58,7 +58,7 @@ BrushedAlbedo brushed_mean(const Fn& of_facet) {
   });
 }
 
-/// The share of light that facets reflect and that then escapes, if a facet reflects fresnel(cos) of it.
+/// Returns the share of light that facets reflect and that then escapes, if a facet reflects fresnel(cos) of it.
 template <class Fresnel>
 float reflected_by_facets(float cos, float alpha, Fresnel&& fresnel) {
   const Vec3 o = direction_of_cosine(cos);

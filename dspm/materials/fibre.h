@@ -1,7 +1,8 @@
-// How light is scattered by a dielectric fibre with scales, in a plane along it and across it. Directions: theta from the
-// plane across the fibre, phi around it. Path p of light: reflected (0), through (1), reflected once inside (2); kFibrePaths
-// counts those, the others are taken together. [Chiang, Bitterli, Tappan, Burley 2016, A Practical and Controllable Hair and
-// Fur Model for Production Path Tracing; d'Eon et al. 2011, An Energy-Conserving Hair Reflectance Model]
+// How light is scattered by a dielectric fibre with scales, in a plane along it and across it. Directions are given by
+// theta from the plane across the fibre, and phi around it. Path p of light is reflected (0), goes through (1), or is
+// reflected once inside (2); kFibrePaths counts those, the others are taken together. [Chiang, Bitterli, Tappan, Burley
+// 2016, A Practical and Controllable Hair and Fur Model for Production Path Tracing; d'Eon et al. 2011, An
+// Energy-Conserving Hair Reflectance Model]
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ using ByFibrePath = std::array<T, kFibrePaths + 1>;
 
 inline float cos_of(float sin) { return std::sqrt(std::max(0.f, 1 - sin * sin)); }
 
-/// The logarithm of the modified Bessel function of the first kind and order 0, x >= 0. [Abramowitz and Stegun, 9.8.1,
-/// 9.8.2]
+/// Returns the logarithm of the modified Bessel function of the first kind and order 0, x >= 0. [Abramowitz and Stegun,
+/// 9.8.1, 9.8.2]
 inline float log_bessel_i0(float x) {
   constexpr float kBorder = 3.75f;
   if (x < kBorder) {
@@ -47,11 +48,11 @@ class Longitudinal {
  public:
   explicit Longitudinal(float v) : v_(v), log_scale_(-std::log(v) - 1 / v - std::log1p(-std::exp(-2 / v))) {}
 
-  /// 1 / (2 v sinh(1 / v)) e^(-sin sin / v) I0(cos cos / v), where 2 sinh(x) = e^x (1 - e^-2x).
+  /// Returns 1 / (2 v sinh(1 / v)) e^(-sin sin / v) I0(cos cos / v), where 2 sinh(x) = e^x (1 - e^-2x).
   float density(float sin_o, float cos_o, float sin_i, float cos_i) const {
     return std::exp(log_bessel_i0(cos_o * cos_i / v_) - sin_o * sin_i / v_ + log_scale_);
   }
-  /// sin(theta_i).
+  /// Returns sin(theta_i).
   float sample(float sin_o, float cos_o, Vec2 u) const {
     const float cos = std::max(-1.f, 1 + v_ * std::log(u.x + (1 - u.x) * std::exp(-2 / v_)));
     return std::clamp(-cos * sin_o + cos_of(cos) * std::cos(2 * kPi * u.y) * cos_o, -1.f, 1.f);
@@ -66,7 +67,7 @@ class Azimuthal {
  public:
   explicit Azimuthal(float s) : s_(s), low_(cumulative(-kPi)), span_(cumulative(kPi) - low_) {}
 
-  /// At an angle from the middle of the distribution.
+  /// Returns the density at an angle from the middle of the distribution.
   float density(float angle) const {
     angle -= 2 * kPi * std::floor((angle + kPi) / (2 * kPi));
     const float e = std::exp(-std::abs(angle) / s_);
@@ -102,7 +103,7 @@ struct FibrePassage {
       attenuation[3][c] = mirrored < 1 ? attenuation[2][c] * mirrored * passed[c] / (1 - mirrored * passed[c]) : 0;
   }
 
-  /// The azimuth in which path p leaves, from that of the ray.
+  /// Returns the azimuth in which path p leaves, relative to that of the ray.
   float turn(int p) const {
     const auto n = static_cast<float>(p);
     return 2 * n * gamma_t - 2 * gamma_o + n * kPi;

@@ -47,7 +47,7 @@ class Hair final : public Bsdf {
   Hair(const SurfacePoint& point, const FibreLook& look)
       : along_(Basis::around(point.ns, point.dpdu).x), ns_(point.ns), ng_(point.ng), look_(look), turns_(point.turns) {}
 
-  /// Not gathered on: fibres are too thin, and light goes through them.
+  /// Fibres are not gathered on: they are too thin, and light goes through them.
   LobeSet lobes(float least_alpha) const override { return least_alpha < 1 ? 1 : 0; }
   bool transmits(LobeSet lobes) const override { return (lobes & 1) != 0; }
   float lobe_probability(const Vec3&, LobeSet lobes) const override { return lobes & 1 ? 1.f : 0.f; }
@@ -105,7 +105,7 @@ class Hair final : public Bsdf {
       const Vec2 twice{2 * s * c, c * c - s * s}, four{2 * twice.x * twice.y, twice.y * twice.y - twice.x * twice.x};
       tilted = {turned({-twice.x, twice.y}), turned({s, c}), turned(four), Vec2{w.sin, w.cos}};
     }
-    /// By an angle that is given by sine and cosine.
+    /// Returns w turned by an angle that is given by sine and cosine.
     Vec2 turned(Vec2 by) const { return {w.sin * by.y + w.cos * by.x, std::abs(w.cos * by.y - w.sin * by.x)}; }
   };
 
@@ -117,7 +117,7 @@ class Hair final : public Bsdf {
   float h_for(Transport transport) const { return transport == Transport::radiance ? look_.h : -look_.h; }
   float cosine(const Vec3& w) const { return std::abs(dot(w, ns_)); }
 
-  /// Light comes from a side about which the normals agree, and goes to one.
+  /// Returns whether light comes from a side about which the normals agree, and goes to one.
   bool arrives(const Vec3& wo, const Vec3& wi, Transport transport) const {
     const Vec3& light = transport == Transport::radiance ? wi : wo;
     return dot(light, ng_) * dot(light, ns_) > 0 && dot(wi, ns_) != 0 && dot(wo, ns_) != 0;
@@ -129,7 +129,7 @@ class Hair final : public Bsdf {
     return cos_wo > 0 ? cos_wi / (cos_wo * cosine(wi)) : 0;
   }
 
-  /// The variance of path p.
+  /// Returns the variance of path p.
   float variance(std::size_t p) const { return look_.v * (p == 0 ? 1.f : p == 1 ? 0.25f : 4.f); }
 
   Scattered scattered(const Outgoing& out, const Vec3& wi) const {
@@ -164,10 +164,10 @@ class Hair final : public Bsdf {
   bool turns_;
 };
 
-/// Absorption of the pigments, for a concentration of 1.
+/// The absorption of the pigments, for a concentration of 1.
 constexpr Rgb kEumelanin{0.419f, 0.697f, 1.37f}, kPheomelanin{0.187f, 0.4f, 1.05f};
 
-/// What makes dense hair of that colour, as Chiang et al. fitted it.
+/// Returns the absorption that makes dense hair of that colour, as Chiang et al. fitted it.
 Rgb absorption_of(const Rgb& colour, float beta_n) {
   constexpr float kDarkest = 1e-5f;
   const float fit =

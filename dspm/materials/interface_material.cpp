@@ -12,7 +12,7 @@
 namespace dspm {
 namespace {
 
-/// For shapes that are looked at by themselves: light goes straight on.
+/// Lets light go straight on, for shapes that are looked at by themselves.
 class StraightOn final : public Bsdf {
  public:
   LobeSet lobes(float least_alpha) const override { return least_alpha <= 0 ? 1 : 0; }

@@ -14,7 +14,7 @@ namespace {
 constexpr int kCosines = LayerBalance::kCosines;
 using Row = LayerBalance::Row;
 
-/// Elevations in steps of the cosine's root, so that they lie closer at grazing angles.
+/// Returns elevations in steps of the cosine's root, so that they lie closer at grazing angles.
 float cosine_of(std::size_t k) {
   const float x = (static_cast<float>(k) + 0.5f) / kCosines;
   return x * x;
@@ -22,7 +22,7 @@ float cosine_of(std::size_t k) {
 std::size_t elevation_of(float cos) {
   return static_cast<std::size_t>(std::min(static_cast<int>(std::sqrt(cos) * kCosines), kCosines - 1));
 }
-/// Of diffuse light, the share that leaves by this elevation.
+/// Returns the share of diffuse light that leaves by this elevation.
 float diffuse_share(std::size_t k) {
   const auto below = [](std::size_t i) { return std::pow(static_cast<float>(i) / kCosines, 4.f); };
   return below(k + 1) - below(k);
@@ -49,7 +49,7 @@ class WhiteFacets {
         if (mean_lost > 1e-5f) sent_[o][i] += lost[o] * lost[i] * diffuse_share(i) / mean_lost;
   }
 
-  /// a under a layer that leaves `left`, by iteration.
+  /// Returns a under a layer that leaves `left`, by iteration.
   Row balance(const Row& left) const {
     Row a;
     for (std::size_t o = 0; o < kCosines; ++o) a[o] = std::sqrt(left[o]);
@@ -65,7 +65,7 @@ class WhiteFacets {
   }
 
  private:
-  /// By single facets.
+  /// Returns what single facets mirror.
   static std::array<Row, kCosines> mirrored(const Ggx& facets) {
     constexpr FacetRule kRule{12, 64, 0.5f};
     std::array<Row, kCosines> once{};

@@ -19,10 +19,10 @@ class LayerBalance {
   static constexpr int kCosines = 32;
   using Row = std::array<float, kCosines>;
 
-  /// `layer`: what all of the layer sends back.
+  /// `layer` holds what all of the layer sends back.
   explicit LayerBalance(const AlbedoTable& layer);
 
-  /// M under a share of the layer, to 0.3% of the light.
+  /// Returns M under a share of the layer, to 0.3% of the light.
   float mean_left(float share, float cos, float facet_alpha, float layer_alpha) const {
     return 1 - share * (1 - mean_left(cos, facet_alpha, layer_alpha));
   }
@@ -30,7 +30,7 @@ class LayerBalance {
  private:
   static constexpr int kFacets = 12, kLayers = 8;
 
-  /// Linear between its entries.
+  /// Interpolates linearly between the table's entries.
   float mean_left(float cos, float facet_alpha, float layer_alpha) const;
 
   std::array<std::array<Row, kLayers>, kFacets> mean_left_;

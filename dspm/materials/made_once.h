@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// What make(key) gives, made once and kept; for many threads. A table takes kilobytes and a fifteenth of a second, and
+/// Keeps what make(key) returns, made once, for many threads. A table takes kilobytes and a fifteenth of a second, and
 /// the looks of long animations are made several times.
 template <class T>
 class MadeOnce {
@@ -26,7 +26,8 @@ class MadeOnce {
   std::map<float, std::shared_ptr<const T>> made_;
 };
 
-/// make(eta), or above 1.05, as animated indices are many, between(a, b, share) of those at multiples of 0.05.
+/// Returns make(eta) or, above 1.05, as animated indices are many, between(a, b, share) of the tables at multiples of
+/// 0.05.
 template <class T, class Make, class Between>
 std::shared_ptr<const T> made_for_index(MadeOnce<T>& made, float eta, const Make& make, const Between& between) {
   constexpr float kStepsPerUnit = 20;

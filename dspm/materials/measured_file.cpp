@@ -19,7 +19,7 @@ using Tables = std::map<std::string, Tensor>;
 
 [[noreturn]] void fail(const std::string& cause) { throw std::runtime_error(cause); }
 
-/// With that many dimensions, finite and not negative where it must be.
+/// Returns a table with that many dimensions, finite and not negative where it must be.
 const Tensor& table(const Tables& tables, const std::string& name, std::size_t dimensions, bool positive = true) {
   const auto found = tables.find(name);
   if (found == tables.end()) fail(fmt::format("the file has no table \"{}\"", name));
@@ -50,8 +50,8 @@ bool is_isotropic(const Tables& tables) {
   return false;
 }
 
-/// One grid for each pair of parameters, the squares' sides being the last two dimensions. Nowhere 0, so that all that
-/// is reflected is sampled.
+/// Returns one grid for each pair of parameters; the squares' sides are the last two dimensions. It is 0 nowhere, so
+/// that all that is reflected is sampled.
 BilinearWarp warp_of(const Tables& tables, const std::string& name, const GridParameters& parameters) {
   constexpr double kLeast = 1e-6;  // of the mean
   Tensor tensor = table(tables, name, 4);
@@ -75,7 +75,7 @@ float turn_of_azimuth(float phi) { return phi / (2 * kPi) + 0.5f; }
 
 constexpr float kLeastJacobian = 1e-6f;
 
-/// Solid angle over area of the square, at a facet normal.
+/// Returns solid angle over area of the square, at a facet normal.
 float solid_angle(float root, float sine) { return std::max(2 * kPi * kPi * root * sine, kLeastJacobian); }
 
 }  // namespace
@@ -136,7 +136,7 @@ void MeasuredFile::read_reflectance(const Tables& tables) {
   }
 }
 
-/// The peak of GGX is 1 / (pi alpha^2) if the integral of D cos is 1.
+/// Returns the alpha of GGX with the same peak, which is 1 / (pi alpha^2) if the integral of D cos is 1.
 float MeasuredFile::measure_alpha() const {
   const auto width = static_cast<std::size_t>(facets_.width), height = static_cast<std::size_t>(facets_.height);
   std::vector<double> mean(width);  // over the azimuths, which lie evenly

@@ -17,10 +17,10 @@ class MeasuredFile {
   explicit MeasuredFile(const std::map<std::string, Tensor>& tables);
 
   Rgb f(const Vec3& wo, const Vec3& wi) const;
-  /// May lie below the surface: then light is absorbed.
+  /// Returns a direction that may lie below the surface: then light is absorbed.
   Vec3 sample(const Vec3& wo, const Vec2& u) const;
   float density(const Vec3& wo, const Vec3& wi) const;
-  /// Of GGX with the same peak.
+  /// The alpha of GGX with the same peak.
   float alpha() const { return alpha_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-/// Per millimetre, for red, green and blue.
+/// Coefficients per millimetre, for red, green and blue.
 struct MeasuredMedium {
   std::string_view name;
   float sigma_s[3];  // reduced: as if light were scattered alike in all directions

@@ -34,7 +34,7 @@ namespace {
 
 using Parts = MixMaterial::Parts;
 
-/// Mixes within mixes choose independently.
+/// Returns the number that chooses. Mixes within mixes choose independently.
 float number_at(const Vec3& p, int depth) {
   std::uint64_t bits = static_cast<std::uint64_t>(depth);
   for (const float coordinate : {p.x, p.y, p.z})
@@ -42,7 +42,7 @@ float number_at(const Vec3& p, int depth) {
   return static_cast<float>(bits >> 40) * 0x1p-24f;
 }
 
-/// Both, or one that is null after an error, which has been reported.
+/// Returns both parts; one is null after an error, which has been reported.
 Parts find_parts(const std::vector<std::string>& names, const MaterialContext& context) {
   return {context.materials.find(names[0]), context.materials.find(names[1])};
 }

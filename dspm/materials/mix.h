@@ -27,17 +27,18 @@ class MixMaterial final : public Material {
   const Material* chosen(const SurfacePoint& point, int depth) const override;
   const Parts& parts() const { return parts_; }
 
-  /// Both parts' holes, as textures of how much of them is there; null: all. Set once, when the material is made.
+  /// Both parts' holes, as textures of how much of them is there; null if all of it is. Set once, when the material is
+  /// made.
   using Opacities = std::array<TexturePtr<float>, 2>;
   void set_opacities(Opacities opacities);
-  /// How much of the mix is there; null: all.
+  /// How much of the mix is there; null if all of it is.
   const TexturePtr<float>& opacity() const { return opacity_; }
-  /// How much of a point each part covers, which adds up to the opacity.
+  /// Returns how much of a point each part covers, which adds up to the opacity.
   std::array<float, 2> cover(const TexturePoint& at) const { return cover_of(*amount_, opacities_, at); }
 
  private:
   class Opacity;
-  /// The part that bounds a body; if both do, they absorb alike, and the first one counts.
+  /// Returns the part that bounds a body; if both do, they absorb alike, and the first one counts.
   const Material& body() const { return *parts_[parts_[0]->bounds_a_body() ? 0 : 1]; }
   static std::array<float, 2> cover_of(const FloatTexture& amount, const Opacities& opacities, const TexturePoint& at);
 
@@ -47,7 +48,8 @@ class MixMaterial final : public Material {
   TexturePtr<float> opacity_;
 };
 
-/// Whether `holds(const Material&)` for some seen material that the mix is made of; of any other material, for itself.
+/// Returns whether `holds(const Material&)` for some seen material that the mix is made of; any other material is
+/// tested itself.
 template <class Holds>
 bool any_part(const Material& material, Holds&& holds) {
   const auto* mix = dynamic_cast<const MixMaterial*>(&material);

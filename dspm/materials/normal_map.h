@@ -14,10 +14,10 @@ namespace dspm {
 
 class NormalMap final : public Relief {
  public:
-  /// `by_v`: y is on the side to which v grows, else across the tangent of u.
+  /// With `by_v`, y is on the side to which v grows; otherwise it is across the tangent of u.
   NormalMap(TexturePtr<Rgb> picture, float scale, bool by_v);
   Vec3 normal(const SurfacePoint& point, const PlacedShape&, int, Vec2) const override { return leaning(point); }
-  /// Around the point's shading normal; of any length.
+  /// Returns the normal around the point's shading normal; it may have any length.
   Vec3 leaning(const SurfacePoint& point) const;
 
  private:
@@ -26,7 +26,7 @@ class NormalMap final : public Relief {
   bool by_v_;
 };
 
-/// Of a material's coat; null: it follows the shape.
+/// Reads the relief of a material's coat; null if it follows the shape.
 std::shared_ptr<const NormalMap> read_coat_relief(ParamReader& reader, const MaterialContext& context);
 
 }  // namespace dspm

@@ -149,7 +149,7 @@ class PrincipledMaterial final : public Material {
     eta_ = std::max(eta, kLeastEta);
   }
 
-  /// After the parameters have been checked.
+  /// Call this after the parameters have been checked.
   void make_tables() {
     const bool layers = coat_->constant() != 0.f || sheen_->constant() != Rgb(0);
     const PrincipledUses uses{anisotropy_->constant() != 0.f, transmission_->constant() != 0.f, layers};
@@ -186,7 +186,7 @@ class PrincipledMaterial final : public Material {
                               std::max(0.f, film_nm_->evaluate(at))};
     return slot.emplace<Principled>(frame(point, rotation_->evaluate(at)), tables_->of(point.outside_eta), look);
   }
-  /// The ground alone is linear, in its two colours.
+  /// Only the ground is linear, in its two colours.
   bool is_linear() const override { return is_linear_; }
   bool bounds_a_body() const override { return !thin_ && transmission_->constant() != 0.f; }
   float eta() const override { return eta_; }

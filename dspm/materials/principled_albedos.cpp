@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// LayerBalance's a.
+/// Returns LayerBalance's a.
 float balanced(float left, float mean_left) { return left / std::sqrt(std::max(mean_left, 1e-4f)); }
 
 }  // namespace
@@ -38,8 +38,8 @@ float PrincipledLayers::mirrored_by_coat(float cos) const {
   return coat_ * (smooth_coat_ ? fresnel_dielectric(cos, kCoatEta) : tables_.common.coat.of(cos, coat_alpha_));
 }
 
-/// The balance of two layers is the product of theirs to 1% of the light, and that over brushed facets is known to 3%: so
-/// much is left out, to gain nothing.
+/// Leaves out what is uncertain, to gain nothing: the balance of two layers is the product of theirs to 1% of the
+/// light, and that over brushed facets is known to 3%.
 float PrincipledLayers::under_layers(const Way& w) const {
   if (smooth_) return std::sqrt(w.left);
   float mean_left = 1 + 0.011f * coat_ * sheen_weight_ + 0.03f * narrowness_ * std::max(coat_, sheen_weight_);
@@ -70,14 +70,14 @@ PrincipledLayers::Way PrincipledLayers::way(const Vec3& w, float cos_coat) const
   return way;
 }
 
-/// Where the coat is seen from behind, it mirrors nothing.
+/// Returns a direction as the layers see it. A coat that is seen from behind mirrors nothing.
 PrincipledLayers::Way PrincipledLayers::way(const Vec3& w, const Tilts& tilts) const {
   const float base = std::abs(w.z), coat = w.z < 0 ? -tilts.coat.cosine(w) : tilts.coat.cosine(w);
   return way(w, coat > 0 ? std::min(base, coat) : base);
 }
 
-/// Of light that leaves a facet of glass from inside, what sheen and coat send back in. Rough facets spread it: the
-/// lesser of what facet and directions say, to gain nothing.
+/// Returns what sheen and coat send back in of light that leaves a facet of glass from inside. Rough facets spread it,
+/// so the lesser of what facet and directions say counts, to gain nothing.
 float PrincipledLayers::sent_back(float cos_facet, const Way& o, const Way& i) const {
   if (outside_ || !is_layered()) return 0;
   const auto back = [&](float cos) {
@@ -87,7 +87,8 @@ float PrincipledLayers::sent_back(float cos_facet, const Way& o, const Way& i) c
   return std::min(back(cos_facet), std::max(back(o.cos), back(i.cos)));
 }
 
-/// Of its brightest colour. Facets under a film mirror no more than what the tables know and the film's most gain.
+/// Returns the share of its brightest colour. Facets under a film mirror no more than what the tables know and the
+/// film's most gain.
 float PrincipledLayers::mirrored_by_dielectric(const Way& w, float more) const {
   if (smooth_) {
     const float usual = max_component(dielectric_facet(w.cos));
@@ -123,7 +124,7 @@ float PrincipledLayers::diffuse_norm() const {
   return sum / static_cast<float>(around);
 }
 
-/// For light that meets several facets.
+/// Returns the lobe for light that meets several facets.
 Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
   const FacetAlbedo metal = of_metal();
   const float lost = made_up(1 - metal.of(o.cos, o.turn), 1 - metal.of(i.cos, i.turn), 1 - metal.mean()) *
@@ -131,8 +132,8 @@ Rgb PrincipledLayers::made_up_by_metal(const Way& o, const Way& i) const {
   return after_more_reflections(mean_by_metal(), metal.mean()) * (lost * o.share * i.share);
 }
 
-/// A film mirrors a share of what glass alone would let through (or less than none), and facets lose of that what they
-/// lose of metal's.
+/// Returns the lobe for what glass loses. A film mirrors a share of what glass alone would let through (or less than
+/// none), and facets lose of that what they lose of metal's.
 Rgb PrincipledLayers::made_up_by_glass(const Way& o, const Way& i) const {
   const FacetAlbedo glass = of_glass();
   const float sure = 1 - (outside_ ? kUnsureIfBrushed : kUnsureInsideIfBrushed) * narrowness_;

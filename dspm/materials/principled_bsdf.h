@@ -51,7 +51,7 @@ class Principled final : public Bsdf {
   friend PrincipledLayers;
 
   bool diffuses_beyond() const { return beyond_ > 0 && transmission_ < 1 && metallic_ < 1; }
-  /// Whether the other differs in the base colour only.
+  /// Returns whether the other differs in the base colour only.
   bool differs_in_base_from(const Principled& other) const;
 
   ShadingFrame frame() const { return {ns_, ng_, tangent_}; }

@@ -10,7 +10,8 @@
 namespace dspm {
 namespace {
 
-/// Of what a boundary of that index lets through straight on, the share that is mirrored besides; below 0 if less is.
+/// Returns the share of what a boundary of that index lets through straight on that is mirrored as well; below 0 if
+/// less is mirrored.
 Rgb more_than_usual(const Rgb& straight, float eta) {
   constexpr float kRounding = 1e-5f;  // of a SmallNumber
   const float usual = fresnel_dielectric(1, eta);
@@ -76,7 +77,7 @@ LobeSet PrincipledLayers::lobes(float least_alpha) const {
   return all;
 }
 
-/// Over all directions: of Schlick's term a 21st of the rest; a film's is taken at the mean cosine.
+/// Returns the mean over all directions: of Schlick's term a 21st of the rest; a film's is taken at the mean cosine.
 Rgb PrincipledLayers::mean_by_metal() const {
   const Rgb bare = base_ + (Rgb(1) - base_) / 21;
   return film_ ? bare + (film_->over_metal(base_, 2 / 3.f) - bare) * under_film_ : bare;
@@ -92,8 +93,8 @@ Rgb PrincipledLayers::dielectric_facet(float cos) const {
   return film_ ? bare + (film_->over_dielectric(tables_.eta, cos) - bare) * under_film_ : bare;
 }
 
-/// With Schlick's term s, the boundary mirrors F0 + (1 - F0) s, and this F0' + (1 - F0') s.
-/// [glTF 2.0, KHR_materials_specular]
+/// Returns a facet's reflectance. With Schlick's term s, the boundary mirrors F0 + (1 - F0) s, and this F0' + (1 - F0')
+/// s. [glTF 2.0, KHR_materials_specular]
 Rgb PrincipledLayers::opaque_facet(float cos) const {
   const Rgb bare = dielectric_facet(cos);
   Rgb facet;
@@ -101,7 +102,8 @@ Rgb PrincipledLayers::opaque_facet(float cos) const {
   return facet;
 }
 
-/// From inside it mirrors what it mirrors of the light that comes the same way from outside.
+/// Returns a facet's reflectance. From inside it mirrors what it mirrors of the light that comes the same way from
+/// outside.
 Rgb PrincipledLayers::glass_facet(float cos) const {
   if (outside_ || !film_) return outside_ ? dielectric_facet(cos) : Rgb(fresnel_dielectric(cos, eta()));
   const float sin2_outside = (1 - cos * cos) / (eta() * eta());
@@ -143,7 +145,7 @@ float PrincipledLayers::density_through(const Vec3& o, const Vec3& i) const {
   return facet ? refraction_density(facets_, o, *facet) : 0;
 }
 
-/// For light that comes from one side and leaves on the same, or beyond.
+/// Returns the ground's f for light that comes from one side and leaves on the same, or beyond.
 Rgb PrincipledLayers::ground(const Way& o, const Way& i, bool beyond) const {
   if (!(opaque_ > 0) || !(diffuse_norm_ > 1e-6f)) return {};
   const Rgb colour = beyond ? beyond_colour_ * beyond_ : base_ * (1 - beyond_);

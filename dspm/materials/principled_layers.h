@@ -21,7 +21,7 @@ namespace dspm {
 
 inline Vec3 other_side(const Vec3& w) { return {w.x, w.y, -w.z}; }
 
-/// With which probability each lobe is sampled, in the order of their bits.
+/// The probability with which each lobe is sampled, in the order of their bits.
 struct PrincipledChances {
   std::array<float, 4> chance{};
   float beyond = 0;  // of the diffuse lobe: that it leaves on the other side
@@ -37,19 +37,19 @@ struct PrincipledChances {
 class PrincipledLayers {
  public:
   PrincipledLayers(const Principled& at, const ShadingFrame& frame, float side);
-  /// From outside, for what does not depend on directions.
+  /// Makes the layers as seen from outside, for what does not depend on directions.
   explicit PrincipledLayers(const Principled& at) : PrincipledLayers(at, at.frame(), 1) {}
 
   LobeSet lobes(float least_alpha) const;
-  /// Whether the diffuse lobe is the base alone.
+  /// Returns whether the diffuse lobe is the base alone.
   bool only_diffuse() const;
-  /// Beyond the surface, over this side.
+  /// The index of refraction beyond the surface, over that on this side.
   float eta() const { return outside_ ? tables_.eta : 1 / tables_.eta; }
 
   Rgb f(const Vec3& o, const Vec3& i, Transport transport, LobeSet lobes) const;
-  /// Of sampling `lobes`; zero for those that do not exist.
+  /// Returns the probabilities of sampling `lobes`; zero for those that do not exist.
   PrincipledChances chances(const Vec3& o, Transport transport, LobeSet lobes) const;
-  /// By solid angle.
+  /// Returns the density by solid angle.
   float density(const Vec3& o, const Vec3& i, Transport transport, const PrincipledChances& chances) const;
 
   struct Drawn {
@@ -60,7 +60,7 @@ class PrincipledLayers {
   };
   std::optional<Drawn> draw(const Vec3& o, const Vec3& u, Transport transport, const PrincipledChances& chances) const;
 
-  /// See Principled::diffuse_norm_.
+  /// Returns what Principled::diffuse_norm_ keeps.
   float diffuse_norm() const;
 
  private:
@@ -69,9 +69,9 @@ class PrincipledLayers {
     Tilt facets, coat;
   };
   Tilts as_they_are() const { return {{}, Tilt(coat_normal_)}; }
-  /// From the camera's side: bent where what they mirror of `camera` would go below the surface.
+  /// Returns the lobes as the camera sees them: bent where what they mirror of `camera` would go below the surface.
   Tilts as_seen(const Vec3& camera) const;
-  /// Those by which wi is sampled: light does not know yet who will see it.
+  /// Returns the lobes by which wi is sampled: light does not know yet who will see it.
   Tilts to_sample(const Vec3& o, Transport transport) const {
     return transport == Transport::radiance ? as_seen(o) : as_they_are();
   }
@@ -101,12 +101,12 @@ class PrincipledLayers {
   float coat_under_sheen(float cos) const;
   float over_glass(const Way& o, const Way& i) const { return outside_ ? o.share * i.share : 1; }
   float sent_back(float cos_facet, const Way& o, const Way& i) const;
-  /// Its directional albedo, if its colour mirrors that share more.
+  /// Returns the dielectric's directional albedo, if its colour mirrors that share more.
   float mirrored_by_dielectric(const Way& w, float more) const;
   float left_to_ground(const Way& w) const { return (1 - mirrored_by_dielectric(w, most_more_)) * w.left; }
   Rgb made_up_by_metal(const Way& o, const Way& i) const;
   Rgb made_up_by_glass(const Way& o, const Way& i) const;
-  /// A facet's reflectance, by kind.
+  /// Return a facet's reflectance, by kind.
   Rgb metal_facet(float cos) const;
   Rgb mean_by_metal() const;
   Rgb dielectric_facet(float cos) const;

@@ -11,8 +11,8 @@
 namespace dspm {
 namespace {
 
-/// A dark base must not take all paths from what mirrors. In steps, so that finishes that are about equally bright
-/// choose alike and stay one path.
+/// Limits what a dark base takes from what mirrors: it must not take all paths. It goes in steps, so that finishes that
+/// are about equally bright choose alike and stay one path.
 float weight_in_choice(float brightness) {
   return brightness >= 1 / 4.f ? 1 : brightness >= 1 / 16.f ? 1 / 4.f : 1 / 16.f;
 }
@@ -21,7 +21,7 @@ float mean(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 
 }  // namespace
 
-/// Colours count in steps or not at all: frames of different colours then choose alike.
+/// Counts colours in steps or not at all: frames of different colours then choose alike.
 PrincipledChances PrincipledLayers::weights(const Way& o) const {
   const float cos_o = o.cos, left = o.left, over_glass = outside_ ? left : 1;
   const float metal = metal_ == 0 || smooth_ ? 1 : tables_.common.metal.of(cos_o, alpha_);
@@ -90,7 +90,7 @@ std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw(const Vec3& o, con
   return draw_diffuse(u, (u.z - below) / chances[2], chances.beyond);
 }
 
-/// `of_lobe`: the number that chose the lobe, as a share of it.
+/// `of_lobe` is the number that chose the lobe, as a share of it.
 std::optional<PrincipledLayers::Drawn> PrincipledLayers::draw_diffuse(const Vec3& u, float of_lobe,
                                                                       float beyond) const {
   const Vec3 i = cosine_hemisphere({u.x, u.y});

@@ -11,7 +11,7 @@
 namespace dspm {
 namespace {
 
-/// By a midpoint rule over wi's elevation, closer at the horizon, and half of the azimuths.
+/// Integrates by a midpoint rule over wi's elevation, closer at the horizon, and half of the azimuths.
 float albedo_of_sheen(float cos, float alpha) {
   constexpr int kUp = 48, kAround = 24;
   const Sheen sheen(alpha);

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// Of all lobes that do not depend on the index of refraction.
+/// The albedos of all lobes that do not depend on the index of refraction.
 struct CommonAlbedos {
   const AlbedoTable& metal;  // of reflectance 1
   AlbedoTable coat;          // of index kCoatEta
@@ -47,7 +47,7 @@ struct PrincipledTables {
   }
 };
 
-/// What takes time is made once for each index; for many threads.
+/// Returns the tables for many threads. What takes time is made once for each index.
 PrincipledTables principled_tables(float eta, bool thin, float film_eta, const PrincipledUses& uses);
 
 }  // namespace dspm

@@ -65,7 +65,7 @@ class Bump final : public Relief {
   TexturePtr<float> height_;
 };
 
-/// A picture of directions, which are no colours.
+/// Reads a picture of directions, which are no colours.
 TexturePtr<Rgb> picture_of_normals(const std::filesystem::path& file, const ParamReader& of, Diagnostics& diagnostics,
                                    const TextureContext& context) {
   const SourceLocation where = of.where("normalmap");

@@ -12,12 +12,12 @@ namespace dspm {
 
 class Sheen {
  public:
-  /// With less, the fitted shadowing lets more light out at grazing angles than comes in.
+  /// With a smaller alpha, the fitted shadowing lets more light out at grazing angles than comes in.
   static constexpr float kLeastAlpha = 0.07f;
 
   explicit Sheen(float alpha) : alpha_(std::max(alpha, kLeastAlpha)) {}
 
-  /// f of white sheen, for directions in the shading frame, both above.
+  /// Returns f of white sheen, for directions in the shading frame, both above.
   float f(const Vec3& wo, const Vec3& wi) const {
     const Vec3 m = normalize(wo + wi);
     const float sine = std::sqrt(std::max(0.f, 1 - m.z * m.z));

@@ -104,7 +104,7 @@ class Subsurface final : public Bsdf {
     return std::max(alpha.x, alpha.y) <= Ggx::kSmoothest || boundary_->eta == 1;
   }
 
-  /// Light that arrives from inside leaves.
+  /// Returns the probability of mirroring; light that arrives from inside leaves.
   float chance_of_mirror(float cos_o, float side, LobeSet lobes) const {
     return side > 0 ? chance_of_reflection(1 - boundary_->crosses(cos_o), lobes) : 0;
   }
@@ -120,7 +120,7 @@ class Subsurface final : public Bsdf {
     return BsdfSample{leaving->wi, Rgb((1 - boundary_->crosses(o.z)) / (chance * leaving->share)), 0, true};
   }
 
-  /// A sample with a density, in the direction i.
+  /// Returns a sample with a density, in the direction i.
   std::optional<BsdfSample> drawn(const Vec3& wo, const Vec3& i, const Vec3& u, float side, Transport transport,
                                   LobeSet lobes) const {
     const auto leaving = frame_.leave(i, side, transport, u.x);
@@ -136,8 +136,8 @@ class Subsurface final : public Bsdf {
     return sample;
   }
 
-  /// For flux, light that crosses from outside is spread over all directions inside, and that from inside leaves in the
-  /// directions in which light would enter. For radiance, directions are exchanged.
+  /// Returns f. For flux, light that crosses from outside is spread over all directions inside, and light from inside
+  /// leaves in the directions in which light would enter. For radiance, directions are exchanged.
   float f(const LocalPair& w, Transport transport, LobeSet lobes) const {
     const bool outside = w.side > 0;
     if (w.wi.z < 0) {

@@ -35,7 +35,7 @@ class TensorReader {
     return bytes_.substr(at_ - count, count);
   }
 
-  /// Also of the next field, if its type is unknown: then it has no values.
+  /// Reads a field. If the type of the next one is unknown, it has no values.
   Tensor tensor() {
     const auto dimensions = number<std::uint16_t>();
     const auto type = number<std::uint8_t>();

@@ -15,8 +15,8 @@ struct Tensor {
   std::vector<float> values;  // the last dimension's lie next to each other
 };
 
-/// The arrays of 32-bit floats, and of bytes; others are left out. Throws std::runtime_error with a sentence that does
-/// not name the file. Takes no more than four times the memory of `bytes`.
+/// Returns the arrays of 32-bit floats, and of bytes; others are left out. Throws std::runtime_error with a sentence
+/// that does not name the file. Takes no more than four times the memory of `bytes`.
 std::map<std::string, Tensor> decode_tensors(std::string_view bytes);
 
 }  // namespace dspm

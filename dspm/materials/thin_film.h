@@ -15,18 +15,20 @@ namespace dspm {
 
 class ThinFilm {
  public:
-  /// `eta` of the film, at least 1. From 30 nm down it becomes that of air, so that no film is the limit of thin ones.
+  /// Takes `eta` of the film, at least 1. From 30 nm down it becomes that of air, so that no film is the limit of thin
+  /// ones.
   ThinFilm(float eta, float nm);
 
-  /// What it mirrors with a base that alone mirrors `straight` straight on. `cos` in air.
+  /// Returns what it mirrors with a base that alone mirrors `straight` straight on. `cos` is that in air.
   Rgb over_metal(const Rgb& straight, float cos) const;
-  /// The same with a dielectric base of that index.
+  /// Returns what it mirrors with a dielectric base of that index.
   Rgb over_dielectric(float eta_base, float cos) const;
-  /// The most that a film of that index, whatever its thickness, adds to what a dielectric mirrors, for any angle.
+  /// Returns the most that a film of that index, whatever its thickness, adds to what a dielectric mirrors, for any
+  /// angle.
   static float most_gain(float eta, float eta_base);
 
  private:
-  /// `inner`: what the inner face alone mirrors at this angle; `amplitude`: straight on, for its sign.
+  /// `inner` is what the inner face alone mirrors at this angle; `amplitude` is that straight on, for its sign.
   Rgb mirrored(const Rgb& inner, const Rgb& amplitude, float cos) const;
   float cos_inside(float cos) const;
 

@@ -52,7 +52,7 @@ class ThinDielectric final : public Bsdf {
   }
 
  private:
-  /// Of a clear pane, so that panes of all colours choose alike.
+  /// Goes by a clear pane, so that panes of all colours choose alike.
   float share_of_reflection(float cos_o) const {
     const float r = fresnel_dielectric(cos_o, eta_);
     return r < 1 ? r + (1 - r) * (1 - r) * r / (1 - r * r) : 1;

@@ -1,4 +1,4 @@
-// A lobe whose normal leans, in the shading frame of the others: a coat with a relief of its own; a mirror whose
+// A lobe whose normal leans, in the shading frame of the others: a coat with a relief of its own, or a mirror whose
 // reflection would go below the surface.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace dspm {
 
 class Tilt {
  public:
-  /// None: what a lobe sees are the directions themselves.
+  /// Tilts nothing: the lobe sees the directions themselves.
   Tilt() = default;
-  /// With unit normal n.
+  /// Tilts the lobe to the unit normal n.
   explicit Tilt(const Vec3& n) : none_(n == Vec3{0, 0, 1}), basis_(none_ ? Basis{} : Basis::around(n, {1, 0, 0})) {}
 
   bool none() const { return none_; }
@@ -35,7 +35,7 @@ class Tilt {
     const float factor = none_ ? 1 : transport == Transport::radiance ? seen_i.z / i.z : seen_o.z / o.z;
     return {seen_o, seen_i, m, factor, seen_o.z > 0 && seen_i.z > 0};
   }
-  /// The weight of the one direction that a smooth lobe mirrors is for radiance; for flux it is this times that.
+  /// Returns the factor to the weight of the one direction that a smooth lobe mirrors: 1 for radiance.
   float mirror_factor(const Vec3& o, const Vec3& i, Transport transport) const {
     return none_ || transport == Transport::radiance ? 1 : i.z / o.z;
   }
@@ -45,9 +45,9 @@ class Tilt {
   Basis basis_{};
 };
 
-/// The normal n of a mirror on a surface with normal `ng`, all on o's side: bent, if need be, so that what it mirrors of
-/// o leaves the surface. Then the mirrored direction is lifted to just above the horizon, and the normal is halfway
-/// between it and o.
+/// Returns the normal n of a mirror on a surface with normal `ng`, all on o's side. It is bent, if need be, so that
+/// what it mirrors of o leaves the surface: the mirrored direction is lifted to just above the horizon, and the normal
+/// is halfway between it and o.
 inline Vec3 lifted(const Vec3& n, const Vec3& o, const Vec3& ng) {
   constexpr float kAbove = 0.01f;
   const Vec3 mirrored = reflect(o, n);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;  // the largest float below 1
 
-/// The direction at height z whose azimuth is the fraction u of a turn; r2 = 1 - z^2.
+/// Returns the direction at height z whose azimuth is the fraction u of a turn; r2 = 1 - z^2.
 Vec3 at_height(float z, float r2, float u) {
   const float r = std::sqrt(std::max(r2, 0.f)), phi = 2 * kPi * u;
   return {r * std::cos(phi), r * std::sin(phi), z};
@@ -18,8 +18,8 @@ struct SinCos {
   float sin, cos;
 };
 
-/// For angles up to pi/4, accurate to the last digits of a float: Taylor series up to x^9 and x^8. Several times faster
-/// than the library's functions, which accept any angle.
+/// Takes angles up to pi/4, and is accurate to the last digits of a float: Taylor series up to x^9 and x^8. It is
+/// several times faster than the library's functions, which accept any angle.
 SinCos sin_cos_of_octant(float x) {
   const float x2 = x * x;
   return {x * (1 - x2 * (1 / 6.f) * (1 - x2 * (1 / 20.f) * (1 - x2 * (1 / 42.f) * (1 - x2 * (1 / 72.f))))),

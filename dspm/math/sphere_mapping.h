@@ -10,9 +10,9 @@ enum class SphereMapping {
   equirectangular,  // azimuth from +x over +y to the right, polar angle from +z down (latitude and longitude)
 };
 
-/// The unit vector seen at a place.
+/// Returns the unit vector seen at a place.
 Vec3 direction_at(SphereMapping mapping, Vec2 place);
-/// The place in [0,1]^2 at which a unit vector is seen.
+/// Returns the place in [0,1]^2 at which a unit vector is seen.
 Vec2 place_of(SphereMapping mapping, const Vec3& direction);
 
 }  // namespace dspm

@@ -5,8 +5,8 @@
 
 namespace dspm {
 
-/// Whether the matrix makes a point of everything: a scale of 0, by which exporters hide things. Keys that go from a
-/// scale to its opposite pass through it, but for rounding.
+/// Returns whether the matrix makes a point of everything: a scale of 0, by which exporters hide things. Keys that go
+/// from a scale to its opposite pass through it, up to rounding.
 inline bool vanishes(const Matrix4& matrix) {
   constexpr double kNothing = 1e-15;
   if (!matrix.is_affine()) return false;

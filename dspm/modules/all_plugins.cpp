@@ -42,7 +42,7 @@ void add(std::vector<CatalogueEntry>& entries, const PluginTable<AnyPlugin>& plu
                        origin_of(plugin), [&plugin, &context...] { return describe(plugin, context...); }});
 }
 
-/// What dspm reads for plugins of that kind, besides what they read.
+/// Adds what dspm reads for plugins of that kind, besides what they read.
 void add_common(
     std::vector<CatalogueEntry>& entries, std::string_view kind, void (*read)(ParamReader&),
     bool (*of)(std::string_view name) = [](std::string_view) { return true; }) {

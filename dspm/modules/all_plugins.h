@@ -16,12 +16,12 @@ struct CatalogueEntry {
   std::function<std::vector<ParamInfo>()> params;
 };
 
-/// Kinds have the names that messages about scenes use.
+/// Returns all plugins. Kinds have the names that messages about scenes use.
 std::vector<CatalogueEntry> all_plugins();
 bool is_plugin(std::string_view kind, std::string_view name);
-/// A plugin as messages name it: `material "velvet" of libvelvet.so`; dspm's own without an origin.
+/// Returns a plugin as messages name it: `material "velvet" of libvelvet.so`; dspm's own have no origin.
 std::string in_words(std::string_view kind, std::string_view name);
-/// A module with its plugins: `material "velvet" of libvelvet.so`.
+/// Returns a module with its plugins: `material "velvet" of libvelvet.so`.
 std::string in_words(const LoadedModule& module);
 
 }  // namespace dspm

@@ -8,17 +8,18 @@
 
 namespace dspm {
 
-/// The innermost module on this thread's stack; null if there is none.
+/// Returns the innermost module on this thread's stack; null if there is none.
 const LoadedModule* module_on_stack();
 
-/// In a catch clause: the module that was on the stack where the exception was thrown; null if there was none.
+/// Returns the module that was on the stack where the exception was thrown; null if there was none. Call it in a catch
+/// clause.
 const LoadedModule* module_that_threw();
 
 /// Records for module_that_threw() which module is throwing this exception.
 void note_throw(const void* object);
 
-/// The modules whose code other threads of the process are running right now. Interrupts each thread for a moment, by a
-/// real-time signal.
+/// Returns the modules whose code other threads of the process are running right now. Interrupts each thread for a
+/// moment, by a real-time signal.
 std::vector<const LoadedModule*> modules_at_work();
 
 }  // namespace dspm

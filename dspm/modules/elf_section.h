@@ -8,8 +8,8 @@
 
 namespace dspm {
 
-/// The bytes of that section, or nothing if the file has none. The file is only read, none of its code runs. Throws
-/// std::runtime_error with the reason if it cannot be read or is not a shared library for this kind of machine.
+/// Returns the bytes of that section; nullopt if the file has none. The file is only read, and none of its code runs.
+/// Throws std::runtime_error with the reason if it cannot be read or is not a shared library for this kind of machine.
 std::optional<std::string> elf_section(const std::filesystem::path& file, std::string_view name);
 
 }  // namespace dspm

@@ -41,7 +41,7 @@ std::string loader_error() {
   return text != nullptr ? text : "the reason is unknown";
 }
 
-/// From the lowest to the highest address that the loader has mapped.
+/// Finds the lowest and the highest address that the loader has mapped.
 void find_range(void* handle, LoadedModule& module) {
   struct Search {
     ElfW(Addr) base;

@@ -21,7 +21,7 @@ struct LoadedModule {
 void load_module(const std::filesystem::path& file);
 
 inline constexpr std::size_t kMostModules = 64;
-/// In the order of loading; addresses are stable.
+/// Returns the modules in the order of loading; addresses are stable.
 std::span<const LoadedModule> loaded_modules();
 
 }  // namespace dspm

@@ -36,7 +36,7 @@ std::string_view line_of(std::string_view text, int number) {
 
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// Control characters would upset a terminal, tabs would shift the caret.
+/// Replaces control characters, which would upset a terminal, and tabs, which would shift the caret.
 std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result)
@@ -48,7 +48,7 @@ std::size_t display_width(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_utf8));
 }
 
-/// The line with its number, underlined on the line below.
+/// Returns the line with its number, underlined on the line below.
 std::string excerpt(const SourceLocation& where) {
   const std::string_view line = line_of(where.file->text, where.line);
   const std::size_t start = std::min(static_cast<std::size_t>(std::max(where.column - 1, 0)), line.size());
@@ -70,8 +70,8 @@ std::string excerpt(const SourceLocation& where) {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-/// The number of insertions, deletions, replacements and swaps of neighbours that turn one word into the other (case is
-/// ignored).
+/// Returns the number of insertions, deletions, replacements and swaps of neighbours that turn one word into the other
+/// (case is ignored).
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> two_back, previous(b.size() + 1), row(b.size() + 1);
   std::iota(previous.begin(), previous.end(), 0);
@@ -94,8 +94,8 @@ std::uint64_t letters_of(std::string_view word) {
   return letters;
 }
 
-/// A lower bound on the distance at a fraction of its cost: each letter that only one word has needs an edit of its
-/// own.
+/// Returns a lower bound on the distance at a fraction of its cost: each letter that only one word has needs an edit of
+/// its own.
 int least_distance(std::string_view a, std::string_view b) {
   const std::uint64_t of_a = letters_of(a), of_b = letters_of(b);
   return std::max({std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size())), std::popcount(of_a & ~of_b),

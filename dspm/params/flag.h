@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Whether the list has a bool of that name that is true.
+/// Returns whether the list has a bool of that name that is true.
 inline bool is_true(const ParamList& params, const char* name) {
   const Param* const param = params.find(name);
   const auto* values = param != nullptr ? std::get_if<std::vector<bool>>(&param->values) : nullptr;

@@ -9,8 +9,8 @@
 namespace dspm {
 
 bool has_numbered_file(const ParamList& list);
-/// The same list, but of the numbered files only those of these moments (ascending, not empty): each holds until the
-/// next, the first also before.
+/// Returns the list with only the numbered files of these moments (ascending, not empty): each holds until the next,
+/// the first also before.
 ParamList holding_files_of(const ParamList& list, const std::vector<Moment>& moments);
 
 /// Counts the numbered files from that frame on: it has the "first" of them, by default the one of its own number.

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// Those of `candidates` that mean what another renderer calls `word`, best first.
+/// Returns those of `candidates` that mean what another renderer calls `word`, best first.
 std::vector<std::string> meant_by(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace dspm

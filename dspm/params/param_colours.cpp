@@ -16,7 +16,7 @@ std::string default_text(const Rgb& c) { return fmt::format("{:g} {:g} {:g}", c.
 
 Rgb named_colour(std::string_view name, SpectrumRole role) { return to_rgb(named_spectrum(name).value(), role); }
 
-/// The error in the pairs of a sampled spectrum; empty if they are fine.
+/// Returns the error in the pairs of a sampled spectrum; empty if they are fine.
 std::string fault(const std::vector<float>& pairs) {
   if (pairs.empty() || pairs.size() % 2 != 0)
     return fmt::format("takes pairs of wavelength (nm) and value, got {} numbers", pairs.size());
@@ -26,7 +26,7 @@ std::string fault(const std::vector<float>& pairs) {
   return {};
 }
 
-/// The numbers of a text file with # comments. Throws std::runtime_error if it holds anything else.
+/// Reads the numbers of a text file with # comments. Throws std::runtime_error if it holds anything else.
 std::vector<float> read_numbers(const std::filesystem::path& path) {
   std::istringstream file(read_text(path));
   std::vector<float> numbers;

@@ -65,7 +65,7 @@ void mix_values(std::vector<T>& a, const Param::Values& other, double t) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = mix(a[i], b[i], t);
 }
 
-/// Between the keys a and b, 0 < t < 1.
+/// Interpolates between the keys a and b, 0 < t < 1.
 Param between(const Param& a, const Param& b, double t) {
   Param result = a;
   if (a.type != b.type || !interpolates(a.type) || a.values.index() != b.values.index()) return result;
@@ -90,7 +90,7 @@ Param value_at(Moment moment, std::vector<const Param*> keys) {
   return result;
 }
 
-/// The integer `name`, removed from the list because it has then been used.
+/// Takes the integer `name` from the list, because it has then been used.
 std::int64_t take_integer(std::vector<Param>& params, std::string_view name, int fallback) {
   const auto found = std::find_if(params.begin(), params.end(), [&](const Param& p) {
     const auto* integers = std::get_if<std::vector<int>>(&p.values);

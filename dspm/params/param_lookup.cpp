@@ -16,7 +16,7 @@ std::string words(const std::vector<ParamType>& types) {
   return text;
 }
 
-/// Whether the values match the parameter's type.
+/// Returns whether the values match the parameter's type.
 bool fits(const Param& param) {
   const bool numbers = std::holds_alternative<std::vector<float>>(param.values) ||
                        std::holds_alternative<std::vector<int>>(param.values);
@@ -127,7 +127,7 @@ std::string ParamReader::quoted(std::string_view name) const {
   return fmt::format("parameter \"{}\" of {}", name, subject_);
 }
 
-/// From the subject `material "diffuse"`.
+/// Makes the hint from the subject `material "diffuse"`.
 std::string ParamReader::describe_hint() const {
   const std::size_t quote = subject_.find(" \"");
   if (quote == subject_.npos) return known_.empty() ? "it has no parameters" : "known parameters: " + joined(known_);

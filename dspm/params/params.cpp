@@ -8,7 +8,7 @@
 namespace dspm {
 namespace {
 
-/// What only --describe asks for: hair has a million shapes, and none needs it.
+/// Formats what only --describe asks for: hair has a million shapes, and none needs it.
 template <class... Args>
 std::string text_if(bool described, fmt::format_string<Args...> format, Args&&... args) {
   return described ? fmt::format(format, std::forward<Args>(args)...) : std::string();

@@ -37,7 +37,7 @@ bool is_address(const std::string& host) {
 
 std::string bracketed(const std::string& host) { return host.find(':') == host.npos ? host : "[" + host + "]"; }
 
-/// In a time that does not tell how much of it is right.
+/// Compares in a time that does not tell how much of the text is right.
 bool begins_with_secret(std::string_view text, std::string_view secret) {
   if (text.size() < secret.size()) return false;
   unsigned difference = 0;
@@ -85,8 +85,8 @@ bool Access::is_own(std::string_view host) const {
   return false;
 }
 
-/// A name in Host that is not ours is a foreign page's, whose server points it to this machine. Browsers send Origin or
-/// Sec-Fetch-Site if another page asks.
+/// Refuses requests from other pages. A name in Host that is not ours is that of a foreign page whose server points it
+/// to this machine. Browsers send Origin or Sec-Fetch-Site if another page asks.
 std::string_view Access::refusal(const RequestSource& source) const {
   if (address_.is_local() && !is_own(source.host)) return "this is not the page's address";
   if (!source.origin.empty() && source.origin != "http://" + std::string(source.host)) return "another page asks";

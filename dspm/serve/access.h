@@ -1,5 +1,5 @@
-// Who may use the page: whoever knows the token, which is part of the printed address, on dspm's own pages only. If only
-// this machine can reach the page, its own names are required, too.
+// Who may use the page: whoever knows the token, which is part of the printed address, on dspm's own pages only. If
+// only this machine can reach the page, its own names are required, too.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@ struct ServeAddress {
   bool is_local() const { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
 };
 
-/// "8080", "0.0.0.0:8080", "[::1]:0" or "192.168.1.5"; nullopt for anything else.
+/// Reads "8080", "0.0.0.0:8080", "[::1]:0" or "192.168.1.5"; nullopt for anything else.
 std::optional<ServeAddress> parse_serve_address(std::string_view text);
 
-/// The parts of a request that say who asks; empty if it does not have them.
+/// The parts of a request that say who asks; a part is empty if the request does not have it.
 struct RequestSource {
   std::string_view host, origin, fetch_site, path;
 };
 
 class Access {
  public:
-  /// `port`: the one that was opened.
+  /// `port` is the one that was opened.
   Access(const ServeAddress& address, int port);
 
-  /// "/<token>/": all paths begin so.
+  /// The prefix of all paths: "/<token>/".
   const std::string& prefix() const { return prefix_; }
   std::string url() const;
-  /// Why the request is refused; empty: it is not.
+  /// Returns why the request is refused; empty if it is not.
   std::string_view refusal(const RequestSource& source) const;
 
  private:

@@ -25,12 +25,12 @@ class Board {
   };
 
   void set_state(std::string json);
-  /// Why the scene cannot be rendered; empty: it can.
+  /// Says why the scene cannot be rendered; empty if it can.
   void set_problem(std::string text);
   void add_line(std::string text);
-  /// What came after that version of the state and that line; none once patience is over.
+  /// Returns what came after that version of the state and that line; nothing once patience is over.
   News after(std::uint64_t version, std::uint64_t line, std::chrono::milliseconds patience);
-  /// What the frames are, as JSON.
+  /// Says what the frames are, as JSON.
   void set_run(std::string json);
   std::string run() const;
   void close();

@@ -28,7 +28,7 @@ void write_vector(JsonWriter& json, const char* name, const Vec3& v) {
   json.end_array();
 }
 
-/// Where the camera stands, and which ways forward and up are.
+/// Writes where the camera stands, and which ways forward and up are.
 void write_camera(JsonWriter& json, const Matrix4& camera_from_world) {
   const std::optional<Matrix4> inverse = camera_from_world.inverse();
   if (!inverse) return;

@@ -11,9 +11,9 @@
 
 namespace dspm {
 
-/// JSON: the frames of the job with their moments and choices, the axes, the size, frames per second, the outputs, the
-/// groups of lights, where the cameras and the scene are, the names of the images, and how PNGs show them. `halvings`:
-/// from the size that the page shows to that of the run.
+/// Returns JSON: the frames of the job with their moments and choices, the axes, the size, frames per second, the
+/// outputs, the groups of lights, where the cameras and the scene are, the names of the images, and how PNGs show them.
+/// `halvings` leads from the size that the page shows to that of the run.
 std::string describe_run(const Job& job, const Scene& scene, std::span<const OutputInfo> outputs,
                          const ViewSettings& view, int number, int halvings);
 

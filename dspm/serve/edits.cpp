@@ -20,7 +20,7 @@ FileStamps stamps_of(const std::vector<std::string>& files) {
   return stamps;
 }
 
-/// Of the files so far, and of those that were read since.
+/// Stamps the files so far, and those that were read since.
 FileStamps look_at(const FileStamps& known) {
   FileStamps now;
   for (const auto& [file, stamp] : known) now[file] = stamp_of(file);

@@ -17,23 +17,23 @@ namespace dspm {
 
 class Edits {
  public:
-  /// Throws SceneError if the scene is not whole.
+  /// Loads the scene; throws SceneError if it is not whole.
   using Load = std::function<std::unique_ptr<LoadedScene>()>;
 
-  /// To be made before the scene is read for the first time. Errors stand on the page. Once the scene has none, the run
-  /// is asked to restart with it.
+  /// Must be made before the scene is read for the first time. Errors stand on the page. Once the scene has none, the
+  /// run is asked to restart with it.
   Edits(LivePage& page, const std::vector<std::string>& scenes, Load load);
   ~Edits();
   Edits(const Edits&) = delete;
   Edits& operator=(const Edits&) = delete;
 
-  /// What was loaded since; null: nothing.
+  /// Returns what was loaded since the last call; null if nothing was.
   std::unique_ptr<LoadedScene> take();
 
  private:
   void run();
   void load();
-  /// False: it was given up together with the iteration of a scene that is outdated by now.
+  /// Returns false if it was given up together with the iteration of a scene that is out of date by now.
   bool try_to_load();
 
   LivePage& page_;

@@ -46,7 +46,7 @@ Gallery::Pictures Gallery::newer_now(const std::vector<Seen>& seen) {
   return pictures;
 }
 
-/// The picture itself, else that of the nearest size, if it is newer.
+/// Returns the picture itself, else that of the nearest size, if it is newer.
 const Gallery::Hung* Gallery::find(const Seen& seen) const {
   const Wish& wish = seen.wish;
   if (const auto exact = pictures_.find(wish); exact != pictures_.end())
@@ -89,7 +89,7 @@ void Gallery::put(std::vector<Picture> pictures) {
   changed_.notify_all();
 }
 
-/// Those that were put first, as long as there are too many; never what somebody waits for.
+/// Drops the oldest pictures, as long as there are too many, but never one that somebody waits for.
 void Gallery::drop_unused() {
   while (bytes_ > kMostBytes) {
     auto oldest = pictures_.end();

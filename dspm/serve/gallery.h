@@ -1,6 +1,6 @@
 // The pictures that viewers look at, between the threads that serve them and the one that renders. A viewer's request
-// waits here, which is its wish, and a moment longer while the answer is on its way; pictures of what nobody wishes for
-// are not taken.
+// waits here and is its wish, and stays its wish a moment longer while the answer is on its way. Pictures that nobody
+// wishes for are not taken.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ class Gallery {
  public:
   using Clock = std::chrono::steady_clock;
   using Pictures = std::vector<std::shared_ptr<const Picture>>;
-  /// What a viewer looks at, and which versions it has: of that, and of the same in other sizes. 0: none.
+  /// What a viewer looks at, and which versions it has of that, and of the same in other sizes; 0 if it has none.
   struct Seen {
     Wish wish;
     std::uint64_t version = 0, other = 0;
@@ -30,20 +30,20 @@ class Gallery {
     std::vector<Seen> seen;
   };
 
-  /// Those that are newer, or none once patience is over or the viewer has another request. A picture of the same frame
-  /// and output in another size stands in for one that was not taken.
+  /// Returns the pictures that are newer, or none once patience is over or the viewer has another request. A picture of
+  /// the same frame and output in another size stands in for one that was not taken.
   Pictures newer(const Request& request, std::chrono::milliseconds patience);
 
   static constexpr int kNewer = std::numeric_limits<int>::max();
   /// A viewer with an answer asks again within this time.
   static constexpr std::chrono::milliseconds kMoment{1000};
-  /// What viewers wish for, and of which there is no picture of this run after that many iterations.
+  /// Returns the wishes of which there is no picture of this run after that many iterations.
   std::vector<Wish> wanted(int iterations = kNewer, Clock::time_point now = Clock::now()) const;
   /// Gives the pictures their versions, and hands them over.
   void put(std::vector<Picture> pictures);
-  /// The pictures so far are of another run: they stay until there are others. `frames`: of the new one.
+  /// Begins a run of that many frames. The pictures so far are of another run: they stay until there are others.
   void begin_run(int frames);
-  /// Nobody waits any longer.
+  /// Ends all waiting.
   void close();
 
  private:

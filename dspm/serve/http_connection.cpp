@@ -41,7 +41,7 @@ HttpRequest request_of(const http::request<http::string_body>& message) {
           message.body()};
 }
 
-/// Why a request that has been let in has a body that is not read.
+/// Returns why a request that has been let in has a body that is not read.
 std::optional<HttpAnswer> refusal_of_body(const http::request<http::string_body>& message,
                                           const std::optional<std::uint64_t>& length) {
   if (message.count(http::field::content_encoding) > 0) return http_refusal(415, "bodies come as they are");
@@ -71,7 +71,7 @@ void HttpConnection::serve(const HttpServer::Site& site, const std::atomic<bool>
 
 void HttpConnection::begin_waiting() { waits_since_ = Clock::now().time_since_epoch().count(); }
 
-/// The deadline of the request holds for its head and its body together.
+/// Serves one request. The deadline holds for its head and its body together.
 bool HttpConnection::serve_one(const HttpServer::Site& site) {
   Parser parser;
   stream_.expires_after(kForRequest);
@@ -87,7 +87,7 @@ bool HttpConnection::serve_one(const HttpServer::Site& site) {
   return send(site.answer(head), site, parser, parser.keep_alive());
 }
 
-/// A line that does not end is refused like one that is too long.
+/// Reads the head. A line that does not end is refused like one that is too long.
 bool HttpConnection::read_head(Parser& parser, const HttpServer::Site& site) {
   parser.header_limit(kLongestHead);
   parser.body_limit(std::numeric_limits<std::uint64_t>::max());  // checked after the head has been let in
@@ -136,7 +136,7 @@ bool HttpConnection::send(HttpAnswer answer, const HttpServer::Site& site, const
   return finish([&](auto done) { http::async_write(stream_, message, done); }) && message.keep_alive();
 }
 
-/// Their end is that of the connection.
+/// Sends texts, whose end is that of the connection.
 bool HttpConnection::send_texts(const std::function<std::string()>& next, const http::response_header<>& head) {
   http::response<http::empty_body> message(head);
   http::response_serializer<http::empty_body> serializer(message);

@@ -24,20 +24,20 @@ class HttpConnection {
   using Socket = boost::asio::ip::tcp::socket;
 
   Socket& socket() { return stream_.socket(); }
-  /// On the thread of the connection, until the other side leaves, misbehaves or is slow, or `closing`.
+  /// Serves on the thread of the connection, until the other side leaves, misbehaves or is slow, or `closing`.
   void serve(const HttpServer::Site& site, const std::atomic<bool>& closing);
   void close() { stream_.close(); }
-  /// By any thread: whatever is being read or written is given up.
+  /// Gives up whatever is being read or written. Any thread may call it.
   void end() {
     boost::asio::post(context_, [this] { stream_.close(); });
   }
-  /// Since when it waits for the other side to ask; nothing: it gives an answer.
+  /// Returns since when it waits for the other side to ask; nullopt while it gives an answer.
   std::optional<Clock::time_point> waits_since() const;
 
  private:
   using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 
-  /// One request and its answer. False: it was the last.
+  /// Serves one request and its answer. Returns false if it was the last.
   bool serve_one(const HttpServer::Site& site);
   bool read_head(Parser& parser, const HttpServer::Site& site);
   bool read_body(Parser& parser);
@@ -46,7 +46,7 @@ class HttpConnection {
   bool refuse(int status, std::string_view reason, const HttpServer::Site& site, const Parser& parser);
   void part();
   void begin_waiting();
-  /// Calls start(handler) and waits until that has ended. False: it failed, took too long or was given up.
+  /// Calls start(handler) and waits until that has ended. Returns false if it failed, took too long or was given up.
   template <class Start>
   bool finish(Start&& start) {
     start([this](boost::beast::error_code error, std::size_t) { error_ = error; });

@@ -28,7 +28,7 @@ using std::chrono::milliseconds;
 constexpr std::size_t kMostConnections = 48;
 constexpr milliseconds kForFarewell(1000), kAfterFailure(50);
 
-/// Programs that dspm starts get none of its connections.
+/// Keeps connections from programs that dspm starts.
 void keep_from_programs(int descriptor) { fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
 
 }  // namespace
@@ -84,7 +84,7 @@ struct HttpServer::Impl {
     }
   }
 
-  /// False: there are no more threads.
+  /// Returns false if there are no more threads.
   bool begin(const std::shared_ptr<HttpConnection>& connection) try {
     keep_from_programs(connection->socket().native_handle());
     const std::lock_guard lock(mutex);
@@ -111,7 +111,8 @@ struct HttpServer::Impl {
     changed.notify_all();
   }
 
-  /// If need be, the connection goes that has waited longest for its other side, and so does whoever only holds a place.
+  /// Closes, if need be, the connection that has waited longest for its other side, so that nobody can merely hold a
+  /// place.
   void make_room() {
     std::unique_lock lock(mutex);
     while (!is_closing) {

@@ -97,7 +97,7 @@ void LivePage::show_pictures(const Exhibit& exhibit, int iterations, Size size) 
   pictures_.took(begin);
 }
 
-/// Of their pictures, each halved so often more.
+/// Returns the pixels of the wishes' pictures, each halved `shrunk` times more.
 double LivePage::pixels_of(const std::vector<Wish>& wishes, int shrunk) const {
   double sum = 0;
   for (const Wish& wish : wishes)
@@ -105,7 +105,8 @@ double LivePage::pixels_of(const std::vector<Wish>& wishes, int shrunk) const {
   return sum;
 }
 
-/// A short run of many large frames gets smaller pictures, until there is time for those that were wished for.
+/// Returns how much smaller pictures must be. A short run of many large frames gets smaller ones, until there is time
+/// for those that were wished for.
 int LivePage::halvings_to_afford(const std::vector<Wish>& wishes) const {
   if (coarse_ || !(outlook_.share > 0) || pixels_ == 0) return 0;
   const double run = (processor_seconds() - begin_) / outlook_.share;
@@ -115,7 +116,7 @@ int LivePage::halvings_to_afford(const std::vector<Wish>& wishes) const {
   return shrunk;
 }
 
-/// A few at a time: images are large, and their compression takes a thread for each.
+/// Takes pictures, a few at a time: images are large, and their compression takes a thread for each.
 void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes, int shrunk) {
   std::vector<Picture> pictures;
   std::vector<Taken> batch;
@@ -139,7 +140,7 @@ void LivePage::take(const Exhibit& exhibit, const std::vector<Wish>& wishes, int
   gallery_.put(std::move(pictures));
 }
 
-/// Nothing if the integrator does not have it.
+/// Returns nullopt if the integrator does not have the picture.
 std::optional<LivePage::Taken> LivePage::take_one(const Exhibit& exhibit, const Wish& wish) const {
   const auto output =
       std::find_if(outputs_.begin(), outputs_.end(), [&](const OutputInfo& o) { return o.name == wish.output; });

@@ -1,5 +1,5 @@
-// The live page of a render, for its observer: what it says to the page and what viewers ask of it. All functions are
-// called by the thread that renders, between iterations; pictures are taken only if someone looks.
+// The live page of a render, for its observer: what it says to the page and what viewers ask of it. The thread that
+// renders calls most functions, between iterations; pictures are taken only if someone looks.
 #pragma once
 
 #include <functional>
@@ -48,35 +48,35 @@ class LivePage {
 
   // By any thread:
   void say(std::string_view text) { board_.add_line(std::string(text)); }
-  /// Why the scene cannot be rendered; empty: it can.
+  /// Says why the scene cannot be rendered; empty if it can.
   void show_problem(std::string text) { board_.set_problem(std::move(text)); }
-  /// The scene has changed: the run is of no use any longer.
+  /// Restarts, because the scene has changed: the run is out of date.
   void restart();
   bool is_restarting() const { return orders_.is_restarting(); }
-  /// Where viewers put it, and how often they did.
+  /// Returns where viewers put the camera. camera_changes() is how often they did.
   std::optional<LookAt> camera() const { return orders_.camera(); }
   int camera_changes() const { return orders_.camera_changes(); }
   void reset_camera() {
     if (orders_.camera()) orders_.place_camera(std::nullopt);
   }
-  /// The scene is read, and a restart is no longer due.
+  /// Begins to read the scene: a restart is no longer due.
   void begin();
-  /// Until the scene can be read. False: the end is wanted.
+  /// Waits until the scene can be read. Returns false if the end is wanted.
   bool wait_for_restart(const std::function<bool()>& interrupted);
 
   // By the thread that renders:
 
-  /// A run begins. `job` lives as long as it. `coarse`: it is a quick look before that of the full size, and the page
-  /// goes on counting in pixels of the full size.
+  /// Begins a run of `job`, which must outlive it. If it is `coarse`, it is a quick look before that of the full size,
+  /// and the page goes on counting in pixels of the full size.
   void begin_run(const Job& job, const Scene& scene, const Integrator& integrator, int iterations, bool coarse);
   void step_begins(const std::string& step);
   void iteration_done(const IntervalProgress& progress, const Exhibit& exhibit, const Outlook& outlook);
   /// Keeps small pictures of frames whose integrator is about to go.
   void interval_ends(const Exhibit& exhibit);
-  /// The last interval is done: waits until someone wants more iterations, and returns how many; 0: the end is wanted.
-  /// `interrupted`: asks whether to wait on.
+  /// Waits, after the last interval, until someone wants more iterations, and returns how many; 0 if the end is wanted.
+  /// `interrupted` says whether to stop waiting.
   int wait_for_more(const Exhibit& exhibit, const std::function<bool()>& interrupted);
-  /// As long as the run is paused.
+  /// Waits as long as the run is paused.
   void wait_while_paused(const Exhibit& exhibit, const std::function<bool()>& interrupted);
 
   bool end_wanted() const { return orders_.is_stopping() || orders_.is_restarting(); }
@@ -84,7 +84,7 @@ class LivePage {
 
  private:
   enum class Size { wished, affordable };
-  /// Those of which there is none of this run after that many iterations.
+  /// Shows the pictures of which there is none of this run after that many iterations.
   void show_pictures(const Exhibit& exhibit, int iterations, Size size = Size::wished);
   int halvings_to_afford(const std::vector<Wish>& wishes) const;
   double pixels_of(const std::vector<Wish>& wishes, int shrunk) const;
@@ -96,7 +96,7 @@ class LivePage {
   void take(const Exhibit& exhibit, const std::vector<Wish>& wishes, int shrunk = 0);
   std::optional<Taken> take_one(const Exhibit& exhibit, const Wish& wish) const;
   Picture picture_of(Taken taken, int shrunk) const;
-  /// From the page's size to that of the run.
+  /// Returns the halvings from the page's size to that of the run.
   int halvings() const;
   void show_state(const char* phase);
 

@@ -1,4 +1,4 @@
-// What viewers want the render to do. Given by threads that serve the page, taken by the one that renders.
+// What viewers want the render to do. The threads that serve the page give orders, the one that renders takes them.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Eye, target, up.
+/// Eye, target and up.
 using LookAt = std::array<double, 9>;
 
 class Orders {
@@ -18,7 +18,7 @@ class Orders {
   void pause(bool paused) { paused_ = paused; }
   void stop() { stopping_ = true; }
   void write() { write_ = true; }
-  /// False: that would be more than a run may have, and nothing was added.
+  /// Returns false, and adds nothing, if that would be more than a run may have.
   bool add_iterations(int count) {
     int more = more_;
     do {
@@ -27,7 +27,7 @@ class Orders {
     return true;
   }
   void restart() { restarting_ = true; }
-  /// Where the camera stands in all frames; nothing: where the scene says.
+  /// Places the camera in all frames; nullopt leaves it where the scene says.
   void place_camera(const std::optional<LookAt>& place) {
     const std::lock_guard lock(mutex_);
     camera_ = place, ++camera_changes_;
@@ -36,9 +36,9 @@ class Orders {
     const std::lock_guard lock(mutex_);
     return camera_;
   }
-  /// How often it was placed.
+  /// The number of times that it was placed.
   int camera_changes() const { return camera_changes_; }
-  /// A run begins, as that was asked for.
+  /// Begins a run, as was asked for.
   void begin() { restarting_ = false, paused_ = false; }
 
   bool is_paused() const { return paused_; }

@@ -50,7 +50,7 @@ std::vector<unsigned char> planes(const Image& image, int channels, const Encode
   return bytes;
 }
 
-/// Every 2^halvings-th pixel.
+/// Keeps every 2^halvings-th pixel.
 Image thinned(const Image& image, int width, int height) {
   Image thin(width, height);
   for (int y = 0; y < height; ++y)

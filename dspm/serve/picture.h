@@ -32,14 +32,15 @@ struct Picture {
   std::string pixels;         // see packed()
 };
 
-/// The bits of the nearest half float; ties to even.
+/// Returns the bits of the nearest half float; ties go to even.
 std::uint16_t half_of(float value);
 
-/// zlib's format. Within: channel by channel, every value as the difference of its bits from those of the pixel before,
-/// most significant bytes first, all of one significance together. Deflate finds little in noise otherwise.
+/// Packs pixels in zlib's format. They go channel by channel, every value as the difference of its bits from those of
+/// the pixel before, most significant bytes first, all of one significance together. Deflate finds little in noise
+/// otherwise.
 std::string packed(const Image& image, int channels, int bytes);
 
-/// Ids and what is declared to be in single precision stay so, and are not averaged.
+/// Makes a picture. Ids and what is declared to be in single precision stay so, and are not averaged.
 Picture make_picture(const Wish& wish, const OutputInfo& output, Image image);
 
 }  // namespace dspm

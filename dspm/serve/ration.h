@@ -12,8 +12,8 @@ class Ration {
   explicit Ration(double share) : share_(share) {}
 
   bool is_due(Clock::time_point now = Clock::now()) const { return now >= next_; }
-  /// It took from `begin` to `end`; it is due again once that is its share of the time. What it took before it was due
-  /// adds to the wait.
+  /// Records that it took from `begin` to `end`; it is due again once that is its share of the time. What it took
+  /// before it was due adds to the wait.
   void took(Clock::time_point begin, Clock::time_point end = Clock::now()) {
     next_ = std::max(next_, begin) + std::chrono::duration_cast<Clock::duration>((end - begin) / share_);
   }

@@ -12,14 +12,14 @@ namespace dspm {
 
 inline constexpr std::size_t kMostWishes = 2048;
 
-/// The viewer's number, then lines of "frame output halvings version other". Nullopt if a line is anything else, or if
-/// there are too many.
+/// Reads the viewer's number, then lines of "frame output halvings version other". Returns nullopt if a line is
+/// anything else, or if there are too many.
 std::optional<Gallery::Request> parse_wishes(std::string_view text);
 
-/// Nine numbers: eye, target, up. Nullopt if they are anything else, or span no view.
+/// Reads nine numbers: eye, target, up. Returns nullopt if they are anything else, or span no view.
 std::optional<std::array<double, 9>> parse_look_at(std::string_view text);
 
-/// A whole number within these bounds, and nothing else.
+/// Reads a whole number within these bounds, and nothing else.
 std::optional<int> parse_count(std::string_view text, int lowest, int highest);
 
 }  // namespace dspm

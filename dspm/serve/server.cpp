@@ -61,7 +61,7 @@ std::string state_events(const Board::News& news) {
   return fmt::format("event: state\ndata: {}\n\nevent: problem\ndata: {}\n\n", news.state, problem.text());
 }
 
-/// A line of text about each picture, then its bytes.
+/// Returns a line of text about each picture, then its bytes.
 std::string bundle_of(const Gallery::Pictures& pictures) {
   std::string bundle;
   for (const auto& picture : pictures) {

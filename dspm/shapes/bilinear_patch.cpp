@@ -16,7 +16,7 @@ struct Outline {
   Number x[4], y[4];
 };
 
-/// In floats, as the triangle test does it, so that all primitives at an edge see the same edge.
+/// Computes in floats, as the triangle test does, so that all primitives at an edge see the same edge.
 Outline<float> rounded_outline(const BilinearPatch& patch, const TriangleRay& ray) {
   Outline<float> outline;
   const Vec3* corners[] = {&patch.p00, &patch.p10, &patch.p11, &patch.p01};
@@ -27,8 +27,8 @@ Outline<float> rounded_outline(const BilinearPatch& patch, const TriangleRay& ra
   return outline;
 }
 
-/// How often the outline turns around the ray: 0, 1 or -1. Products of floats are exact in double, so the side of an
-/// edge is certain, and the same for both primitives that share it; on an edge, one of them has the ray.
+/// Returns how often the outline turns around the ray: 0, 1 or -1. Products of floats are exact in double, so the side
+/// of an edge is certain, and the same for both primitives that share it; on an edge, one of them has the ray.
 int turns(const Outline<float>& o) {
   int turns = 0;
   for (int i = 0; i < 4; ++i) {
@@ -41,7 +41,7 @@ int turns(const Outline<float>& o) {
   return turns;
 }
 
-/// Whether the ray passes beside the patch for certain.
+/// Returns whether the ray passes beside the patch for certain.
 bool is_beside(const Outline<float>& o) {
   const auto [left, right] = std::minmax_element(o.x, o.x + 4);
   const auto [low, high] = std::minmax_element(o.y, o.y + 4);
@@ -75,7 +75,7 @@ class Crossing {
     place(patch.p00, p00_), place(patch.p10, p10_), place(patch.p01, p01_), place(patch.p11, p11_);
   }
 
-  /// `must`: there is one, whatever rounding says.
+  /// If `must`, there is a crossing, whatever rounding says.
   Meetings solve(bool must) const {
     const double c = area(p00_, p01_), all = area(p10_, p11_);
     const double a = area(minus(p10_, p00_), minus(p11_, p01_)), b = all - a - c;
@@ -128,7 +128,8 @@ double integral(double to, const Integrand& f) {
   return sum * to;
 }
 
-/// The x in [0, 1] with sum(x) = target; `slope` is the derivative of sum. Newton's method, kept within a bracket.
+/// Returns the x in [0, 1] with sum(x) = target; `slope` is the derivative of sum. Uses Newton's method, kept within a
+/// bracket.
 template <class Sum, class Slope>
 double inverse(double target, const Sum& sum, const Slope& slope) {
   double low = 0, high = 1, x = 0.5;

@@ -100,7 +100,7 @@ class BilinearMesh final : public Shape {
     return {vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])};
   }
 
-  /// In a corner or on an edge without a normal, that of the middle.
+  /// Returns the normal; in a corner or on an edge without one, that of the middle.
   static Vec3 normal_of(const BilinearPatch& p, Vec2 uv) {
     for (const Vec2 place : {uv, Vec2{0.5f, 0.5f}}) {
       const DoubleVec3 n = p.normal(place.x, place.y);
@@ -109,8 +109,8 @@ class BilinearMesh final : public Shape {
     return {0, 0, 1};
   }
 
-  /// dp/ds along the first texture coordinate s; any tangent if there is none.
-  /// The derivatives by texture coordinates: those by u and v times the inverse of the coordinates' own.
+  /// Sets dp/ds along the first texture coordinate s; any tangent if there is none. The derivatives by texture
+  /// coordinates are those by u and v times the inverse of the coordinates' own.
   void set_tangents(SurfacePoint& s, const BilinearPatch& p, const Corners& c, Vec2 uv) const {
     const Vec3 by_u = narrow(p.along_u(uv.y)), by_v = narrow(p.along_v(uv.x));
     s.dpdu = by_u, s.dpdv = by_v;
@@ -132,7 +132,7 @@ class BilinearMesh final : public Shape {
   PatchMesh mesh_;
 };
 
-/// The first fault, and the parameter to blame.
+/// Returns the first fault, and the parameter to blame.
 std::optional<std::pair<const char*, std::string>> fault_of(const PatchMesh& mesh) {
   const std::size_t count = mesh.vertices.size();
   if (mesh.patches.empty()) return std::pair{"indices", std::string("the mesh has no patches")};

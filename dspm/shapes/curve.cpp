@@ -34,10 +34,10 @@ using Controls = std::array<Vec3, 4>;
 
 Vec3 mix(float t, const Vec3& a, const Vec3& b) { return a * (1 - t) + b * t; }
 
-/// A quadratic Bezier curve as a cubic one.
+/// Returns a quadratic Bezier curve as a cubic one.
 Controls raised(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, mix(2 / 3.f, a, b), mix(1 / 3.f, b, c), c}; }
 
-/// Segment i of a uniform B-spline, as a Bezier curve. [Farin, Curves and Surfaces for CAGD, ch. 8]
+/// Returns segment i of a uniform B-spline, as a Bezier curve. [Farin, Curves and Surfaces for CAGD, ch. 8]
 Controls spline_segment(std::span<const Vec3> p, int degree) {
   if (degree == 2) return raised(mix(0.5f, p[0], p[1]), p[1], mix(0.5f, p[1], p[2]));
   const Vec3 left = mix(2 / 3.f, p[0], p[1]), b = mix(1 / 3.f, p[1], p[2]), c = mix(2 / 3.f, p[1], p[2]);
@@ -56,7 +56,7 @@ struct Strand {
     if (spline) return spline_segment(p, degree);
     return degree == 2 ? raised(p[0], p[1], p[2]) : Controls{p[0], p[1], p[2], p[3]};
   }
-  /// What is wrong with the number of points; empty: nothing.
+  /// Returns what is wrong with the number of points; empty if nothing is.
   std::string fault() const {
     if (points.size() <= order()) return fmt::format("at least {} control points are needed", degree + 1);
     if (!spline && (points.size() - 1) % order() != 0)
@@ -80,7 +80,7 @@ std::vector<CurveSegment> segments_of(const Strand& strand, float width0, float 
   return segments;
 }
 
-/// Empty if the curve is no ribbon, or something is wrong.
+/// Returns no normals if the curve is no ribbon, or something is wrong.
 std::vector<RibbonNormals> read_normals(ParamReader& reader, CurveType type, std::size_t segments) {
   const std::vector<Vec3> normals = reader.points3("N", "normals of a ribbon: at the ends of all its segments");
   if (type != CurveType::ribbon) {

@@ -24,7 +24,7 @@ struct ProjectedCurve {
   Vec2 at(float u) const { return {polynomial(x, u), polynomial(y, u)}; }
   float length_of_tangent(float u) const { return std::hypot(derivative(x, u), derivative(y, u)); }
 
-  /// Newton's step towards the nearest place between two others.
+  /// Returns Newton's step towards the nearest place between two others.
   float nearer(float u, float low, float high) const {
     const Vec2 p = at(u), d{derivative(x, u), derivative(y, u)};
     const float slope = d.x * d.x + d.y * d.y + p.x * (6 * x[3] * u + 2 * x[2]) + p.y * (6 * y[3] * u + 2 * y[2]);
@@ -46,7 +46,7 @@ struct ProjectedCurve {
   }
 };
 
-/// Newton's method for (p . p') = 0 in projection along d, between two places.
+/// Solves (p . p') = 0 by Newton's method, in projection along d, between two places.
 inline Passage passage_near(const CurveSegment& segment, const Ray& ray, double u, double low, double high) {
   constexpr int kNewtonSteps = 3;
   const DoubleVec3 d = widen(ray.direction);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kZBits = 63;  // of a place along the curve
 
-/// The lowest 21 bits of v, with two zeros after each.
+/// Returns the lowest 21 bits of v, with two zeros after each.
 std::uint64_t spread(std::uint64_t v) {
   v = (v | v << 32) & 0x001f00000000ffffu;
   v = (v | v << 16) & 0x001f0000ff0000ffu;
@@ -23,7 +23,7 @@ std::uint64_t spread(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249u;
 }
 
-/// The bits of the coordinates within the box, interleaved. [Morton 1966]
+/// Interleaves the bits of the coordinates within the box. [Morton 1966]
 std::uint64_t place_along_z_curve(const Vec3& p, const Bounds3& box) {
   constexpr int kMost = (1 << kZBits / 3) - 1;
   std::uint64_t place = 0;
@@ -56,7 +56,7 @@ class Cut {
   std::vector<CurvePiece> pieces() && { return std::move(pieces_); }
 
  private:
-  /// As long as the boxes get much smaller: those of slanting curves do, those along an axis do not.
+  /// Halves a piece as long as the boxes get much smaller: those of slanting curves do, those along an axis do not.
   void halve(const CurveSegment& segment, int split_depth) {
     constexpr float kWorthwhile = 0.7f;
     const auto surface = [&](const std::vector<CurvePart>& parts) {
@@ -83,7 +83,7 @@ class Cut {
   std::vector<CurvePiece> pieces_;
 };
 
-/// By lists of segments that follow one another.
+/// Pieces by lists of segments that follow one another.
 using PieceLists = std::vector<std::vector<CurvePiece>>;
 
 PieceLists cut_all(std::span<const CurveSegment> segments, std::span<const std::uint8_t> split_depths) {
@@ -137,7 +137,7 @@ class Sorting {
   }
   std::size_t cell_of(const CurvePiece& piece) const { return place_of(piece) >> (kZBits - cell_bits_); }
 
-  /// Where the pieces of each cell begin, and among them those of each list.
+  /// Counts where the pieces of each cell begin, and among them those of each list.
   void count() {
     for_each_list([&](std::size_t l) {
       next_[l].resize(cells());

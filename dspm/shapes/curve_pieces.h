@@ -9,8 +9,8 @@
 
 namespace dspm {
 
-/// Segment s is cut into up to 2^split_depths[s] pieces. Those that lie close together are stored close together, whatever
-/// the order of the segments: a ray that passes dense hair waits for memory more than for anything else.
+/// Cuts segment s into up to 2^split_depths[s] pieces. Those that lie close together are stored close together,
+/// whatever the order of the segments: a ray that passes dense hair waits for memory more than for anything else.
 UntouchedVector<CurvePiece> cut_into_pieces(std::span<const CurveSegment> segments,
                                             std::span<const std::uint8_t> split_depths);
 

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// By which a curve may turn in a step of the search for rays (radians).
+/// The angle by which a curve may turn in a step of the search for rays (radians).
 constexpr double kTurnOfStep = 0.25;
 
 DoubleVec3 between(const DoubleVec3& a, const DoubleVec3& b, double t) { return a * (1 - t) + b * t; }
@@ -20,7 +20,7 @@ double angle_between(const DoubleVec3& a, const DoubleVec3& b) {
   return lengths > 0 ? std::atan2(length(cross(a, b)), dot(a, b)) : 0;
 }
 
-/// Whether the angle is certainly less than half of what kCurveSteps steps may turn.
+/// Returns whether the angle is certainly less than half of what kCurveSteps steps may turn.
 bool hardly_turns(const DoubleVec3& a, const DoubleVec3& b) {
   constexpr double kTangent = 0.375;  // atan(0.375) = 0.359
   static_assert(kTangent <= kCurveSteps * kTurnOfStep / 2);
@@ -29,7 +29,7 @@ bool hardly_turns(const DoubleVec3& a, const DoubleVec3& b) {
   return along >= 0 && dot(across, across) <= kTangent * kTangent * along * along;
 }
 
-/// Such that the curve turns little in one. For most pieces of hair, that takes no angle.
+/// Returns so many steps that the curve turns little in one. For most pieces of hair, that takes no angle.
 int steps_for(const CurvePart& part) {
   const auto& c = part.control;
   const DoubleVec3 a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2];

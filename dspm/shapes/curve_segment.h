@@ -25,7 +25,7 @@ struct CurvePlace {
   DoubleVec3 p, d1, d2;
 };
 CurvePlace place_on(const CurveSegment& segment, double u, const Vec3& origin);
-/// Of unit length; of its chord where the curve stands still.
+/// Returns the direction, of unit length; that of the chord where the curve stands still.
 DoubleVec3 direction_at(const CurveSegment& segment, double u);
 
 /// What lies between two places of a segment, as a curve of its own.
@@ -39,7 +39,7 @@ struct CurvePart {
 /// The steps of a piece are a multiple of this: four places are tried at a time.
 inline constexpr int kCurveSteps = 3;
 
-/// From u = index / count to (index + 1) / count.
+/// A piece from u = index / count to (index + 1) / count.
 struct CurvePiece {
   std::uint32_t segment;
   std::uint16_t index, count;
@@ -47,10 +47,11 @@ struct CurvePiece {
   Vec3 start = {}, chord = {};  // between its ends
   float reach = 0;              // from the chord: contains the piece with its width
 
-  /// Of segment `number`, with its steps and what the first test of a ray needs. `part`: what it is of the segment.
+  /// Makes a piece of segment `number`, with its steps and what the first test of a ray needs. `part` is the piece as a
+  /// curve of its own.
   static CurvePiece of(const CurveSegment& segment, std::uint32_t number, int index, int count, const CurvePart& part);
-  /// False: the ray's line stays away from the chord further than the piece does. A few multiplications spare most rays
-  /// all else.
+  /// Returns false if the ray's line stays away from the chord further than the piece does. A few multiplications spare
+  /// most rays everything else.
   bool may_meet(const Ray& ray) const {
     const Vec3 from = start - ray.origin, normal = cross(ray.direction, chord);
     const float rounding = 1e-6f * (std::abs(from.x) + std::abs(from.y) + std::abs(from.z));
@@ -62,7 +63,7 @@ struct CurvePiece {
   float to() const { return static_cast<float>(index + 1) / static_cast<float>(count); }
 };
 
-/// Contains that part with its width, rounding included.
+/// Returns a box that contains that part with its width, rounding included.
 Bounds3 bounds_of(const CurveSegment& segment, const CurvePart& part);
 
 /// Where the line of a ray passes the centre line of a curve most closely, for one of its turns.

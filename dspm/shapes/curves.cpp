@@ -12,7 +12,8 @@
 namespace dspm {
 namespace {
 
-/// The part of v that is perpendicular to the unit vector `along`, of unit length; any such if nothing is left.
+/// Returns the part of v that is perpendicular to the unit vector `along`, of unit length; any such vector if nothing
+/// is left.
 DoubleVec3 perpendicular(const DoubleVec3& v, const DoubleVec3& along) {
   const DoubleVec3 rest = v - along * dot(v, along);
   const double l = length(rest);
@@ -62,7 +63,7 @@ bool Curves::absorb(Shape& next) {
   return true;
 }
 
-/// Segments are stored in the order in which their pieces are.
+/// Stores segments in the order in which their pieces are.
 void Curves::settle() {
   pieces_ = cut_into_pieces(segments_, split_depths_);
   split_depths_ = {};
@@ -104,8 +105,8 @@ std::optional<PrimitiveHit> Curves::facing_hit(const CurveSegment& segment, cons
   return hit_at(dot(at.place.p, d) / dot(d, d), at.u, 0.5 + at.offset / segment.width_at(at.u), ray);
 }
 
-/// The ribbon is taken for flat around the passage. Where the ray meets its plane lies further along the curve and
-/// across it than the passage.
+/// Takes the ribbon for flat around the passage. The ray meets its plane further along the curve and across it than the
+/// passage.
 std::optional<PrimitiveHit> Curves::ribbon_hit(std::uint32_t number, const Passage& at, const Ray& ray) const {
   const DoubleVec3 d = widen(ray.direction), tangent = direction_at(segments_[number], at.u);
   const DoubleVec3 normal = perpendicular(normals_[number].between(at.u), tangent), side = cross(normal, tangent);
@@ -129,9 +130,9 @@ SurfacePoint Curves::seen(int primitive, Vec2 uv, const Vec3& direction) const {
                                     : facing_point(segment(primitive), uv, direction);
 }
 
-/// On the plane through the centre line that faces the ray. The normal of a cylinder turns evenly from side to side, as in
-/// pbrt. The error bound is not rounding: a ray that leaves on either side of the normal must start beyond everything that
-/// turns towards it, which lies within half a width of the centre.
+/// Returns a point on the plane through the centre line that faces the ray. The normal of a cylinder turns evenly from
+/// side to side, as in pbrt. The error bound is not rounding: a ray that leaves on either side of the normal must start
+/// beyond everything that turns towards it, which lies within half a width of the centre.
 SurfacePoint Curves::facing_point(const CurveSegment& segment, Vec2 uv, const Vec3& direction) const {
   const double u = static_cast<double>(uv.x), v = static_cast<double>(uv.y) - 0.5, width = segment.width_at(u);
   const DoubleVec3 tangent = direction_at(segment, u), facing = perpendicular(widen(-direction), tangent);
@@ -146,7 +147,8 @@ SurfacePoint Curves::facing_point(const CurveSegment& segment, Vec2 uv, const Ve
   return point;
 }
 
-/// A bent ribbon is not quite where its tangent plane is, so rays start a twentieth of the width off it.
+/// Returns a point of a ribbon. A bent one is not quite where its tangent plane is, so rays start a twentieth of the
+/// width off it.
 SurfacePoint Curves::ribbon_point(std::uint32_t number, Vec2 uv) const {
   constexpr double kOff = 0.05;
   const CurveSegment& segment = segments_[number];
@@ -183,7 +185,7 @@ float Curves::area(int primitive) const {
   return static_cast<float>(sum);
 }
 
-/// Uniform in u and v. As curves emit no light, nothing relies on their area.
+/// Draws uniformly in u and v. As curves emit no light, nothing relies on their area.
 Vec2 Curves::sample_area(int primitive, Vec2 u) const {
   const CurvePiece& p = piece(primitive);
   return {p.from() + (p.to() - p.from()) * u.x, u.y};

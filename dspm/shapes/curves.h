@@ -19,13 +19,13 @@ enum class CurveType { flat, ribbon, cylinder };
 /// The normals of a ribbon at both ends of a segment, of unit length.
 struct RibbonNormals {
   Vec3 at[2];
-  /// In between the normal turns evenly. [Shoemake 1985]
+  /// Returns the normal in between, which turns evenly. [Shoemake 1985]
   DoubleVec3 between(double u) const;
 };
 
 class Curves final : public Shape {
  public:
-  /// Each segment is cut into up to 2^split_depth pieces. `normals`: of ribbons, one pair for each segment.
+  /// Cuts each segment into up to 2^split_depth pieces. `normals` are those of ribbons, one pair for each segment.
   Curves(CurveType type, std::span<const CurveSegment> segments, std::vector<RibbonNormals> normals, int split_depth);
 
   int primitive_count() const override { return static_cast<int>(pieces_.size()); }
@@ -34,7 +34,7 @@ class Curves final : public Shape {
   SurfacePoint surface_point(int primitive, Vec2 uv) const override;
   SurfacePoint seen(int primitive, Vec2 uv, const Vec3& direction) const override;
   bool turns() const override { return true; }
-  /// A segment's.
+  /// Returns the strip of a segment.
   Strip strip(int primitive, Vec2 uv, const Vec3& direction) const override;
   bool absorb(Shape& next) override;
   void settle() override;

@@ -22,7 +22,7 @@ const T& at(const std::vector<T>& values, int index) {
   return values[static_cast<std::size_t>(index)];
 }
 
-/// Numbers of places: vertices at one place with one normal (or none) move together, whatever their texture
+/// Numbers the places: vertices at one place with one normal (or none) move together, whatever their texture
 /// coordinates.
 std::vector<int> places_of(const MeshData& mesh) {
   std::map<std::array<float, 6>, int> known;
@@ -34,7 +34,7 @@ std::vector<int> places_of(const MeshData& mesh) {
   return places;
 }
 
-/// Of the faces around each place, weighted by their areas.
+/// Returns the mean normals of the faces around each place, weighted by their areas.
 std::vector<Vec3> normals_of(const MeshData& mesh, const std::vector<int>& places) {
   std::vector<DoubleVec3> sums(mesh.vertices.size(), DoubleVec3{0, 0, 0});
   for (const Face& f : mesh.faces) {
@@ -58,7 +58,7 @@ void refuse_many(double triangles) {
     throw std::runtime_error("a displaced mesh would have more than 20 million triangles");
 }
 
-/// At least so many triangles with edges up to `longest` make up one with these edges.
+/// Returns how many triangles with edges up to `longest` make up at least one with these edges.
 double least_parts(double a, double b, double c, double longest) {
   const double s = 0.5 * (a + b + c), squared = s * (s - a) * (s - b) * (s - c);  // of the area [Heron]
   const double of_part = 0.25 * std::sqrt(3) * longest * longest;
@@ -96,7 +96,7 @@ class Splitter {
     return how_.length(at(mesh_.vertices, f[corner]), at(mesh_.vertices, f[(corner + 1) % 3]));
   }
 
-  /// The corner at which it starts; -1 if all edges are short enough.
+  /// Returns the corner at which the longest edge starts; -1 if all edges are short enough.
   int longest_edge(const Face& f) const {
     int corner = -1;
     float longest = how_.longest;

@@ -16,9 +16,9 @@ struct Displacing {
   std::function<float(const Vec3& p, Vec2 uv)> distance;      // along the normal
 };
 
-/// Faces that share an edge split it alike, so no cracks arise where none were. Vertices move along the mesh's normals
-/// or, if it has none, the mean of the faces' around them; the result has those of its own faces. Throws
-/// std::runtime_error if it would have more than 20 million triangles.
+/// Returns the displaced mesh. Faces that share an edge split it alike, so no cracks arise where none were. Vertices
+/// move along the mesh's normals or, if it has none, the mean of the faces' around them; the result has those of its
+/// own faces. Throws std::runtime_error if it would have more than 20 million triangles.
 MeshData displaced(const TriangleMesh& mesh, const Displacing& how);
 
 }  // namespace dspm

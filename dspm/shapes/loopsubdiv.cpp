@@ -43,7 +43,8 @@ struct Neighbourhood {
       ring.push_back(at(surface, surface.source(h)));
   }
 
-  /// Where infinitely many subdivisions move the vertex. [Hoppe et al. 1994, Piecewise Smooth Surface Reconstruction]
+  /// Returns where infinitely many subdivisions move the vertex. [Hoppe et al. 1994, Piecewise Smooth Surface
+  /// Reconstruction]
   DoubleVec3 limit() const {
     if (rim) return p * 0.6 + (ring.front() + ring.back()) * 0.2;
     const auto n = static_cast<double>(ring.size());
@@ -54,7 +55,7 @@ struct Neighbourhood {
     return sum;
   }
 
-  /// Normal to two tangents of the limit surface. [ibid., appendix A]
+  /// Returns the normal to two tangents of the limit surface. [ibid., appendix A]
   DoubleVec3 normal() const {
     const std::size_t n = ring.size();
     DoubleVec3 s{0, 0, 0}, t{0, 0, 0};

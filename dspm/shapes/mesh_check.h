@@ -1,4 +1,4 @@
-// Whether a mesh is fit for a glass body: closed, with one outside, and without self-intersections.
+// Finds out whether a mesh is fit for a glass body: closed, with one outside, and without self-intersections.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct MeshReport {
   int duplicate_vertices = 0;  // at the place of an earlier vertex; harmless: texture seams have them
 
   bool closed() const { return open_edges.count == 0 && crowded_edges.count == 0; }
-  /// Fit to be made of glass.
+  /// Returns whether the mesh is fit to be made of glass.
   bool sound() const {
     return closed() && twisted_edges.count == 0 && orientable && outward && self_intersections.count == 0;
   }
@@ -35,7 +35,7 @@ struct MeshReport {
 
 MeshReport check_mesh(const TriangleMesh& mesh);
 
-/// The faults and where they are, one sentence each; empty for a sound mesh.
+/// Describes the faults and where they are, one sentence each; empty for a sound mesh.
 std::vector<std::string> describe(const MeshReport& report);
 
 }  // namespace dspm

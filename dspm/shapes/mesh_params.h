@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// For the world, which knows whether the mesh bounds a body and warns of holes.
+/// The parameter for the world, which knows whether the mesh bounds a body and warns of holes.
 inline constexpr const char* kOpenParam = "open";
 
 inline bool read_repair(ParamReader& reader) {
@@ -41,7 +41,7 @@ inline MeshData read_triangles(ParamReader& reader) {
   return mesh;
 }
 
-/// `mesh` as a single MadeShape, or none after an error.
+/// Returns `mesh` as a single MadeShape, or none after an error.
 inline std::vector<MadeShape> made_mesh(ParamReader& reader, MeshData mesh, bool repair) {
   std::vector<MadeShape> made;
   if (const auto fault = fault_of(mesh))

@@ -57,7 +57,7 @@ void close_cracks(const std::vector<Vec3>& vertices, const std::vector<Face>& fa
     while (moved[static_cast<std::size_t>(p)] >= 0) p = moved[static_cast<std::size_t>(p)];
 }
 
-/// The indices of the faces that are neither degenerate nor duplicates (in either orientation) of earlier ones.
+/// Returns the indices of the faces that are neither degenerate nor duplicates (in either orientation) of earlier ones.
 std::vector<int> distinct_faces(const std::vector<Face>& faces) {
   std::set<Face> seen;
   std::vector<int> kept;
@@ -94,7 +94,7 @@ void fill_small_holes(CgalSurface& surface, float largest) {
   }
 }
 
-/// A closed surface is turned outward; in others, each component keeps the side that most of its faces had.
+/// Turns a closed surface outward; in others, each component keeps the side that most of its faces had.
 void orient(CgalMesh& mesh, const std::vector<Face>& before) {
   CgalSurface& surface = mesh.surface;
   if (CGAL::is_closed(surface)) return pmp::orient_to_bound_a_volume(surface);
@@ -111,8 +111,8 @@ void orient(CgalMesh& mesh, const std::vector<Face>& before) {
   pmp::reverse_face_orientations(wrong, surface);
 }
 
-/// The plan's faces: the original ones with their own corners (which texture seams may distinguish), turned if needed,
-/// and the filling.
+/// Takes the plan's faces: the original ones with their own corners (which texture seams may distinguish), turned if
+/// needed, and the filling.
 void take_faces(const CgalMesh& mesh, const std::vector<Face>& welded, RepairPlan& plan) {
   for (const auto f : mesh.surface.faces()) {
     const Face now = corners(mesh, f);

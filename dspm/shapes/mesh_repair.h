@@ -23,17 +23,17 @@ struct RepairPlan {
   bool changes() const { return moved_vertices + dropped_faces + turned_faces + new_faces > 0; }
 };
 
-/// Fills holes of at most 100 edges that are smaller than a quarter of the mesh; closes cracks up to a millionth of the
-/// mesh's diagonal. Self-intersections stay.
+/// Plans to fill holes of at most 100 edges that are smaller than a quarter of the mesh, and to close cracks up to a
+/// millionth of the mesh's diagonal. Self-intersections stay.
 RepairPlan plan_repair(const TriangleMesh& mesh);
 
-/// Whether the plan was made for a mesh with these faces and this number of vertices.
+/// Returns whether the plan was made for a mesh with these faces and this number of vertices.
 bool fits(const RepairPlan& plan, const TriangleMesh& mesh);
 
 /// Throws std::invalid_argument unless the plan fits. Vertex normals are turned with their faces.
 TriangleMesh apply(const RepairPlan& plan, const TriangleMesh& mesh);
 
-/// The changes of the plan, one sentence each.
+/// Describes the changes of the plan, one sentence each.
 std::vector<std::string> describe(const RepairPlan& plan);
 
 }  // namespace dspm

@@ -8,10 +8,10 @@
 
 namespace dspm {
 
-/// For every vertex, the first vertex at exactly its place (itself if it is the first).
+/// Returns, for every vertex, the first vertex at exactly its place (itself if it is the first).
 std::vector<int> weld(const std::vector<Vec3>& vertices);
 
-/// Faces with every vertex replaced by `place[vertex]`.
+/// Returns the faces with every vertex replaced by `place[vertex]`.
 std::vector<Face> replace_vertices(std::vector<Face> faces, const std::vector<int>& place);
 
 inline bool has_repeated_vertex(const Face& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }
@@ -27,10 +27,10 @@ struct Edge {
   bool is_twisted() const { return faces() == 2 && forward != 1; }
 };
 
-/// All edges of the faces that have three different vertices, ascending.
+/// Returns all edges of the faces that have three different vertices, ascending.
 std::vector<Edge> edges_of(const std::vector<Face>& faces);
 
-/// The number of connected rims that the open edges among `edges` form.
+/// Returns the number of connected rims that the open edges among `edges` form.
 int count_holes(const std::vector<Edge>& edges);
 
 }  // namespace dspm

@@ -24,31 +24,32 @@ Param number(std::string name, float value) {
 }
 
 bool is_positive(const tinyobj::real_t (&value)[3]) { return std::max({value[0], value[1], value[2]}) > 0; }
-/// Neither black nor white.
+/// Returns whether the colour is neither black nor white.
 bool is_tint(const tinyobj::real_t (&value)[3]) {
   return is_positive(value) && std::min({value[0], value[1], value[2]}) < 1;
 }
 
-/// Illumination models 4, 6, 7 and 9 of the MTL format are those of glass; 1 is without highlights.
+/// Returns whether the illumination model is one of glass: 4, 6, 7 and 9 of the MTL format are, and 1 is without
+/// highlights.
 bool is_of_glass(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
 bool has_highlights(const tinyobj::material_t& m) {
   return m.illum != 1 && (is_positive(m.specular) || !m.specular_texname.empty());
 }
 
-/// Statements of the extension for physically based rendering.
+/// Returns whether it has statements of the extension for physically based rendering.
 bool is_physically_based(const tinyobj::material_t& m) {
   const bool has_pictures = !m.roughness_texname.empty() || !m.metallic_texname.empty() || !m.sheen_texname.empty();
   return has_pictures || m.roughness > 0 || m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
          m.anisotropy != 0;
 }
 
-/// Of Phong's exponent, whose highlight is as wide as that of GGX with alpha^2 = 2 / (Ns + 2). [Walter et al. 2007]
-/// Roughness is the root of alpha.
+/// Returns the roughness of Phong's exponent, whose highlight is as wide as that of GGX with alpha^2 = 2 / (Ns + 2).
+/// [Walter et al. 2007] Roughness is the root of alpha.
 float roughness_of_exponent(float exponent) { return std::pow(2 / (std::max(exponent, 0.f) + 2), 0.25f); }
 
 class Reader {
  public:
-  /// `by_blender`: which has meanings of its own for illum, Ns, Ka and Tf. (Facts from what Blender 3.4 writes.)
+  /// With `by_blender`, illum, Ns, Ka and Tf have meanings of their own. (Facts from what Blender 3.4 writes.)
   Reader(const std::filesystem::path& path, bool by_blender, std::vector<std::string>& complaints, MtlLeftOut& left_out)
       : path_(path), by_blender_(by_blender), left_out_(left_out), pictures_(path, complaints, left_out) {}
 
@@ -73,9 +74,9 @@ class Reader {
   }
 
  private:
-  /// Blender's 6 and 9 are of an alpha below 1.
+  /// Returns whether it is glass. Blender's 6 and 9 mean an alpha below 1.
   bool is_glass(const tinyobj::material_t& m) const { return !by_blender_ && is_of_glass(m.illum); }
-  /// Blender's 3 and 6 are of metal, as much as Ka says.
+  /// Returns how metallic it is. Blender's 3 and 6 are metal, as much as Ka says.
   float metallic(const tinyobj::material_t& m) const {
     return by_blender_ && m.metallic == 0 && (m.illum == 3 || m.illum == 6) ? m.ambient[0] : m.metallic;
   }
@@ -86,7 +87,7 @@ class Reader {
     return is_physically_based(m) && m.shininess <= 1 ? 0 : roughness_of_exponent(m.shininess);
   }
 
-  /// `rich`: it has parameters that only "principled" knows.
+  /// Makes glass. If it is `rich`, it has parameters that only "principled" knows.
   void glass(const tinyobj::material_t& m, bool rich) {
     const bool is_coloured = is_tint(m.transmittance);
     rich |= is_coloured;
@@ -103,7 +104,7 @@ class Reader {
     }
   }
 
-  /// Of glass, what lies below it in other models. Black and white say nothing.
+  /// Leaves out what lies below glass in other models. Black and white say nothing.
   void leave_out_grounds(const tinyobj::material_t& m) {
     leave_out("Kd", m.diffuse_texname.empty() && is_tint(m.diffuse));
     leave_out("Ks", m.specular_texname.empty() && is_tint(m.specular));
@@ -143,7 +144,7 @@ class Reader {
     layers(m);
   }
 
-  /// As Blender writes it: a half for what the index of refraction mirrors. A picture may be alone.
+  /// Sets the highlight as Blender writes it: a half for what the index of refraction mirrors. A picture may be alone.
   void highlight(const tinyobj::material_t& m, const MtlPicture& picture) {
     const float brightest = std::max({m.specular[0], m.specular[1], m.specular[2]});
     tinyobj::real_t hue[3] = {1, 1, 1};
@@ -183,8 +184,8 @@ class Reader {
       add(number("alpha", in_unit(m.dissolve)));
   }
 
-  /// Heights of a bump map are in the units of the scene. World takes pictures of normals, which many files have there,
-  /// for what they are.
+  /// Sets the relief. Heights of a bump map are in the units of the scene. If the picture holds normals, as many files
+  /// have it, world takes them for what they are.
   void relief(const tinyobj::material_t& m) {
     if (const auto normals = pictures_.add_normals({"norm", m.normal_texname, m.normal_texopt}, made_))
       return add(param_of(ParamType::texture, "normaltexture", std::vector<std::string>{*normals}, {}));

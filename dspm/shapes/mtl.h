@@ -11,26 +11,27 @@
 
 namespace dspm {
 
-/// What was left out, and of which materials: statements of MTL by name.
+/// What was left out, and of which materials, by the names of MTL's statements.
 using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
 
-/// Under this name, a parameter of one of the material's pictures is among its own; `texture` as FileTexture::name.
+/// Returns the name under which a parameter of one of the material's pictures is among its own; `texture` is
+/// FileTexture::name.
 inline std::string of_picture(const std::string& parameter, const std::string& texture) {
   return parameter + " of " + texture;
 }
 
-/// The texture of FileMaterial::alpha.
+/// Returns the name of the texture of FileMaterial::alpha.
 inline std::string name_of_holes(const FileMaterial& of) { return "alpha of " + of.name + " in " + of.file.string(); }
 
-/// A name as OBJ and MTL files end them: with the line.
+/// Returns a name as OBJ and MTL files end them: with the line.
 std::string trimmed(std::string_view text);
 
-/// The materials of the text of the MTL file `path`, read by tinyobjloader. Places of parameters are left to the
-/// caller. What there is no picture for is added to `complaints`, what dspm does not have to `left_out`.
+/// Returns the materials in the text of the MTL file `path`, read by tinyobjloader. The caller sets the places of
+/// parameters. What there is no picture for is added to `complaints`, what dspm does not have to `left_out`.
 std::vector<FileMaterial> read_mtl(const std::string& text, const std::filesystem::path& path,
                                    std::vector<std::string>& complaints, MtlLeftOut& left_out);
 
-/// `Ks and Ns of material "red" (and 3 more) are left out`
+/// Returns `Ks and Ns of material "red" (and 3 more) are left out` and the like.
 std::vector<std::string> in_words(const MtlLeftOut& left_out);
 
 }  // namespace dspm

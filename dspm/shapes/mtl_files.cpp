@@ -45,7 +45,7 @@ void MtlFiles::read_named(std::string_view names) {
   }
 }
 
-/// False if there is no such file.
+/// Returns false if there is no such file.
 bool MtlFiles::read(std::string_view name) {
   for (const std::string& spelling : spellings_of(name)) {
     if (read_.contains(spelling)) return true;

@@ -13,11 +13,12 @@ namespace dspm {
 
 class MtlFiles {
  public:
-  /// Materials and complaints go to `out`.
+  /// Adds materials and complaints to `out`.
   MtlFiles(const std::filesystem::path& directory, const ObjCompanion& companion, ObjFile& out)
       : directory_(directory), companion_(companion), out_(out) {}
 
-  /// What follows `mtllib`: one name or several. Names may have spaces, so the most words that name a file are one.
+  /// Reads the files that follow `mtllib`: one name or several. Names may have spaces, so the most words that name a
+  /// file are one.
   void read_named(std::string_view names);
   void complain_of_what_is_left_out();
 

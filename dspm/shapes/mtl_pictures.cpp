@@ -48,7 +48,7 @@ std::optional<std::filesystem::path> MtlPictures::find(const MtlPicture& picture
   return std::nullopt;
 }
 
-/// Where the picture lies and what multiplies it: s = scale u + offset, as exporters mean it.
+/// Adds where the picture lies and what multiplies it: s = scale u + offset, as exporters mean it.
 void MtlPictures::add_options(const MtlPicture& picture, const std::string& texture, bool is_spectrum,
                               FileMaterial& to) {
   const tinyobj::texture_option_t& options = picture.options;

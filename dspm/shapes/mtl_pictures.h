@@ -21,15 +21,15 @@ struct MtlPicture {
 
 class MtlPictures {
  public:
-  /// Of the file `mtl`; the rest as in read_mtl.
+  /// Takes the path of the file, `mtl`; the rest is as in read_mtl.
   MtlPictures(const std::filesystem::path& mtl, std::vector<std::string>& complaints, MtlLeftOut& left_out)
       : mtl_(mtl), complaints_(complaints), left_out_(left_out) {}
 
-  /// Adds an imagemap of that file to the material, with its options; its name, if the file is there.
+  /// Adds an imagemap of that file to the material, with its options. Returns its name, if the file is there.
   std::optional<std::string> add(const MtlPicture& picture, bool is_spectrum, FileMaterial& to);
-  /// Where the picture of FileMaterial::alpha is, if it is there; adds its options.
+  /// Returns where the picture of FileMaterial::alpha is, if it is there; adds its options.
   std::optional<std::filesystem::path> holes(const MtlPicture& picture, FileMaterial& of);
-  /// add() of a picture of normals; -bm multiplies their slopes.
+  /// Adds a picture of normals as add() does; -bm multiplies their slopes.
   std::optional<std::string> add_normals(const MtlPicture& picture, FileMaterial& to);
 
  private:

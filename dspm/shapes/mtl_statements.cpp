@@ -26,14 +26,14 @@ bool are_alike(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// In its usual case. Those that are none stay as they are.
+/// Returns a keyword in its usual case; words that are no keywords stay as they are.
 std::string_view usual(std::string_view keyword) {
   for (const std::string_view each : kKeywords)
     if (are_alike(each, keyword)) return each;
   return keyword;
 }
 
-/// Missing numbers are the first.
+/// Reads three numbers. Missing ones are equal to the first.
 std::optional<std::array<float, 3>> three_numbers(std::string_view text) {
   std::array<float, 3> numbers{};
   std::size_t count = 0;
@@ -47,12 +47,12 @@ std::optional<std::array<float, 3>> three_numbers(std::string_view text) {
   return numbers;
 }
 
-/// What a missing number of an option is; null: not an option with three numbers.
+/// Returns what a missing number of an option is; null if the option does not have three numbers.
 const char* usual_number(std::string_view option) {
   return option == "-s" ? " 1" : option == "-o" || option == "-t" ? " 0" : nullptr;
 }
 
-/// With all three numbers after each -s, -o and -t: tinyobjloader would take the next words for them, the picture's
+/// Writes all three numbers after each -s, -o and -t: tinyobjloader would take the next words for them, the picture's
 /// name among them.
 std::string with_all_numbers(std::string_view options) {
   std::string result;

@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// The same materials in the spellings that tinyobjloader reads as the format means them: one line each, keywords in
-/// their usual case, three numbers for every colour and for each -s, -o and -t, colours in XYZ as RGB, `d` without
-/// -halo. Colours that are spectra go to `left_out`, and so does -halo.
+/// Returns the same materials in the spellings that tinyobjloader reads as the format means them: one line each,
+/// keywords in their usual case, three numbers for every colour and for each -s, -o and -t, colours in XYZ as RGB, `d`
+/// without -halo. Colours that are spectra go to `left_out`, and so does -halo.
 std::string for_tinyobj(const std::string& mtl, MtlLeftOut& left_out);
 
 }  // namespace dspm

@@ -21,7 +21,7 @@
 namespace dspm {
 namespace {
 
-/// A corner's indices from 0; -1: none.
+/// A corner's indices from 0; -1 if there is none.
 struct Corner {
   int vertex, uv, normal;
   friend bool operator==(const Corner&, const Corner&) = default;
@@ -44,7 +44,7 @@ struct Attributes {
     colours.resize(vertices.size() - 1, {1, 1, 1});
     colours.push_back(colour);
   }
-  /// As programs write them: sRGB in 0..1, or in bytes.
+  /// Converts colours, which programs write in sRGB, in 0..1 or in bytes.
   void settle_colours() {
     float most = 1;
     for (const Vec3& c : colours) most = std::max({most, c.x, c.y, c.z});
@@ -61,7 +61,7 @@ struct Faces {
   std::vector<Corner> corners;
   std::vector<std::size_t> ends;
 
-  /// One vertex for every distinct corner.
+  /// Makes one vertex for every distinct corner.
   MeshData mesh(const Attributes& attributes) const {
     const auto any = [&](int Corner::*index) {
       return std::any_of(corners.begin(), corners.end(), [&](const Corner& c) { return c.*index >= 0; });
@@ -95,7 +95,7 @@ constexpr std::size_t kMostShown = 60;
   throw std::runtime_error(fmt::format("line {}: {}: {}", at.line, at.text.substr(0, kMostShown), why));
 }
 
-/// 7, 7/1, 7//3 or 7/1/3: indices as they are written; 0: none.
+/// Reads 7, 7/1, 7//3 or 7/1/3: indices as they are written; 0 if there is none.
 std::optional<Corner> corner_of(std::string_view word) {
   int indices[3] = {0, 0, 0};
   for (int& index : indices) {
@@ -112,7 +112,7 @@ std::optional<Corner> corner_of(std::string_view word) {
   return std::nullopt;
 }
 
-/// Faces are resolved at the end: they may come before their vertices.
+/// Reads a file. Faces are resolved at the end: they may come before their vertices.
 class Reader {
  public:
   Reader(const std::string& group, bool split, MtlFiles& libraries, ObjFile& out)
@@ -212,7 +212,8 @@ class Reader {
       throw std::runtime_error("a face refers to a normal or texture coordinate that does not exist");
   }
 
-  /// A name may have a # in it, so what follows one is a comment only if no material has the whole name.
+  /// Returns the name of a material, which may have a # in it: what follows one is a comment only if no material has
+  /// the whole name.
   std::string name_of_material(std::string_view written) const {
     const auto is_known = [&](std::string_view name) {
       return std::any_of(out_.materials.begin(), out_.materials.end(),

@@ -26,13 +26,13 @@ struct ObjFile {
   std::vector<std::string> complaints;  // faults that are no reason to stop: a missing MTL file, ...
 };
 
-/// The text of a file that the OBJ file names, such as its materials; nullopt if there is none.
+/// Returns the text of a file that the OBJ file names, such as its materials; nullopt if there is none.
 using ObjCompanion = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// Only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjMesh.
+/// Reads only faces of the group or object `group`, or all if it is empty. Without `split`, all faces form one ObjMesh.
 /// Throws std::runtime_error with a sentence that does not name the file.
 ObjFile read_obj(const std::filesystem::path& path, const std::string& group, bool split);
-/// The same for a text in memory, as plain_text() gives it; textures are looked for in `directory`.
+/// Reads a text in memory, as plain_text() returns it; textures are looked for in `directory`.
 ObjFile parse_obj(const std::string& text, const std::filesystem::path& directory, const ObjCompanion& companion,
                   const std::string& group, bool split);
 

@@ -17,9 +17,9 @@ struct ObjStatement {
 
 class ObjStatements {
  public:
-  /// Of plain_text(), which is kept by reference.
+  /// Takes plain_text(), of which it keeps a reference.
   explicit ObjStatements(std::string_view text) : left_(text) {}
-  /// Nullopt at the end. Comments and empty lines are none; a \ at a line's end continues the statement.
+  /// Returns nullopt at the end. Skips comments and empty lines; a \ at a line's end continues the statement.
   std::optional<ObjStatement> next();
 
  private:
@@ -32,14 +32,15 @@ class ObjStatements {
 
 /// Takes the next word from the front of the text; empty at its end.
 std::string_view next_word(std::string_view& text);
-/// Likewise, where a comment ends the words.
+/// Takes the next word, like next_word(), but a comment ends the words.
 std::string_view next_value(std::string_view& text);
-/// A finite number of that text; what is too small for a float is 0.
+/// Returns a finite number; what is too small for a float is 0.
 std::optional<float> obj_number(std::string_view word);
 
-/// File names as written elsewhere: themselves, without quotes, and with / for \. The likeliest first, each once.
+/// Returns the likeliest spellings of a file name that was written elsewhere: as it is, without quotes, and with / for
+/// \. The likeliest is first, each comes once.
 std::vector<std::string> spellings_of(std::string_view name);
-/// Such a name without the folders of that machine.
+/// Returns such a name without the folders of that machine.
 std::string without_folders(std::string_view name);
 
 }  // namespace dspm

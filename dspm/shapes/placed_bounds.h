@@ -6,8 +6,8 @@
 
 namespace dspm {
 
-/// Of a box in the shape's own space: the world's box around it, with a margin for rounding. A box within another one
-/// stays within it, to the bit: sums and products of numbers that are rounded keep their order.
+/// Returns the box in the world around a box in the shape's own space, with a margin for rounding. A box within another
+/// one stays within it, to the bit: sums and products of numbers that are rounded keep their order.
 Bounds3 bounds_of(const PlacedShape& placed, const Bounds3& own);
 
 }  // namespace dspm

@@ -27,7 +27,7 @@ Vec3 round_trip_error(const Transform& t, const Vec3& p_object, const Vec3& p_wo
   return 2 * t.point_error(p_object) + gamma_bound(5) * absolute(forward, back);
 }
 
-/// A number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
+/// Returns a number in [0, 1) that is a function of a ray's bits and of the point at which it meets a shape.
 float number_of(const Ray& ray, std::uint64_t shape, int primitive, Vec2 uv) {
   std::uint64_t key = mix_bits(shape + 1);
   const auto absorb = [&](std::uint32_t a, std::uint32_t b) {

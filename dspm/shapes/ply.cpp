@@ -72,7 +72,7 @@ class BinaryNumbers {
   std::string_view data_;
 };
 
-/// Colours of whole numbers are pictures' (sRGB), others linear.
+/// Converts a colour. Those of whole numbers are pictures' (sRGB), others linear.
 float colour_of(double value, PlyType type, bool is_opacity) {
   const double most = type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 0;
   if (most == 0) return static_cast<float>(value);
@@ -214,8 +214,8 @@ class BodyReader {
     }
   }
 
-  /// Each corner makes a triangle of the two before it, whose outside is that of the strip's first; -1 ends a strip.
-  /// Corners that occur twice turn a corner and make none.
+  /// Reads strips. Each corner makes a triangle of the two before it, whose outside is that of the strip's first; -1
+  /// ends a strip. Corners that occur twice turn a corner and make none.
   void read_strips(const PlyElement& element) {
     for (const PlyProperty& property : element.properties) {
       if (!is_corners(property)) {

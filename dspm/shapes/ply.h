@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// `file` is the file's whole content. Throws std::runtime_error with a sentence that says what is wrong and where.
+/// Takes the whole content of a file. Throws std::runtime_error with a sentence that says what is wrong and where.
 MeshData read_ply(std::string_view file);
 
 }  // namespace dspm

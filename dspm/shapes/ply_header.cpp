@@ -36,8 +36,8 @@ class HeaderReader {
  public:
   explicit HeaderReader(std::string_view file) : file_(file) {}
 
-  /// As in plain_text(), which is for texts that do not go on in bytes. Whether lines end with \r alone is what the first
-  /// says: after the last, a \n may be the first byte of the numbers.
+  /// Reads lines as plain_text() does, which is for texts that do not go on in bytes. The first line says whether lines
+  /// end with \r alone: after the last, a \n may be the first byte of the numbers.
   PlyHeader read() {
     if (file_.starts_with("\xEF\xBB\xBF")) header_.size = 3;  // a byte order mark
     const std::size_t end = std::min(file_.find_first_of("\r\n", header_.size), file_.size());

@@ -17,9 +17,9 @@ struct Polygons {
   void close() { ends.push_back(corners.size()); }
 };
 
-/// Fans around a polygon's first corner, or ears if the polygon is not convex. A sequence of frames whose polygons stay
-/// convex thus keeps its triangles. Fewer than three corners make no triangle. Corners must be valid indices. Throws
-/// std::runtime_error if large polygons are so intricate that it would take long.
+/// Makes fans around a polygon's first corner, or ears if the polygon is not convex. A sequence of frames whose
+/// polygons stay convex thus keeps its triangles. Fewer than three corners make no triangle. Corners must be valid
+/// indices. Throws std::runtime_error if large polygons are so intricate that it would take long.
 std::vector<Face> triangulate(const Polygons& polygons, const std::vector<Vec3>& vertices);
 
 }  // namespace dspm

@@ -1,4 +1,4 @@
-// "bool shadowcatcher" of any shape, whatever its plugin.
+// "bool shadowcatcher" of any shape, for any plugin.
 #pragma once
 
 #include "dspm/params/params.h"
@@ -7,8 +7,8 @@ namespace dspm {
 
 inline constexpr const char* kShadowCatcherParam = "shadowcatcher";
 
-/// Whether the camera sees, instead of the shape, how other things change its light. To be called before the shape's own
-/// factory reads the rest.
+/// Returns whether the camera sees, instead of the shape, how other things change its light. Call it before the shape's
+/// own factory reads the rest.
 inline bool read_shadow_catcher(ParamReader& params) {
   return params.flag(kShadowCatcherParam, false,
                      "true: the image has the shadows that things throw onto it, as alpha, instead of the shape");

@@ -168,7 +168,8 @@ void TriangleMesh::set_tangents(SurfacePoint& point, int face, const std::array<
   if (usable && is_finite(dpdv)) point.dpdv = dpdv;
 }
 
-/// It is a direction, so the derivative keeps its length; which way v runs may be given as well.
+/// Takes the given tangent. It is a direction, so the derivative keeps its length; which way v runs may be given as
+/// well.
 void TriangleMesh::take_given_tangent(SurfacePoint& point, int face, const Vec3& barycentrics) const {
   const Vec3 given = at_point(data_.tangents, face, barycentrics), across = cross(point.ns, given);
   if (!is_finite(given) || !(length2(across) > 0)) return;

@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kMostLinks = 40;
 
-/// Differs between processes and between files of one process, so that none renames a file that another is writing.
+/// Returns a name that differs between processes and between files of one process, so that none renames a file that
+/// another is writing.
 fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> files{0};
   fs::path name = target;

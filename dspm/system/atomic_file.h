@@ -17,7 +17,7 @@ namespace dspm {
 class WriteError : public std::runtime_error {
  public:
   WriteError(const std::filesystem::path& file, std::string cause);
-  /// "No space left on device", and perhaps a way out.
+  /// Returns "No space left on device", and perhaps a way out.
   const std::string& cause() const { return cause_; }
 
  private:
@@ -27,10 +27,10 @@ class WriteError : public std::runtime_error {
 /// Throws WriteError on any error.
 class AtomicFile {
  public:
-  /// The directory must exist. The target may not be a directory, a device or write-protected; a symbolic link stays
-  /// one.
+  /// Begins a file. The directory must exist. The target may not be a directory, a device or write-protected; a
+  /// symbolic link stays one.
   explicit AtomicFile(const std::filesystem::path& target);
-  /// Without commit(), nothing is left.
+  /// Leaves nothing without commit().
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -38,7 +38,7 @@ class AtomicFile {
   /// Reserves room for this many bytes if the file system can: a full disk or a quota is an error now, not later.
   void reserve(std::uint64_t bytes);
   void write(std::string_view bytes);
-  /// The file until commit(), for another program to write.
+  /// The name of the file until commit(), for another program to write.
   const std::filesystem::path& temporary() const { return temporary_; }
   /// Flushes to the disk: some file systems report only then that they are full.
   void sync();
@@ -56,7 +56,7 @@ class AtomicFile {
 /// Follows symbolic links to the file that they mean, even if it does not exist yet.
 std::filesystem::path file_behind(const std::filesystem::path& target);
 
-/// With those around it, if they are not there. Throws WriteError.
+/// Makes the folder, with those around it, if they are not there. Throws WriteError.
 void make_folder(const std::filesystem::path& folder);
 
 /// Writes a whole file at once.

@@ -21,7 +21,7 @@ void allow_work() { wanted = 0; }
 Cancellable::Cancellable(Loss loss) { loop = loss == Loss::nothing ? kLosesNothing : kMayLose; }
 Cancellable::~Cancellable() { loop = 0; }
 
-/// Either will do if nothing is lost, and discarding does for all that may be cancelled.
+/// Both requests end a loop that loses nothing; only discarding ends one that loses results.
 bool Cancellable::is_cancelled() {
   return loop.load(std::memory_order_relaxed) + wanted.load(std::memory_order_relaxed) >= 3;
 }

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "max 100000" or "150000 100000".
+/// Reads "max 100000" or "150000 100000".
 std::optional<double> quota_of_v2(const fs::path& group) {
   std::ifstream file(group / "cpu.max");
   double quota = 0, period = 0;
@@ -17,7 +17,7 @@ std::optional<double> quota_of_v2(const fs::path& group) {
   return quota / period;
 }
 
-/// A quota of -1 is none.
+/// Reads a quota, of which -1 means none.
 std::optional<double> quota_of_v1(const fs::path& group) {
   std::ifstream quota_file(group / "cpu.cfs_quota_us"), period_file(group / "cpu.cfs_period_us");
   double quota = 0, period = 0;
@@ -25,8 +25,8 @@ std::optional<double> quota_of_v1(const fs::path& group) {
   return quota / period;
 }
 
-/// The least of a group and those around it. In a container, the group's path may be the host's, and its own group is the
-/// mount itself.
+/// Returns the least quota of a group and those around it. In a container, the group's path may be the host's, and its
+/// own group is the mount itself.
 template <class QuotaOf>
 std::optional<double> least_quota(const fs::path& mount, fs::path group, QuotaOf quota_of) {
   std::optional<double> least = quota_of(mount);

@@ -6,8 +6,9 @@
 
 namespace dspm {
 
-/// In processors, of the cgroup that the program is in and of all around it; nullopt: there is no bound. `root`: of the
-/// file system. [Linux, Documentation/admin-guide/cgroup-v2.rst, cpu.max; cgroup-v1, cpu.cfs_quota_us]
+/// Returns the quota, in processors, of the cgroup that the program is in and of all around it; nullopt if there is no
+/// bound. `root` is that of the file system. [Linux, Documentation/admin-guide/cgroup-v2.rst, cpu.max; cgroup-v1,
+/// cpu.cfs_quota_us]
 std::optional<double> cpu_quota(const std::filesystem::path& root = "/");
 
 }  // namespace dspm

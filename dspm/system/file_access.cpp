@@ -15,16 +15,18 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> pipes_are_refused = false;
 
-/// Canonical; empty: everything is allowed.
+/// The root, canonical; empty if everything is allowed.
 fs::path& root() {
   static fs::path path;
   return path;
 }
 
-/// The system would cut off such a name, and so take it for that of another file.
+/// Returns whether the name holds a zero byte: the system would cut it off there, and so take it for that of another
+/// file.
 bool holds_zero(const fs::path& file) { return file.native().find('\0') != std::string::npos; }
 
-/// Climbs out of a folder that does not exist (yet): the meaning of such a name is known only once the folder is made.
+/// Returns whether the name climbs out of no folder that does not exist (yet): the meaning of such a name is known only
+/// once the folder is made.
 bool leaves_nothing(const fs::path& file) {
   fs::path so_far;
   bool missing = false;

@@ -15,10 +15,10 @@ struct FileStamp {
 };
 using FileStamps = std::map<std::filesystem::path, FileStamp>;
 
-/// All zero if there is no such file.
+/// Returns all zeros if there is no such file.
 FileStamp stamp_of(const std::filesystem::path& file);
-/// Whether what was read from `begin` on, before the stamp was taken, may be other than what the stamp stands for: by the
-/// coarsest clock of a file system, it was saved since.
+/// Returns whether what was read from `begin` on, before the stamp was taken, may differ from what the stamp stands
+/// for: by the coarsest clock of a file system, it was saved since.
 bool may_be_newer(const FileStamp& stamp, std::chrono::system_clock::time_point begin);
 
 }  // namespace dspm

@@ -1,5 +1,5 @@
-// Files that lie inside others, as if those were folders: "shoe.glb/seat.ply". Whoever reads the outer file offers them;
-// read_bytes finds them, and they are made when they are read. Files in memory are found likewise.
+// Files that lie inside others, as if those were folders: "shoe.glb/seat.ply". Whoever reads the outer file offers
+// them; read_bytes finds them, and they are made when they are read. Files in memory are found in the same way.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@
 
 namespace dspm {
 
-/// Thread-safe. May throw std::runtime_error with a sentence that does not name the file. A file that is offered again
-/// is replaced.
+/// Offers a file. `bytes` may throw std::runtime_error with a sentence that does not name the file. A file that is
+/// offered again is replaced. Thread-safe.
 void offer_inner_file(const std::filesystem::path& path, std::function<std::string()> bytes);
 
 bool is_inner_file(const std::filesystem::path& path);
-/// Nullopt if nobody has offered it.
+/// Returns nullopt if nobody has offered the file.
 std::optional<std::string> inner_file(const std::filesystem::path& path);
 
-/// Files that replace those on disk, or add to them, as long as this lives. They count as read.
+/// Replaces files on disk, or adds to them, as long as it exists. The files count as read.
 class FilesInMemory {
  public:
   explicit FilesInMemory(std::map<std::filesystem::path, std::string> files);

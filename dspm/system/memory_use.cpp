@@ -6,7 +6,7 @@
 namespace dspm {
 namespace {
 
-/// Not getrusage, which also counts the process before it became dspm: the copy of a large parent.
+/// Reads the kernel's account. getrusage also counts the process before it became dspm: the copy of a large parent.
 std::size_t kernels_account(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

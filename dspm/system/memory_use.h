@@ -5,9 +5,9 @@
 
 namespace dspm {
 
-/// The peak so far, in bytes.
+/// Returns the peak so far, in bytes.
 std::size_t peak_memory();
-/// Likewise of the address space, which includes memory that is reserved but not used.
+/// Returns the peak of the address space, in bytes, which includes memory that is reserved but not used.
 std::size_t peak_address_space();
 
 }  // namespace dspm

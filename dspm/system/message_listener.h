@@ -6,9 +6,10 @@
 
 namespace dspm {
 
-/// Called with every message before it is printed, in the thread that prints it; empty: none.
+/// Sets who is called with every message before it is printed, in the thread that prints it; an empty function means
+/// nobody.
 void listen_to_messages(std::function<void(std::string_view)> listener);
-/// To standard error, like print_message, but not heard.
+/// Prints to standard error like print_message, but the listener does not hear it.
 void print_picture(std::string_view text);
 
 }  // namespace dspm

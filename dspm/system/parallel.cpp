@@ -37,7 +37,7 @@ void done_before(char&) {}
 void seen_after(char&) {}
 #endif
 
-/// Lives as long as a loop: its chunks see all work before it, and the code after it sees all of theirs.
+/// Exists as long as a loop: its chunks see all work before it, and the code after it sees all of theirs.
 class LoopOrder {
  public:
   LoopOrder() { done_before(started_); }
@@ -45,7 +45,7 @@ class LoopOrder {
   LoopOrder(const LoopOrder&) = delete;
   LoopOrder& operator=(const LoopOrder&) = delete;
 
-  /// Lives as long as a chunk runs.
+  /// Exists as long as a chunk runs.
   class Chunk {
    public:
     explicit Chunk(LoopOrder& loop) : loop_(loop) { seen_after(loop_.started_); }
@@ -61,7 +61,7 @@ class LoopOrder {
   char started_ = 0, ended_ = 0;
 };
 
-/// One per core that the program may use, but no more than a container's quota keeps busy.
+/// Returns one thread per core that the program may use, but no more than a container's quota keeps busy.
 int usual_threads() {
   const int cores = tbb::info::default_concurrency();
   const std::optional<double> quota = cpu_quota();

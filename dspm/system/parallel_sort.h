@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Elements must differ, so that there is one order.
+/// Sorts. Elements must differ, so that there is only one order.
 template <class T>
 void parallel_sort(UntouchedVector<T>& values) {
   constexpr std::size_t kChunk = 1 << 16;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// By its mark, or by the zero bytes of two ASCII characters; null for other texts.
+/// Recognises a text by its mark, or by the zero bytes of two ASCII characters; null for other texts.
 const char* wide_encoding(std::string_view text) {
   const auto is_zero = [&](std::size_t i) { return text[i] == '\0'; };
   if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
@@ -21,7 +21,7 @@ const char* wide_encoding(std::string_view text) {
   return nullptr;
 }
 
-/// In place: a mesh may have gigabytes of text.
+/// Works in place: a mesh may have gigabytes of text.
 void end_lines_plainly(std::string& text) {
   const void* const first = std::memchr(text.data(), '\r', text.size());
   if (first == nullptr) return;

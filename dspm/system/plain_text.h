@@ -7,11 +7,11 @@
 
 namespace dspm {
 
-/// The text without byte order mark, whose lines end with \n, whether they ended with \n, \r\n or \r. Throws
+/// Returns the text without byte order mark, whose lines end with \n, whether they ended with \n, \r\n or \r. Throws
 /// std::runtime_error if it is UTF-16 or UTF-32.
 std::string plain_text(std::string text);
 
-/// plain_text() of read_file().
+/// Returns plain_text() of read_file().
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace dspm

@@ -34,7 +34,7 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// All members of the file, one after the other.
+  /// Expands all members of the file, one after the other.
   std::string run() {
     std::string text;
     while (true) {
@@ -98,7 +98,7 @@ std::string read_stream(std::istream& stream, std::size_t expected) {
   return data;
 }
 
-/// A regular file is opened without waiting: a pipe may have taken its place meanwhile.
+/// Opens a regular file without waiting: a pipe may have taken its place meanwhile.
 int open_to_read(const std::filesystem::path& path) {
   struct stat status = {};
   const bool exists = stat(path.c_str(), &status) == 0;

@@ -7,18 +7,19 @@
 
 namespace dspm {
 
-/// Unchanged. Throws std::runtime_error with a sentence that does not name the file.
+/// Reads a file unchanged. Throws std::runtime_error with a sentence that does not name the file.
 std::string read_bytes(const std::filesystem::path& path);
-/// The same of a file that is no part of the scene: files_read() will not name it.
+/// Reads a file that is no part of the scene: files_read() will not name it.
 std::string read_other_bytes(const std::filesystem::path& path);
 
-/// Likewise; gzip-compressed files are expanded, whatever their name.
+/// Reads a file and expands it if it is gzip-compressed, whatever its name.
 std::string read_file(const std::filesystem::path& path);
 
-/// Likewise; "-" is standard input.
+/// Reads a file like read_file(); "-" is standard input.
 std::string read_input(const std::string& name);
 
-/// The data itself if it is not compressed; throws std::runtime_error if it is damaged, ends early or expands too much.
+/// Returns the data itself if it is not compressed; throws std::runtime_error if it is damaged, ends early or expands
+/// too much.
 std::string expand_gzip(std::string data);
 
 }  // namespace dspm

@@ -16,8 +16,8 @@
 namespace dspm {
 namespace {
 
-/// The number of a closed stream would go to the next file that is opened. Opened for the wrong direction, it still
-/// fails.
+/// Occupies the number of a closed stream, which would go to the next file that is opened. Opened for the wrong
+/// direction, it still fails.
 void occupy(int stream, int flags) {
   if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", flags) != stream) _exit(1);
 }

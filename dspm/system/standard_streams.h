@@ -9,9 +9,9 @@ namespace dspm {
 /// sizes becomes a write error instead of ending the program.
 void prepare_standard_streams();
 
-/// To standard output. Throws WriteError if not all of it can be written.
+/// Prints to standard output. Throws WriteError if not all of it can be written.
 void print_data(std::string_view text);
-/// To standard error. Failures are ignored: a render is worth more than its messages.
+/// Prints to standard error. Failures are ignored: a render is worth more than its messages.
 void print_message(std::string_view text);
 
 }  // namespace dspm

@@ -34,7 +34,7 @@ class SavedState final : public StateStream {
   void bytes(void* data, std::size_t count) override { all.append(static_cast<const char*>(data), count); }
 };
 
-/// Reads bytes that outlive it.
+/// Reads bytes that must outlive it.
 class LoadedState : public StateStream {
  public:
   explicit LoadedState(std::string_view bytes) : left_(bytes) {}
@@ -50,7 +50,7 @@ class LoadedState : public StateStream {
   std::string_view left_;
 };
 
-/// Adds what adds up, as a part that is merged is (see StateStream).
+/// Adds what adds up, as merging a part does (see StateStream).
 class AddedState final : public LoadedState {
  public:
   using LoadedState::LoadedState;
@@ -70,7 +70,7 @@ class AddedState final : public LoadedState {
   }
 };
 
-/// The bytes of anything with persist().
+/// Returns the bytes of anything with persist().
 template <class Persistent>
 std::string state_of(Persistent& object) {
   CountingStream size;
@@ -81,7 +81,7 @@ std::string state_of(Persistent& object) {
   return std::move(state.all);
 }
 
-/// The way back. Throws std::runtime_error if the object cannot have that state.
+/// Loads what state_of() returned. Throws std::runtime_error if the object cannot have that state.
 template <class Persistent>
 void load_state(std::string_view bytes, Persistent& object) {
   LoadedState state(bytes);

@@ -53,7 +53,7 @@ namespace {
 std::atomic<bool> ends{false};
 std::atomic<int> beginning{0};
 
-/// Not for long: it may be the interrupted thread itself that creates one.
+/// Waits, but not for long: it may be the interrupted thread itself that creates one.
 void wait_for_beginning() {
   constexpr timespec kMoment{0, 1'000'000};
   for (int moment = 0; moment < 100 && beginning > 0; ++moment) nanosleep(&kMoment, nullptr);

@@ -7,14 +7,14 @@
 
 namespace dspm {
 
-/// Removes the files and kills the programs of all Leftovers, as the process is about to end: other threads make none any
-/// more. For signal handlers.
+/// Removes the files and kills the programs of all Leftovers, as the process is about to end: other threads make none
+/// any more. For signal handlers.
 void remove_leftovers();
-/// Does that, and ends the process with this exit code. For signal handlers.
+/// Calls remove_leftovers(), and ends the process with this exit code. For signal handlers.
 [[noreturn]] void end_suddenly(int code);
 
-/// While it lives, remove_leftovers() removes the file, or kills the program. There is room for a few at a time; any
-/// others are left over.
+/// While a Leftover exists, remove_leftovers() removes its file, or kills its program. There is room for a few at a
+/// time; any others are left over.
 class Leftover {
  public:
   explicit Leftover(const std::filesystem::path& file);
@@ -31,7 +31,7 @@ class Leftover {
   Slot* slot_;  // null: no room
 };
 
-/// While it lives, the calling thread creates a Leftover's file: a sudden end by another thread waits for it.
+/// While it exists, the calling thread creates a Leftover's file: a sudden end by another thread waits for it.
 class LeftoverBegins {
  public:
   /// Does not return once the process ends.

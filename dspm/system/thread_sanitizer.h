@@ -4,7 +4,7 @@
 
 namespace dspm {
 
-/// TBB's own use of malloc and memcpy, and its delete[], which the first rule does not reach.
+/// Suppresses TBB's own use of malloc and memcpy, and its delete[], which the first rule does not reach.
 inline constexpr const char* kNotJudged = "called_from_lib:libtbb.so\nrace:^operator delete[]\n";
 
 }  // namespace dspm

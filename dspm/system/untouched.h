@@ -1,4 +1,4 @@
-// Vectors whose new elements are not initialised: that would be the work of one thread. So the threads that fill them touch
+// Vectors whose new elements are not initialised: one thread would do that. Instead, the threads that fill them touch
 // their pages first.
 #pragma once
 

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kRounding = 1e-5;  // relative, of sums in single precision
 
-/// The colours of a frame's tiles and of the whole, one after the other.
+/// Appends the colours of a frame's tiles and of the whole, one after the other.
 void append_colours(const Image& image, int across, std::vector<double>& colours) {
   for (const Image& small : {shrunk(image, across, across), shrunk(image, 1, 1)})
     for (const Rgb& c : small.pixels)
       for (int channel = 0; channel < 3; ++channel) colours.push_back(static_cast<double>(c[channel]));
 }
 
-/// Of the difference of two means with unequal variances [Welch 1947], rounded down.
+/// Returns the degrees of freedom of the difference of two means with unequal variances [Welch 1947], rounded down.
 int degrees_of_freedom(const Tiles& a, const Tiles& b, std::size_t i) {
   const double va = a.means[i].variance, vb = b.means[i].variance;
   const double share = va * va / std::max(1, a.renders - 1) + vb * vb / std::max(1, b.renders - 1);

@@ -11,7 +11,7 @@ namespace dspm {
 Rgb mean(const Image& image);
 /// Throws std::invalid_argument if the sizes differ, as do all functions below.
 double root_mean_squared_error(const Image& image, const Image& reference);
-/// The mean of (a - b)^2 / (b^2 + 0.01), b being the reference.
+/// Returns the mean of (a - b)^2 / (b^2 + 0.01), b being the reference.
 double relative_mean_squared_error(const Image& image, const Image& reference);
 double max_difference(const Image& image, const Image& reference);
 

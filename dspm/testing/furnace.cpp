@@ -16,7 +16,7 @@
 namespace dspm::test {
 namespace {
 
-/// The radiance that each pixel must have under a sky of radiance 1: the mean albedo of what it sees.
+/// Returns the radiance that each pixel must have under a sky of radiance 1: the mean albedo of what it sees.
 Image albedos(const Scene& scene, int width, int height, std::uint64_t seed) {
   constexpr int kRays = 16, kSamples = 16;
   Image image(width, height);

@@ -48,7 +48,7 @@ Verdict check_resume(TestScene& test, const Scene& scene, int before, int iterat
   return {};
 }
 
-/// The order of sums may differ, and no more.
+/// Allows what a different order of sums may change, and no more.
 bool near(const Rgb& a, const Rgb& b) {
   constexpr float kRounding = 1e-5f, kDark = 1e-3f;  // as sums in single precision have it; of darker pixels, too
   const float scale = std::max({kDark, max_component(a), max_component(b)});

@@ -44,7 +44,7 @@ struct DensityCase {
   Transport transport;
 };
 
-/// Where the density is highest among some samples: there cells should be finest.
+/// Returns where the density is highest among some samples: there cells should be finest.
 Vec3 peak(const Bsdf& bsdf, const DensityCase& c, const PathRandom& random) {
   Vec3 best = c.wo;
   float highest = 0;
@@ -98,7 +98,7 @@ Chi2Result chi2_of(const Material& material, const DensityCase& c, Chi2Settings 
   return SphereChi2(settings).run(sample, [&](const Vec3& wi) { return bsdf.pdf_w(c.wo, wi, c.transport, c.lobes); });
 }
 
-/// The fault of one sample; empty: none.
+/// Returns the fault of one sample; empty if there is none.
 std::string fault(const Bsdf& bsdf, const SurfacePoint& point, const Vec3& wo, Transport transport, LobeSet lobes,
                   const BsdfSample& drawn) {
   if (!(std::abs(length(drawn.wi) - 1) < 1e-5f)) return "is not of unit length";

@@ -21,7 +21,8 @@
 namespace dspm {
 namespace {
 
-/// Along one axis: 1 in cells with an even number, -1 in the others; the mean by a triangle filter of that radius.
+/// Returns 1 in cells with an even number along one axis, -1 in the others; the mean by a triangle filter of that
+/// radius.
 float sign(float x, float radius) {
   const float cell = std::floor(x);  // a float, because it may exceed every integer type
   if (!(std::floor(x - radius) < std::floor(x + radius))) return cell == 2 * std::floor(cell / 2) ? 1.f : -1.f;

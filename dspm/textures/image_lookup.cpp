@@ -11,7 +11,7 @@ namespace {
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a - 1) / b) - 1; }
 
-/// Each edge of the square is joined to itself, turned about its middle.
+/// Wraps a pixel: each edge of the square is joined to itself, turned about its middle.
 void wrap_octahedrally(int& x, int& y, int width, int height) {
   const int across = floor_div(x, width), down = floor_div(y, height);
   x -= across * width, y -= down * height;
@@ -19,7 +19,7 @@ void wrap_octahedrally(int& x, int& y, int width, int height) {
   if (down % 2 != 0) x = width - 1 - x, y = height - 1 - y;
 }
 
-/// Moves a pixel into the picture along one side; false: it is black.
+/// Moves a pixel into the picture along one side; returns false if it is black.
 bool wrap_along(int& x, int size, Wrap wrap) {
   if (0 <= x && x < size) return true;
   const int across = floor_div(x, size);
@@ -36,7 +36,7 @@ bool wrap_along(int& x, int size, Wrap wrap) {
   return false;
 }
 
-/// Moves a pixel into the picture; false: it is black.
+/// Moves a pixel into the picture; returns false if it is black.
 bool wrap_pixel(int& x, int& y, const Image& image, Wrap wrap, Wrap wrap_v) {
   const int width = image.width, height = image.height;
   if (0 <= x && x < width && 0 <= y && y < height) return true;
@@ -44,7 +44,7 @@ bool wrap_pixel(int& x, int& y, const Image& image, Wrap wrap, Wrap wrap_v) {
   return wrap_along(x, width, wrap) && wrap_along(y, height, wrap_v);
 }
 
-/// A coordinate that fits into an integer, even if it was not finite.
+/// Returns a coordinate that fits into an integer, even if it was not finite.
 float tamed(float s, Wrap wrap) {
   // In this order of min and max, NaN becomes `low`.
   const auto between = [](float low, float x, float high) { return std::max(low, std::min(x, high)); };
@@ -53,7 +53,7 @@ float tamed(float s, Wrap wrap) {
   return between(-4, s, 5);
 }
 
-/// A Gaussian of the squared distance from the middle (0) to the ellipse (1), where it vanishes.
+/// Returns a Gaussian of the squared distance from the middle (0) to the ellipse (1), where it vanishes.
 float gaussian(float distance2) {
   constexpr int kSteps = 1024;
   static const auto table = [] {

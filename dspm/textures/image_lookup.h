@@ -1,4 +1,4 @@
-// Looking up a picture: which of its pixels count, and how much. For numbers and for colours.
+// Looks up a picture: which of its pixels count, and how much. For numbers and for colours.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace dspm {
 
-/// The picture outside 0..1.
+/// What lies outside of the picture's 0..1.
 enum class Wrap { repeat, mirror, black, clamp, octahedral_sphere };
 
-/// What a lookup of a number takes of a pixel. `usual`: the alpha of a picture that has one, else the mean of red, green
-/// and blue; `alpha` is 1 if the picture has none.
+/// What a lookup of a number takes of a pixel. `usual` is the alpha of a picture that has one, else the mean of red,
+/// green and blue; `alpha` is 1 if the picture has none.
 enum class Channel { usual, red, green, blue, alpha };
 
 enum class ImageFilter { point, bilinear, trilinear, ewa };
@@ -33,7 +33,7 @@ class ImageLookup {
   ImageLookup(std::shared_ptr<const MipMap> picture, const Settings& settings)
       : picture_(std::move(picture)), settings_(settings) {}
 
-  /// (0, 0) is the picture's upper left corner.
+  /// Returns the value at a place; (0, 0) is the picture's upper left corner.
   template <class T>
   T at(const TextureCoordinates& coordinates) const;
 
@@ -51,7 +51,7 @@ class ImageLookup {
   template <class T>
   T elliptical(int level, Vec2 st, Vec2 longer, Vec2 shorter) const;
 
-  /// Of level 0, in pixels.
+  /// The longest side of the footprint in pixels of level 0.
   float longest_side() const;
 
   std::shared_ptr<const MipMap> picture_;

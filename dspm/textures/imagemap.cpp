@@ -78,15 +78,15 @@ class ImageTexture final : public Texture<T> {
   bool invert_, averages_;
 };
 
-/// Whether the picture has no end, where smaller ones would blur what it shows into what lies beyond, and nothing in it is
-/// cut off.
+/// Returns whether the picture has no end, where smaller ones would blur what it shows into what lies beyond, and
+/// nothing in it is cut off.
 bool averages(const Image& picture, const ImageLookup::Settings& settings, float scale) {
   const auto ends = [](Wrap wrap) { return wrap == Wrap::black || wrap == Wrap::clamp; };
   return !ends(settings.wrap) && !ends(settings.wrap_v.value_or(settings.wrap)) &&
          std::all_of(picture.pixels.begin(), picture.pixels.end(), [&](const Rgb& c) { return is_albedo(c * scale); });
 }
 
-/// pbrt's word for the filter is also spelt in capitals.
+/// Reads the lookup. pbrt's word for the filter is also spelt in capitals.
 ImageLookup::Settings read_lookup(ParamReader& reader) {
   ImageLookup::Settings settings;
   settings.wrap = wrap_of(reader.choice("wrap", "repeat", {"repeat", "mirror", "black", "clamp", "octahedralsphere"},

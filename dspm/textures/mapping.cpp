@@ -8,29 +8,29 @@
 namespace dspm {
 namespace {
 
-/// The angle around z as a fraction of a turn from x, in [0, 1).
+/// Returns the angle around z as a fraction of a turn from x, in [0, 1).
 float turn(const Vec3& p) {
   const float fraction = std::atan2(p.y, p.x) / (2 * kPi);
   return fraction < 0 ? fraction + 1 : fraction;
 }
 
-/// s runs from the pole at +z to the other, and t around the axis, as in pbrt.
+/// Returns s from the pole at +z to the other, and t around the axis, as in pbrt.
 Vec2 spherical(const Vec3& p) { return {std::atan2(std::hypot(p.x, p.y), p.z) / kPi, turn(p)}; }
 
-/// s is 0 at -x, as in pbrt; t is the height.
+/// Returns s, which is 0 at -x, as in pbrt, and t, which is the height.
 Vec2 cylindrical(const Vec3& p) { return {0.5f + std::atan2(p.y, p.x) / (2 * kPi), p.z}; }
 
-/// The change of a turn around z.
+/// Returns the change of a turn around z.
 float turned(const Vec3& p, const Vec3& dp) { return (p.x * dp.y - p.y * dp.x) / (2 * kPi * (p.x * p.x + p.y * p.y)); }
 
-/// The change of the angle from +z, as a fraction of a half turn.
+/// Returns the change of the angle from +z, as a fraction of a half turn.
 float tilted(const Vec3& p, const Vec3& dp) {
   const float rho = std::hypot(p.x, p.y);
   return ((p.x * dp.x + p.y * dp.y) * (p.z / rho) - rho * dp.z) / (kPi * length2(p));
 }
 
-/// The change of (u, v): the least squares solution of dp = dpdu du + dpdv dv. In double, as triangles may be tiny.
-/// [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.1.1]
+/// Returns the change of (u, v): the least squares solution of dp = dpdu du + dpdv dv. It is in double, as triangles
+/// may be tiny. [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.1.1]
 Vec2 uv_change(const TexturePoint& at, const Vec3& dp) {
   const double uu = dot(at.dpdu, at.dpdu), uv = dot(at.dpdu, at.dpdv), vv = dot(at.dpdv, at.dpdv);
   const double u = dot(at.dpdu, dp), v = dot(at.dpdv, dp), determinant = uu * vv - uv * uv;
@@ -38,7 +38,7 @@ Vec2 uv_change(const TexturePoint& at, const Vec3& dp) {
   return {static_cast<float>((vv * u - uv * v) / determinant), static_cast<float>((uu * v - uv * u) / determinant)};
 }
 
-/// Near a pole or an axis coordinates change without bound.
+/// Bounds the change: near a pole or an axis coordinates change without bound.
 Vec2 bounded(Vec2 change) {
   const auto bound = [](float c) { return std::isnan(c) ? 0 : std::clamp(c, -1e8f, 1e8f); };
   return {bound(change.x), bound(change.y)};

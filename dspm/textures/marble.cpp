@@ -27,8 +27,8 @@ constexpr Rgb kPale{.58f, .58f, .6f}, kGrey{.5f, .5f, .5f}, kWarm{.6f, .59f, .58
 constexpr std::array<Rgb, 9> kSpline{kPale, kPale, kPale, kGrey, kWarm, kPale, kPale, kVein, kPale};
 constexpr float kBrightness = 1.5f;
 
-/// The cubic Bezier curves whose control points are four successive ones of the spline, one curve after the other as t
-/// runs from 0 to 1.
+/// Evaluates the cubic Bezier curves whose control points are four successive ones of the spline, one curve after the
+/// other as t runs from 0 to 1.
 Rgb colour_at(float t) {
   constexpr int kCurves = static_cast<int>(kSpline.size()) - 3;
   const float along = t * static_cast<float>(kCurves);

@@ -27,7 +27,7 @@ class MixTexture final : public Texture<T> {
     const auto amount = amount_->constant();
     return first && second && amount ? std::optional<T>(blend(*first, *second, *amount)) : std::nullopt;
   }
-  /// A product of two that vary has another mean than the product of their means.
+  /// Returns false if two factors vary: their product has another mean than the product of their means.
   bool averages() const override {
     const bool one_varies = amount_->constant() || (first_->constant() && second_->constant());
     return one_varies && first_->averages() && second_->averages() && amount_->averages();

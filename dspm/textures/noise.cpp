@@ -24,14 +24,15 @@ constexpr std::array<std::uint8_t, 256> kPermutation = {
     181, 199, 106, 157, 184, 84,  204, 176, 115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114,
     67,  29,  24,  72,  243, 141, 128, 195, 78,  66,  215, 61,  156, 180};
 
-/// A pseudo-random number in 0 .. 255 of a corner of the lattice, whose coordinates count modulo 256.
+/// Returns a pseudo-random number in 0 .. 255 of a corner of the lattice, whose coordinates count modulo 256.
 int hash(int x, int y, int z) {
   const auto permuted = [](int i) { return int{kPermutation[static_cast<std::size_t>(i & 255)]}; };
   return permuted(permuted(permuted(x) + y) + z);
 }
 
-/// A corner's influence at the offset d from it: linear, with one of twelve gradients towards the middles of a cube's
-/// edges. Sixteen numbers share them; pbrt shares out the last four in another way than Perlin, and so does dspm.
+/// Returns a corner's influence at the offset d from it: linear, with one of twelve gradients towards the middles of a
+/// cube's edges. Sixteen numbers share them; pbrt shares out the last four in another way than Perlin, and so does
+/// dspm.
 float influence(int corner, const Vec3& d) {
   const int h = corner & 15;
   const bool first = h == 12 || h == 13;
@@ -39,12 +40,12 @@ float influence(int corner, const Vec3& d) {
   return ((h & 1) != 0 ? -u : u) + ((h & 2) != 0 ? -v : v);
 }
 
-/// From 0 to 1, with two derivatives that vanish at both ends.
+/// Goes from 0 to 1, with two derivatives that vanish at both ends.
 float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
 float lerp(float t, float a, float b) { return (1 - t) * a + t * b; }
 
-/// One axis: the cell, modulo 256, and the place in it.
+/// A place along one axis: the cell, modulo 256, and the place in it.
 struct Cell {
   int index;
   float offset;

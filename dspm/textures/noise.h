@@ -7,10 +7,11 @@
 
 namespace dspm {
 
-/// Smooth, 0 at all points with whole coordinates, in (-1, 1), and the same in dspm and pbrt. 0 if p is not finite.
+/// Returns noise that is smooth, 0 at all points with whole coordinates, in (-1, 1), and the same in dspm and pbrt. It
+/// is 0 if p is not finite.
 float noise(const Vec3& p);
 
-/// Of a sum of octaves: each is 1.99 times as fine as the last, and has `roughness` times its strength.
+/// The parameters of a sum of octaves: each is 1.99 times as fine as the last, and has `roughness` times its strength.
 struct Octaves {
   int count = 8;
   float roughness = 0.5f;
@@ -21,7 +22,7 @@ struct Octaves {
 
 /// Sums over `octaves`. [Musgrave 1992; Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.4]
 float fbm(const Vec3& p, const Octaves& octaves);
-/// The same of |noise|.
+/// Sums |noise| over `octaves`.
 float turbulence(const Vec3& p, const Octaves& octaves);
 
 }  // namespace dspm

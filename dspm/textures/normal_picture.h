@@ -5,7 +5,8 @@
 
 namespace dspm {
 
-/// Whether almost all of 2 rgb - 1 are of unit length, with z above 0, and coloured. Not if the picture cannot be read.
+/// Returns whether almost all of 2 rgb - 1 are of unit length, with z above 0, and coloured. Returns false if the
+/// picture cannot be read.
 bool holds_normals(const std::filesystem::path& picture);
 
 }  // namespace dspm

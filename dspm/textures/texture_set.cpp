@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view word_of_kind(bool is_float) { return is_float ? "float" : "spectrum"; }
 
-/// The likely reason why no texture has that name and kind.
+/// Returns the likely reason why no texture has that name and kind.
 template <class T>
 std::string hint(const std::string& name, const TextureSet& textures) {
   using Other = std::conditional_t<std::is_same_v<T, float>, Rgb, float>;

@@ -16,7 +16,7 @@ namespace {
 bool is_sound(float value) { return std::isfinite(value); }
 bool is_sound(const Rgb& c) { return c.r >= 0 && c.g >= 0 && c.b >= 0 && is_finite(c); }
 
-/// By whichever thread looks a texture up.
+/// Collects faults, from whichever thread looks a texture up.
 class Faults {
  public:
   void add(const TextureFault& fault) {

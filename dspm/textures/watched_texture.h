@@ -15,11 +15,11 @@ struct TextureFault {
   friend bool operator==(const TextureFault&, const TextureFault&) = default;
 };
 
-/// The texture, watched. Numbers must be finite; colours must not be negative, either.
+/// Returns the texture, watched. Numbers must be finite; colours must not be negative, either.
 template <class T>
 TexturePtr<T> watched(TexturePtr<T> texture, const SourceLocation& where, std::string_view type);
 
-/// Textures that gave other values since the last call, each once in the life of the process.
+/// Returns textures that gave other values since the last call, each once in the life of the process.
 std::vector<TextureFault> take_texture_faults();
 
 }  // namespace dspm
