@@ -67,7 +67,7 @@ class Tree {
   std::size_t memory() const;
 
  private:
-  /// One primitive, or all of a shape.
+  /// A placed object: one primitive, or all of a shape.
   struct Placed {
     const PlacedShape* shape;
     const Tree* mesh;  // null for a primitive

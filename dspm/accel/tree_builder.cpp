@@ -75,7 +75,7 @@ class Tree::Builder {
  private:
   const PlacedShape& shape(int s) const { return shapes_[static_cast<std::size_t>(s)]; }
 
-  /// What the boxes of a placed shape need: the same for all of its primitives, of which hair has millions.
+  /// The parts of a placed shape's boxes that are the same for all of its primitives, of which hair has millions.
   struct ToWorld {
     explicit ToWorld(const PlacedShape& placed)
         : transform(placed.to_world),

@@ -25,7 +25,7 @@
 
 namespace dspm {
 
-/// What a run needs of the program.
+/// The parts of the program that a run needs.
 struct Surroundings {
   Messages& messages;
   MemoryBound& memory;

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// How a camera sees a point.
+/// A point as a camera sees it.
 struct Sighting {
   Vec2 film;              // in pixels of the full image; may lie outside it
   Vec3 w;                 // from the point towards the camera, unit length

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// Where a ray meets a spherical surface whose vertex is at z, and the normal there against the ray.
+/// The place where a ray meets a spherical surface whose vertex is at z, and the normal there against the ray.
 struct Met {
   Vec3 p, n;
 };
@@ -57,7 +57,8 @@ bool pass(Ray& ray, const LensSurface& surface, float z, float from, float to) {
   return w.has_value();
 }
 
-/// Where a ray along the axis on one side crosses it on the other, and where it seems to have been bent.
+/// The cardinal points on one side: where a ray along the axis on the other side crosses it here, and where it seems to
+/// have been bent.
 struct Cardinal {
   float focus, principal;
 };

@@ -114,7 +114,7 @@ class Realistic final : public Camera {
   float exposure_ = 1;
 };
 
-/// What the parameters say, before the lens is made.
+/// The parameters, before the lens is made.
 struct Settings {
   std::vector<LensSurface> surfaces;
   Diaphragm diaphragm;

@@ -19,7 +19,7 @@
 
 namespace dspm {
 
-/// How far an interval has come.
+/// The progress of an interval.
 struct IntervalState {
   Places places;                       // in the file of that time
   int iterations = 0;                  // done; 0: no state

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// What an integrator gives of a frame; all images have the same size.
+/// A frame's images as an integrator gives them; all have the same size.
 struct NoisyImage {
   Image radiance;
   Image variance;  // of radiance, by component

@@ -6,7 +6,7 @@
 
 namespace dspm {
 
-/// What is averaged (the first three), and what is compared.
+/// The planes of an image: the first three are averaged, the others are compared.
 enum Plane {
   kRed,
   kGreen,

@@ -12,14 +12,14 @@
 
 namespace dspm::gltf {
 
-/// What materials need to know of what a mesh has beside its positions.
+/// The properties of a mesh, beside its positions, that materials need to know.
 struct MeshLook {
   bool has_colours = false, has_opacities = false;
 
   friend auto operator<=>(const MeshLook&, const MeshLook&) = default;
 };
 
-/// What an animated material's statements have in every frame, so that they can be keyed.
+/// The form that an animated material's statements have in every frame, so that they can be keyed.
 struct MaterialForm {
   bool is_keyed = false, emits = false;
 };

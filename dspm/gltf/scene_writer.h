@@ -26,7 +26,7 @@ class SceneWriter {
   Translation write();
 
  private:
-  /// What is animated, in the frames of the scene; closures that make meshes hold it.
+  /// The animation, in the frames of the scene; closures that make meshes hold it.
   struct Motion {
     Animation animation;
     int frames = 1;

@@ -22,7 +22,7 @@ enum class ExrCompression { none, rle, zips, zip, piz, dwaa, dwab };
 /// nothing.
 std::optional<ExrCompression> exr_compression(std::string_view name);
 
-/// How a file's pixels lie in it.
+/// The layout of a file's pixels.
 struct ExrFormat {
   ExrCompression compression = ExrCompression::zip;
   int tile = 0;  // the side of tiles in pixels; 0: rows

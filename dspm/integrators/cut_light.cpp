@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kIterations = 8;
 
-/// What the paths of one region find.
+/// Sums up what the paths of one region find.
 struct Tally {
   CutLight* by_frame;
   int max_depth;

@@ -54,7 +54,7 @@ void for_each_light_sample(const Scene& scene, float u, Fn&& fn) {
   }
 }
 
-/// Where light starts, as in Emission.
+/// The start of light, as in Emission.
 struct LightStart {
   Ray ray;
   Vec3 normal;

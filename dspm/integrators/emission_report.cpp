@@ -55,7 +55,7 @@ std::string why_no_guide(const EmissionReport& report) {
       1 / report.gain);
 }
 
-/// What became of the paths that count as found.
+/// Says what became of the paths that count as found.
 const char* found_in_words(const EmissionReport& report) {
   return report.photons == kLightPaths ? "bring what the camera sees other than direct light"
                                        : "are found by hit points";

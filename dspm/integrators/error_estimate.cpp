@@ -29,7 +29,7 @@ constexpr float kConstant = 1e-5f;  // relative changes below it are rounding
 constexpr int kMostParts = 1 << 10;
 constexpr double kLoneChange = 0.5, kUnusual = 6;
 
-/// What is kept of an image: the luminances of some of its pixels, and the brightest of each of its parts.
+/// The part of an image that is kept: the luminances of some of its pixels, and the brightest of each of its parts.
 struct Seen {
   std::span<float> pixels, peaks;
 };

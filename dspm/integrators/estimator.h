@@ -35,7 +35,7 @@ class PixelEstimator {
   virtual void begin_iteration(int /*iteration*/) {}
   /// Called once per iteration, after all gathers.
   virtual void end_iteration() = 0;
-  /// All state that outlives an iteration; see Integrator::persist.
+  /// Saves or loads all state that outlives an iteration; see Integrator::persist.
   virtual void persist(StateStream& state) = 0;
   /// Returns whether an iteration is the same whatever the others found; if not, its sums cannot be merged.
   virtual bool adds_up() const { return true; }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kTileSide = 32;
 constexpr int kPilotsAcross = 8;  // of a tile of few pixels: they are short work, for many threads
-/// How a path ends in a hit point in some of its frames.
+/// The way in which a path ends in a hit point in some of its frames.
 struct End {
   FrameSet frames;
   LobeChoice choice;

@@ -54,7 +54,7 @@ struct Scattering {
   }
 };
 
-/// What a surface that turns to rays shows to the camera path.
+/// The strip that a surface that turns to rays shows to the camera path.
 struct HitStrip {
   StripPlace place;
   Vec3 ns;

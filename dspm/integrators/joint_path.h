@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// How a path is scattered in some of its frames.
+/// The way in which a path is scattered in some of its frames.
 struct Scattered {
   FrameSet frames;
   Rgb factor;

@@ -127,7 +127,7 @@ class Learner {
     return round;
   }
 
-  /// What a round searches.
+  /// The hit points that a round searches.
   struct Searched {
     float scale;
     FrameSet frames;

@@ -24,7 +24,7 @@ constexpr double kWorkOfPhoton = 2;  // of a photon's segment, with the map and 
 
 using Sums = std::vector<double>;  // luminances by pilot pixel and frame
 
-/// What one camera path per pilot pixel sees without photons, and at what price.
+/// The light that one camera path per pilot pixel sees without photons, and its price.
 struct Seen {
   Sums light;
   std::vector<HitPointTile> tiles;

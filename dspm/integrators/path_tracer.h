@@ -15,7 +15,7 @@
 
 namespace dspm {
 
-/// Where paths end.
+/// The limits of paths.
 struct PathLimits {
   int max_depth;
   bool indirect;  // else a path that a rough surface has scattered only looks for lights

@@ -9,7 +9,7 @@
 namespace dspm {
 namespace {
 
-/// By class of photons, how many a trace has; later, their places.
+/// The number of a trace's photons in each class; later, their places.
 using Places = std::vector<std::size_t>;
 
 /// Returns 0 for photons shared by frames, 1 + f for those of frame f alone, and the last number for those with

@@ -12,7 +12,7 @@
 
 namespace dspm {
 
-/// What reports call the paths of which only those count that bring more than direct light.
+/// The name in reports of paths of which only those count that bring more than direct light.
 inline constexpr const char* kLightPaths = "light paths";
 
 /// A pilot path that was found. `squares` is the sum of the squares of what it adds to pixels and frames.
@@ -40,7 +40,7 @@ struct PilotRound {
   double cost() const { return static_cast<double>(work) / static_cast<double>(all_paths()); }
 };
 
-/// What learning took, and the paths of a round of which a hit point finds a photon.
+/// The figures of learning, and the paths of a round of which a hit point finds a photon.
 struct PilotPaths {
   std::uint64_t rounds = 0, of_a_round = 0, found_first = 0;  // the first round does without a guide
   std::vector<std::uint64_t> started, found;                  // by light, in a round that starts paths as the run does

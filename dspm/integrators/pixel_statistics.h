@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// What one hit point gathers in one iteration; discarded after it.
+/// The sums that one hit point gathers in one iteration; discarded after it.
 struct PassSums {
   std::uint32_t M = 0;  // photons within the search radius, on the front of the surface
   Rgb phi;              // their flux times f and the camera path's throughput
@@ -19,7 +19,7 @@ struct PassSums {
   }
 };
 
-/// What is kept across iterations. [HJ09, WG12 (1)-(5)]
+/// The statistics that are kept across iterations. [HJ09, WG12 (1)-(5)]
 struct PixelStatistics {
   double N = 0;  // photons accepted; a fraction alpha of those found
   float R2 = 0;  // search radius squared; 0: no hit point yet

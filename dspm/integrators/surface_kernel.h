@@ -11,7 +11,8 @@
 
 namespace dspm {
 
-/// Photons arriving at the back of the surface do not count, unless its lobes transmit.
+/// Counts photons that arrive at the front of a surface. Those that arrive at its back do not count, unless its lobes
+/// transmit.
 class SurfaceSide {
  public:
   explicit SurfaceSide(const HitPoint& hit) : normal_(_mm_setr_ps(hit.ng.x, hit.ng.y, hit.ng.z, 0)) {}
@@ -24,8 +25,8 @@ class SurfaceSide {
   __m128 normal_;
 };
 
-/// Where a surface transmits, photons of both of its sides count, but not those of another surface close by, such as
-/// the other side of a thin slab or the next of two sheets: they must have come to the same side, as its outward normal
+/// Counts photons of both sides of a surface that transmits, but not those of another surface close by, such as the
+/// other side of a thin slab or the next of two sheets: they must have come to the same side, as its outward normal
 /// tells the two apart, of the same shape or of one that goes on in the same plane.
 class SameSurface {
  public:

@@ -45,7 +45,7 @@ Rgb albedo(const Bsdf& bsdf, const Vertex& vertex, const CameraPath& path) {
   return sum / kSamples;
 }
 
-/// What is kept of a kind, by pixel and frame: sums, votes or ranks.
+/// The values of a kind, by pixel and frame: sums, votes or ranks.
 struct Layer {
   Kind kind;
   std::vector<OutputInfo> outputs;
@@ -227,7 +227,7 @@ class SurfaceOutputs final : public WrappingIntegrator {
     }
   }
 
-  /// All frames of a vertex have the same, since a path has one camera.
+  /// Returns the matrix of the vertex's frames; they have the same one, since a path has one camera.
   static const Transform& camera_to_world(const Scene& scene, const Vertex& vertex) {
     return scene.camera_to_world[static_cast<std::size_t>(vertex.frames.lowest())];
   }

@@ -25,7 +25,7 @@ struct FramesPart {
   int count() const { return moments * combinations; }
 };
 
-/// What an earlier run knew of a file to which frames have been added since.
+/// The frames of a file that an earlier run knew; frames have been added since.
 struct KnownFrames {
   FramesPart base;                      // all that there was at first, see FileFrames::base
   int moments = 1;                      // of the file then

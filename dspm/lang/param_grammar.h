@@ -7,9 +7,9 @@
 
 namespace dspm {
 
-/// What the types of older versions of pbrt are. They are errors with an old_word; or point, vector and normal3 mean
-/// point3, vector3 and normal, as in .dsc files; or color and xyz mean rgb, too, as in pbrt-v3, where a parameter that
-/// is given twice has its last value.
+/// The meaning of the types of older versions of pbrt. They are errors with an old_word; or point, vector and normal3
+/// mean point3, vector3 and normal, as in .dsc files; or color and xyz mean rgb, too, as in pbrt-v3, where a parameter
+/// that is given twice has its last value.
 enum class OldTypes { errors, synonyms, v3 };
 
 /// Reads parameters as long as quoted strings follow. Throws SyntaxError.

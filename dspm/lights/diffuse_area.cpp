@@ -38,7 +38,7 @@
 namespace dspm {
 namespace {
 
-/// What a diffuse area light says of itself.
+/// The properties of a diffuse area light.
 struct Glow {
   Rgb radiance;
   std::optional<EmissionPicture> picture;                    // multiplies the radiance

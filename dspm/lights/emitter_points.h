@@ -16,7 +16,7 @@ namespace dspm {
 
 class EmitterPoints {
  public:
-  /// What leaves the surface at a point, relative to what the whole would emit; null if it is 1 everywhere.
+  /// The light that leaves the surface at a point, relative to what the whole would emit; null if it is 1 everywhere.
   using Brightness = std::function<Rgb(const SurfacePoint&)>;
 
   /// When brightness is measured all over the surface. Of an animated texture there are many states, most of which are

@@ -52,7 +52,8 @@ class Numbers {
   std::string_view rest_;
 };
 
-/// What follows the line of TILT, and that line's value. Before it are labels and keywords, which say nothing of light.
+/// The text after the line of TILT, and that line's value. Before it are labels and keywords, which say nothing of
+/// light.
 struct Body {
   std::string_view tilt, rest;
 };

@@ -10,7 +10,7 @@ namespace dspm {
 
 class LightSpace {
  public:
-  /// Which of the light's axes is the third one of its directions, as maps have them; y and z then change places.
+  /// The light's axis that is the third one of its directions, as maps have them; for y, y and z change places.
   enum class Up { z, y };
 
   explicit LightSpace(const Transform& to_world, Up up = Up::z)

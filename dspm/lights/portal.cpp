@@ -13,7 +13,7 @@
 namespace dspm {
 namespace {
 
-/// What shines through, by directions in the window's space.
+/// The light that shines through, by directions in the window's space.
 struct Sky {
   EnvironmentMap map;
   LightSpace space;

@@ -54,8 +54,8 @@ class Leader {
   /// called while an interval is shared out.
   void begin_anew(const std::optional<std::array<double, 9>>& look_at);
 
-  /// How the iterations of an interval are shared out: how many (0 means endless), in blocks of which size; see
-  /// Block::from.
+  /// The number of an interval's iterations (0 means endless), and the size of the blocks in which they are shared out;
+  /// see Block::from.
   struct Extent {
     int iterations, block;
   };

@@ -58,7 +58,7 @@ struct Rendered {
   friend auto operator<=>(const Rendered&, const Rendered&) = default;
 };
 
-/// What is to be rendered, of a scene that is edited while a page shows it.
+/// The scene to be rendered, which is edited while a page shows it.
 struct Edition {
   int number = 0;                                     // of edits so far
   std::optional<std::array<double, 9>> look_at = {};  // see Choices

@@ -15,7 +15,7 @@
 
 namespace dspm {
 
-/// What all points of a coat share.
+/// The properties that all points of a coat share.
 struct Coat {
   float eta, thickness = 0;
   std::shared_ptr<const BoundaryTables> facets = nullptr;  // null: it lets light in as if it were smooth

@@ -52,7 +52,7 @@ float passed_twice(float mirrored_o, float mirrored_i, float metal) {
   return std::min({both, 1 - mirrored_o, 1 - mirrored_i});
 }
 
-/// What all points share.
+/// The properties that all points share.
 struct CoatedMetal {
   Coat coat;
   float mirrored_mean;  // of diffuse light from outside, by a smooth coat

@@ -77,7 +77,7 @@ class SmoothDielectric final : public Bsdf {
   float eta_;
 };
 
-/// What all points of a rough body share.
+/// The tables that all points of a rough body share.
 struct GlassTables {
   std::shared_ptr<const BoundaryTables> even;
   std::shared_ptr<const BrushedGlass> brushed;  // null: all facets are equally rough in both directions

@@ -83,7 +83,7 @@ class Azimuthal {
   float s_, low_, span_;
 };
 
-/// What a fibre's cross section does to a ray that meets it at h (from -1 to 1 across it).
+/// The effect of a fibre's cross section on a ray that meets it at h (from -1 to 1 across it).
 struct FibrePassage {
   float gamma_o, gamma_t;  // the angles to the normal, outside and inside
   ByFibrePath<Rgb> attenuation;

@@ -28,7 +28,7 @@ float diffuse_share(std::size_t k) {
   return below(k + 1) - below(k);
 }
 
-/// What white facets send from each elevation to each; all of it leaves.
+/// The light that white facets send from each elevation to each; all of it leaves.
 class WhiteFacets {
  public:
   explicit WhiteFacets(float alpha) {

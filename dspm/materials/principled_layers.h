@@ -64,7 +64,7 @@ class PrincipledLayers {
   float diffuse_norm() const;
 
  private:
-  /// How the lobes that mirror lean.
+  /// The tilts of the lobes that mirror.
   struct Tilts {
     Tilt facets, coat;
   };

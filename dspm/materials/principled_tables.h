@@ -17,19 +17,19 @@ struct CommonAlbedos {
   AlbedoTable sheen;         // white
 };
 
-/// What coat and sheen leave to facets below.
+/// The shares of light that coat and sheen leave to facets below.
 struct CommonBalances {
   LayerBalance coat, sheen;
 };
 
-/// Which of the tables a material needs.
+/// The tables that a material needs.
 struct PrincipledUses {
   bool brushed, glass, layers;
 };
 
 inline constexpr float kCoatEta = 1.5f;
 
-/// What all points of a material share.
+/// The tables that all points of a material share.
 struct PrincipledTables {
   float eta;        // index of refraction inside over outside
   bool thin;        // a wall without a body

@@ -24,7 +24,7 @@
 namespace dspm {
 namespace {
 
-/// How the surface changes along one of the primitive's parameters.
+/// The change of the surface along one of the primitive's parameters.
 struct Tangent {
   Vec3 p, n;
   Vec2 uv;

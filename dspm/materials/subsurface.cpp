@@ -50,7 +50,7 @@ namespace {
 /// The surface mirrors; what it does not mirror crosses it.
 constexpr LobeSet kMirror = kReflection, kBody = kTransmission;
 
-/// What is the same everywhere on a body.
+/// The properties that are the same everywhere on a body.
 struct Boundary {
   Boundary(float index, float mean_cosine)
       : eta(index), g(mean_cosine), let_in(std::max(1e-4f, 1 - mean_fresnel_outside(index))) {}
@@ -237,7 +237,7 @@ TexturePtr<Rgb> constant(const float (&values)[3]) {
   return std::make_shared<ConstantTexture<Rgb>>(Rgb(values[0], values[1], values[2]));
 }
 
-/// What the body is made of, by any of pbrt's three ways to say it.
+/// The medium that fills the body, by any of pbrt's three ways to say it.
 class Contents {
  public:
   explicit Contents(ParamReader& reader)

@@ -7,7 +7,7 @@
 
 namespace dspm {
 
-/// How much brighter a group of lights is to be, and of which colour.
+/// The factor, brightness and colour, by which a group of lights is multiplied.
 struct GroupFactor {
   std::string group;
   Rgb factor;

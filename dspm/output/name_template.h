@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// What stands for a name in braces.
+/// The text for a name in braces.
 struct NamedPart {
   std::string name, text;
 };

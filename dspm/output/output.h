@@ -33,7 +33,7 @@ struct OutputSettings : LayerSettings {
   bool stats_in_file() const { return !stats.empty() && stats != "table" && stats != "-"; }
 };
 
-/// How an image came about, for its header.
+/// The figures of an image for its header.
 struct FrameFigures {
   int iterations = 0;
   std::uint64_t photons = 0;  // paths
@@ -77,7 +77,7 @@ class Output {
   void finish_video();
 
  private:
-  /// All files that the run writes, except the video.
+  /// Returns all files that the run writes, except the video.
   std::vector<NamedFile> files(const OutputSettings& settings, const OtherFiles& others) const;
   /// The path of an output that has a file of its own.
   std::filesystem::path layer_file(FileFrame frame, const std::string& label) const;

@@ -16,7 +16,7 @@ namespace dspm {
 /// The step of RunReport::around that holds the integrator's steps.
 inline constexpr const char* kIterations = "iterations";
 
-/// What machines that rendered together have sent to one another.
+/// The traffic between machines that rendered together.
 struct Traffic {
   int machines = 0;  // 0: the run knew no others
   std::uint64_t bytes = 0;

@@ -10,7 +10,7 @@
 namespace dspm {
 namespace {
 
-/// Reports names that are numbered as other programs write it: "wave.####.ply".
+/// Returns a hint for a name that is numbered as other programs write it: "wave.####.ply".
 std::string numbered_as(const std::string& name) {
   const std::size_t first = name.find('#'), end = std::min(name.find_first_not_of('#', first), name.size());
   if (first == std::string::npos) return {};

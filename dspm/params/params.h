@@ -77,7 +77,7 @@ struct ParamList {
   bool same_values(const ParamList& other) const;
 };
 
-/// What `--describe` prints about one parameter.
+/// One parameter as `--describe` prints it.
 struct ParamInfo {
   std::string type, name, default_value, unit, sentence;
   std::vector<std::string> choices = {};  // the only values that a text may take; empty: any

@@ -8,7 +8,7 @@
 
 namespace dspm {
 
-/// Where to listen.
+/// The address to listen at.
 struct ServeAddress {
   std::string host = "127.0.0.1";
   int port = 8780;  // 0: any that is free

@@ -20,7 +20,8 @@ class Gallery {
  public:
   using Clock = std::chrono::steady_clock;
   using Pictures = std::vector<std::shared_ptr<const Picture>>;
-  /// What a viewer looks at, and which versions it has of that, and of the same in other sizes; 0 if it has none.
+  /// A picture that a viewer looks at, and the versions that it has of that, and of the same in other sizes; 0 if it
+  /// has none.
   struct Seen {
     Wish wish;
     std::uint64_t version = 0, other = 0;

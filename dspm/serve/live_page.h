@@ -24,7 +24,7 @@
 
 namespace dspm {
 
-/// How far the whole run has come.
+/// The progress of the whole run.
 struct Outlook {
   double share = 0;                         // of its work; 0: unknown
   double seconds = 0;                       // so far

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// What a viewer looks at.
+/// The picture that a viewer looks at.
 struct Wish {
   int frame = 0;  // of the run, counted from 0
   std::string output = kRadiance;

@@ -20,7 +20,7 @@ class MemoryBound {
   /// Must be made before the scene is read; from then on there is only one thread. 0 means that there is no bound.
   explicit MemoryBound(std::size_t bytes);
 
-  /// What is held besides the scene and its integrator.
+  /// Memory that is held besides the scene and its integrator.
   struct Besides {
     /// The bytes held while images are written.
     std::size_t writing = 0;

@@ -10,7 +10,7 @@
 
 namespace dspm {
 
-/// How far a frame interval has come.
+/// The progress of a frame interval.
 struct IntervalProgress {
   std::size_t index = 0;             // of the interval
   int iterations = 0;                // done, in this run and those that it resumes
@@ -20,8 +20,8 @@ struct IntervalProgress {
 
 class SessionObserver {
  public:
-  /// Which images of an interval are due: those after an iteration, those that a failed iteration leaves, or the last
-  /// ones.
+  /// The images of an interval that are due: those after an iteration, those that a failed iteration leaves, or the
+  /// last ones.
   enum class Images { so_far, after_failure, last };
 
   virtual ~SessionObserver() = default;

@@ -29,7 +29,7 @@ double share_too_deep(const Statistics& statistics) {
   return sum.emitted > 0 ? sum.too_deep / sum.emitted : 0;
 }
 
-/// Where the maximum depth cuts off light that camera paths would find.
+/// The part of the picture where the maximum depth cuts off light that camera paths would find.
 struct CutPart {
   double picture = 0;  // share of the pixels
   double lost = 0;     // of their light

@@ -34,7 +34,7 @@ std::uint64_t place_along_z_curve(const Vec3& p, const Bounds3& box) {
   return place;
 }
 
-/// Where a piece lies along the curve through space, and its number.
+/// A piece's place along the curve through space, and its number.
 struct Place {
   std::uint64_t along;
   std::uint32_t number;

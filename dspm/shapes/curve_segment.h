@@ -28,7 +28,7 @@ CurvePlace place_on(const CurveSegment& segment, double u, const Vec3& origin);
 /// Returns the direction, of unit length; that of the chord where the curve stands still.
 DoubleVec3 direction_at(const CurveSegment& segment, double u);
 
-/// What lies between two places of a segment, as a curve of its own.
+/// The part between two places of a segment, as a curve of its own.
 struct CurvePart {
   double from, to;
   DoubleVec3 control[4];
@@ -66,7 +66,7 @@ struct CurvePiece {
 /// Returns a box that contains that part with its width, rounding included.
 Bounds3 bounds_of(const CurveSegment& segment, const CurvePart& part);
 
-/// Where the line of a ray passes the centre line of a curve most closely, for one of its turns.
+/// The place where the line of a ray passes the centre line of a curve most closely, for one of its turns.
 struct Passage {
   double u;
   CurvePlace place;   // of the centre line, from the ray's origin

@@ -58,7 +58,7 @@ void refuse_many(double triangles) {
     throw std::runtime_error("a displaced mesh would have more than 20 million triangles");
 }
 
-/// Returns how many triangles with edges up to `longest` make up at least one with these edges.
+/// Returns a lower bound on how many triangles with edges up to `longest` make up one with these edges.
 double least_parts(double a, double b, double c, double longest) {
   const double s = 0.5 * (a + b + c), squared = s * (s - a) * (s - b) * (s - c);  // of the area [Heron]
   const double of_part = 0.25 * std::sqrt(3) * longest * longest;

@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// What decides about a mesh's displacement.
+/// The settings of a mesh's displacement.
 struct Displacing {
   std::function<float(const Vec3& a, const Vec3& b)> length;  // of an edge
   float longest = 1;                                          // edges are split until none is longer

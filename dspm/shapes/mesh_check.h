@@ -9,7 +9,7 @@
 
 namespace dspm {
 
-/// How often a fault occurs, and where it occurs first (in the mesh's own space).
+/// The number of times that a fault occurs, and the first place where it does (in the mesh's own space).
 struct Fault {
   int count = 0;
   Vec3 where;

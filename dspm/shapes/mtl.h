@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// What was left out, and of which materials, by the names of MTL's statements.
+/// The statements of MTL that were left out, by name, and of which materials.
 using MtlLeftOut = std::map<std::string, std::vector<std::string>>;
 
 /// Returns the name under which a parameter of one of the material's pictures is among its own; `texture` is

@@ -19,7 +19,7 @@ namespace dspm {
 
 class TriangleMesh;
 
-/// Where a ray hits a primitive: distance in units of the ray's direction, and the place on the primitive.
+/// The hit of a ray on a primitive: distance in units of the ray's direction, and the place on the primitive.
 struct PrimitiveHit {
   float t;
   Vec2 uv;  // on the primitive: barycentrics of a triangle's second and third vertex, angles of a sphere, ...
@@ -53,8 +53,8 @@ struct SurfacePoint {
   void cover(const Vec3& w, float diameter);
 };
 
-/// What a surface that turns to each ray shows to one of them, near a primitive: a strip with coordinates u along it and v
-/// across it, both in [0, 1]; the surface turns about the line v = 1/2.
+/// The strip that a surface that turns to each ray shows to one of them, near a primitive: with coordinates u along it
+/// and v across it, both in [0, 1]; the surface turns about the line v = 1/2.
 struct Strip {
   int number = 0;                // that of all primitives whose uv are coordinates of the same strip
   Vec3 along = {}, across = {};  // derivatives of p by u and v

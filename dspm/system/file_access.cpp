@@ -25,7 +25,7 @@ fs::path& root() {
 /// file.
 bool holds_zero(const fs::path& file) { return file.native().find('\0') != std::string::npos; }
 
-/// Returns whether the name climbs out of no folder that does not exist (yet): the meaning of such a name is known only
+/// Returns whether the name climbs out of a folder that does not exist (yet): the meaning of such a name is known only
 /// once the folder is made.
 bool leaves_nothing(const fs::path& file) {
   fs::path so_far;

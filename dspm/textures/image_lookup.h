@@ -51,7 +51,7 @@ class ImageLookup {
   template <class T>
   T elliptical(int level, Vec2 st, Vec2 longer, Vec2 shorter) const;
 
-  /// The longest side of the footprint in pixels of level 0.
+  /// The picture's longest side, in pixels of level 0.
   float longest_side() const;
 
   std::shared_ptr<const MipMap> picture_;

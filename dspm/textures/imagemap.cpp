@@ -78,8 +78,8 @@ class ImageTexture final : public Texture<T> {
   bool invert_, averages_;
 };
 
-/// Returns whether the picture has no end, where smaller ones would blur what it shows into what lies beyond, and
-/// nothing in it is cut off.
+/// Returns whether the picture has no end, at which smaller ones would blur what it shows into what lies beyond, and
+/// whether nothing in it is cut off.
 bool averages(const Image& picture, const ImageLookup::Settings& settings, float scale) {
   const auto ends = [](Wrap wrap) { return wrap == Wrap::black || wrap == Wrap::clamp; };
   return !ends(settings.wrap) && !ends(settings.wrap_v.value_or(settings.wrap)) &&

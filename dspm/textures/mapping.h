@@ -37,7 +37,7 @@ class TextureMapping {
   Vec2 at_own(const Vec3& p) const;
   Vec2 turned_uv(Vec2 uv) const;
   bool takes_second(const TexturePoint& point) const { return second_uv_ && point.vertices.data != nullptr; }
-  /// How the coordinates change along the axis `dp` of a footprint, to first order.
+  /// Returns the change of the coordinates along the axis `dp` of a footprint, to first order.
   Vec2 change(const TexturePoint& point, const Vec3& dp) const;
 
   Kind kind_ = Kind::uv;

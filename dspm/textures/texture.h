@@ -11,8 +11,8 @@
 
 namespace dspm {
 
-/// Where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around p whose
-/// axes are dpdx and dpdy, as in pbrt; they are zero for a point. Only textures that say so get a footprint
+/// The place where a texture is looked up, all in the world. A lookup may average over a footprint, the ellipse around
+/// p whose axes are dpdx and dpdy, as in pbrt; they are zero for a point. Only textures that say so get a footprint
 /// (Texture::averages).
 struct TexturePoint {
   Vec3 p;

@@ -11,7 +11,7 @@
 
 namespace dspm {
 
-/// Where frames that an earlier run knew are in the file as it is now.
+/// The places of frames that an earlier run knew, in the file as it is now.
 class MovedFrames {
  public:
   MovedFrames(const KnownFrames& known, const FileFrames& now);

@@ -54,7 +54,8 @@ Geometry::Geometry(const SceneDescription& description, bool check_meshes, Looks
   find_bounds();
 }
 
-/// What lies within the box so far cannot widen it, so only few of a million trees are looked at leaf by leaf.
+/// Finds the bounds. What lies within the box so far cannot widen it, so only few of a million trees are looked at leaf
+/// by leaf.
 void Geometry::find_bounds() {
   std::unordered_map<const Shape*, Bounds3> boxes;  // in their own spaces
   for (const WorldShape& shape : shapes_) {

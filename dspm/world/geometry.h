@@ -35,7 +35,7 @@ struct WorldShape {
   std::shared_ptr<const Cutout> cutout;  // of an emitter, whose light is made once for all frames
 };
 
-/// Why a shape emits light: its AreaLightSource, or its material. Both are null if it does not.
+/// The reason why a shape emits light: its AreaLightSource, or its material. Both are null if it does not.
 struct EmissionUse {
   const AreaLightUse* use = nullptr;
   int of_material = -1;  // whose light it is, in Looks; -1: the directive's

@@ -52,8 +52,8 @@ std::shared_ptr<const Shape> moved_to(const Transform& to_world, const std::shar
 
 }  // namespace
 
-/// What a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two patterns of
-/// holes, at one place.
+/// The thing that a placed shape stands for: one shape at two places counts as two, and so do two geometries, or two
+/// patterns of holes, at one place.
 struct Geometry::Place {
   int geometry, matrix, alpha;  // states
   friend bool operator==(const Place&, const Place&) = default;

@@ -44,7 +44,7 @@ struct Ingredient {
   friend bool operator==(const Ingredient& a, const Ingredient& b) { return a.look == b.look && a.state == b.state; }
 };
 
-/// What a texture or material is made from: equal recipes make equal objects.
+/// The ingredients of a texture or material: equal recipes make equal objects.
 struct Recipe {
   const PluginUse* use = nullptr;
   ParamList params;  // of one moment

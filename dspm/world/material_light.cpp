@@ -31,7 +31,7 @@ class TexturePattern final : public EmissionPattern {
   TexturePtr<Rgb> texture_;
 };
 
-/// What the parts of a mix emit, each by how much of the point it covers.
+/// The light that the parts of a mix emit, each by how much of the point it covers.
 class MixedPattern final : public EmissionPattern {
  public:
   MixedPattern(std::shared_ptr<const MixMaterial> mix, std::array<MaterialLight, 2> lights)

@@ -35,7 +35,7 @@ struct CameraVertex {
   VcmWays ways;  // there
 };
 
-/// What light brings along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
+/// Light that comes along one way, in some frames. `strands` are the light subpath's, still to be multiplied.
 struct Brought {
   FrameSet frames;
   Rgb radiance;

@@ -148,7 +148,8 @@ class LightPathTracer {
     out_.paths.weighted += strands != 0;
   }
 
-  /// Nothing else brings hidden light there; all other light is found by camera paths that go on.
+  /// Ends a path on a curve with hidden light, which nothing else brings there; all other light is found by camera
+  /// paths that go on.
   void end_on_curve(const LightPath& path, const Vertex& vertex) {
     if (!path.hidden || path.bounces == 0 || pass_.ways.merging == 0) return;
     FrameSet frames = mixed_frames(vertex, can_connect);

@@ -20,7 +20,7 @@ struct Splat {
   bool caught;   // the place is on a shadow catcher
 };
 
-/// Whether a pixel of the crop sees the place.
+/// Returns whether a pixel of the crop sees the place.
 bool is_seen(Vec2 film, const RenderSettings& render);
 
 /// Adds the splats, in their order, to every pixel of the crop whose filter reaches them.

@@ -35,7 +35,8 @@ struct VcmPass {
   const EmissionGuides* guides = nullptr;  // of light paths' starts; null or off: by power
 };
 
-/// How a subpath is scattered in some of its frames. Frames stay together only if all their densities are the same.
+/// The way in which a subpath is scattered in some of its frames. Frames stay together only if all their densities are
+/// the same.
 struct SubpathScattering {
   FrameSet frames;
   Rgb factor;

@@ -14,7 +14,7 @@
 
 namespace dspm::v3 {
 
-/// What a translation could not carry over, for the one line that says so.
+/// The losses of a translation, for the one line that reports them.
 struct Remarks {
   std::set<std::string> only_close;  // `plastic`, `sigma of matte`
   std::set<std::string> unknown;     // parameters that v3 did not know either, and ignored

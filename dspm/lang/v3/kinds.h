@@ -16,7 +16,7 @@ void translate_shape(Edit& edit);
 /// Camera, Film, Sampler, PixelFilter and Integrator.
 void translate_option(Edit& edit);
 
-/// What replaces each directive from the start of a scene to WorldBegin.
+/// The directives that replace each one from the start of a scene to WorldBegin.
 using Header = std::vector<std::vector<Directive>>;
 /// Moves what v4 says elsewhere: sppm's iterations are the Sampler's, a Film's speed includes the shutter. Adds v3's
 /// defaults before WorldBegin, the last directive.
