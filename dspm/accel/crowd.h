@@ -1,5 +1,5 @@
-// The lowest nodes of a tree over a shape of very many primitives, such as the pieces of hair. A tree over these nodes is
-// built in a fraction of the time that one over the primitives takes, and hardly worse.
+// The lowest nodes of a tree over a shape of very many primitives, such as the pieces of hair. A tree over these nodes
+// is built in a fraction of the time that one over the primitives takes, and hardly worse.
 #pragma once
 
 #include <cstdint>

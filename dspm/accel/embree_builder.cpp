@@ -1,6 +1,6 @@
 // A Bvh by Embree's builder: binned surface area heuristic on all threads, several times as fast as ours. Only the
-// builder is Embree's. Its own rays decide by its own triangle test, which differs with the instruction set and may miss
-// a triangle at its edge without a trace, so no answer of dspm's could rest on them.
+// builder is Embree's. Its own rays decide by its own triangle test, which differs with the instruction set and may
+// miss a triangle at its edge without a trace, so no answer of dspm's could rest on them.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else

@@ -72,8 +72,8 @@ inline bool enters_root(const Bvh& bvh, const NodeTest& test, float limit) {
 /// Calls visit(leaf number) for the leaves that matter to `query`, roughly in the order in which the ray enters them.
 template <class Query, class Visit>
 void traverse(const Bvh& bvh, const NodeTest& test, Query& query, const Visit& visit) {
-  // The stack: entry distance, number and, if they matter, frames. Uninitialised arrays, since initialising costs time and
-  // reading a struct as a whole after writing it by member would stall.
+  // The stack: entry distance, number and, if they matter, frames. Uninitialised arrays, since initialising costs time
+  // and reading a struct as a whole after writing it by member would stall.
   constexpr int kMost = (Bvh::kWidth - 1) * Bvh::kMaxDepth + 1;
   float at[kMost];
   std::uint32_t child[kMost];

@@ -11,8 +11,8 @@ namespace dspm {
 // Bits of a leaf's number: it is a placed object; its triangles fill two packets; it is a primitive of a crowd.
 inline constexpr std::uint32_t kPlaced = 1u << 30, kTwo = 1u << 29, kOfCrowd = kPlaced | kTwo;
 
-/// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and
-/// placed objects), or number so many leaves of one kind: packets of triangles, placed objects, or primitives of crowds.
+/// Throws std::length_error if a tree cannot be made of so many pieces (triangles, or one in several frames, and placed
+/// objects), or number so many leaves of one kind: packets of triangles, placed objects, or primitives of crowds.
 inline void expect_numbered(std::uint64_t pieces, std::uint64_t leaves) {
   constexpr std::uint64_t kMostPieces = kPlaced;
   if (pieces <= kMostPieces && leaves <= kTwo) return;

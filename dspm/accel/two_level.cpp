@@ -97,8 +97,8 @@ std::size_t TwoLevel::memory() const {
 }
 
 std::size_t two_level_bytes(std::span<const PlacedShape> shapes, FrameSet all) {
-  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 85, and about 40 more for a while. Pieces of
-  // hair take less than half of that.
+  // Bytes per triangle: those of cathedrals, horses and landscapes are 60 to 85, and about 40 more for a while. Pieces
+  // of hair take less than half of that.
   constexpr std::size_t kKept = 95, kBuilding = 45;
   std::set<const Shape*> placed_meshes;
   std::size_t still = 0, moving = 0, in_trees_of_frames = 0;

@@ -1,5 +1,5 @@
-// The progress of a run, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere, or
-// for programs a JSON object per iteration (docs/looking.md).
+// The progress of a run, on stderr: a bar with the remaining time on a terminal, a plain line now and then elsewhere,
+// or for programs a JSON object per iteration (docs/looking.md).
 #pragma once
 
 #include <chrono>

@@ -7,8 +7,8 @@
 
 namespace dspm {
 
-/// Writes shoe.dsc, and its meshes and pictures into the folder shoe, into the current directory, for each of the files;
-/// says what was written. Throws UsageError, WriteError or std::runtime_error.
+/// Writes shoe.dsc, and its meshes and pictures into the folder shoe, into the current directory, for each of the
+/// files; says what was written. Throws UsageError, WriteError or std::runtime_error.
 std::string written_as_dsc(const Options& options);
 
 }  // namespace dspm

@@ -13,8 +13,8 @@
 // | simpleweighting  | false    | pbrt-v3's exposure: the middle of the film is as bright whatever the aperture |
 // | shutteropen, shutterclose | 0, 1 | images are multiplied by the seconds between them; nothing moves meanwhile |
 //
-// A pixel's value is the film's irradiance there, in pbrt-v4's way: an aperture of twice the diameter makes it four times
-// as bright ("iso" of the Film evens that out). Light that is traced towards the camera does not reach it.
+// A pixel's value is the film's irradiance there, in pbrt-v4's way: an aperture of twice the diameter makes it four
+// times as bright ("iso" of the Film evens that out). Light that is traced towards the camera does not reach it.
 //
 // [Kolb, Mitchell, Hanrahan 1995, A Realistic Camera Model for Computer Graphics; Pharr, Jakob, Humphreys, Physically
 // Based Rendering, 3rd ed., 6.4]

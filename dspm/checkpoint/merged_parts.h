@@ -17,8 +17,8 @@ namespace dspm {
 
 class MergedParts {
  public:
-  /// Throws UsageError, naming the files, if they are not parts of one render, or one is there twice; std::runtime_error
-  /// if one is damaged.
+  /// Throws UsageError, naming the files, if they are not parts of one render, or one is there twice;
+  /// std::runtime_error if one is damaged.
   explicit MergedParts(const std::vector<std::string>& files);
 
   /// The render of the first part.

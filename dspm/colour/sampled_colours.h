@@ -1,4 +1,5 @@
-// The colours of many spectra that are sampled at the same wavelengths: sums over the samples, not over all wavelengths.
+// The colours of many spectra that are sampled at the same wavelengths: sums over the samples, not over all
+// wavelengths.
 #pragma once
 
 #include <array>

@@ -11,7 +11,8 @@ namespace dspm {
 struct NoisyImage {
   Image radiance;
   Image variance;  // of radiance, by component
-  // Of the surfaces that the camera sees; only r of depth. Where there is none: no normal, and a depth beyond kNoSurface.
+  // Of the surfaces that the camera sees; only r of depth. Where there is none: no normal, and a depth beyond
+  // kNoSurface.
   Image albedo, normal, depth;
 };
 inline constexpr float kNoSurface = 1e9f;

@@ -1,6 +1,7 @@
 // The parameters of the Film directive as plain settings, and the arithmetic that follows from them.
 //   Film "rgb" "integer xresolution" 512 "integer yresolution" 512 "string filename" "water.exr"
-// film.cpp reads the parameters. pbrt's film "spectral" and its real sensors are read as "rgb" and "cie1931", with a note.
+// film.cpp reads the parameters. pbrt's film "spectral" and its real sensors are read as "rgb" and "cie1931", with a
+// note.
 #pragma once
 
 #include <array>

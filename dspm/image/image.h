@@ -39,8 +39,8 @@ struct ColorEncoding {
 };
 
 /// Reads PNG, JPEG, OpenEXR (the first part's R, G, B or Y), Radiance HDR, TIFF, WebP, QOI, BMP, PNM, PFM or TGA, told
-/// apart by their first bytes. JPEG, HDR and PFM have no alpha. Throws std::runtime_error, naming the file and the cause;
-/// never allocates for more than kMaxPixels.
+/// apart by their first bytes. JPEG, HDR and PFM have no alpha. Throws std::runtime_error, naming the file and the
+/// cause; never allocates for more than kMaxPixels.
 Image read_image(const std::filesystem::path& path, ColorEncoding encoding = {});
 
 inline constexpr std::size_t kMaxPixels = std::size_t{1} << 28;

@@ -22,8 +22,8 @@ namespace dspm {
 ///   void escaped(const Path&, FrameSet)
 ///   void lost(const Path&, FrameSet, const SceneElement&)    the surface is not finite; the shape to blame
 ///   void wandered(const Path& before, const Path& after)  optional: what the path carries has changed inside a body
-/// Surfaces that are not there, because a body of higher priority is (nesting.h), end no segment: no tracer knows of them.
-/// It may also have
+/// Surfaces that are not there, because a body of higher priority is (nesting.h), end no segment: no tracer knows of
+/// them. It may also have
 ///   StrandTable& strands()                                frames with different bodies then stay one path
 ///   void dimmed(const Path& before, const Path& after)    by the body that the segment has passed through
 template <class Path>
@@ -146,8 +146,8 @@ class BranchingPath {
     return !(length2(ray.at(ray.t_max) - scene_.center) < 4 * scene_.radius * scene_.radius);
   }
 
-  /// Calls fn(const Path&) for what arrives, in these frames, of a path whose segment lies in these bodies: for one path if
-  /// the tracer has strands.
+  /// Calls fn(const Path&) for what arrives, in these frames, of a path whose segment lies in these bodies: for one
+  /// path if the tracer has strands.
   template <class Tracer, class Fn>
   void dim(const Path& path, const Inside& inside, FrameSet frames, float distance, Tracer& tracer, Fn&& fn) {
     Path left = path;

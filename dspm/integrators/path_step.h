@@ -92,8 +92,8 @@ struct Vertex {
   SceneElement emitter_element() const { return {SceneElement::Kind::light, shape.light}; }
 };
 
-/// Calls fn(FrameSet, const Material&, bool averages) for each material that the point is made of in some of the vertex's
-/// frames. Mixes that differ may agree about a point.
+/// Calls fn(FrameSet, const Material&, bool averages) for each material that the point is made of in some of the
+/// vertex's frames. Mixes that differ may agree about a point.
 template <class Fn>
 void for_each_material(const Vertex& vertex, Fn&& fn) {
   struct Made {

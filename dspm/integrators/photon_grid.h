@@ -62,8 +62,8 @@ class PhotonGrid {
   std::size_t bytes() const {
     return grid_.bytes() + photons_.bytes() + points_.bytes() + faces_.bytes() + groups_.bytes();
   }
-  /// Calls fn(const Gathered&, distance squared, const Details&) for every photon within sqrt(radius2) of p; returns how
-  /// many it tested.
+  /// Calls fn(const Gathered&, distance squared, const Details&) for every photon within sqrt(radius2) of p; returns
+  /// how many it tested.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, Fn&& fn) const {
     const Gathered* photons = photons_.data();

@@ -35,8 +35,8 @@ class PhotonMap {
   std::size_t size() const { return photons_.size(); }
   std::size_t bytes() const;
   /// Calls fn(const GatheredPhoton&, distance squared, details) or the same with GatheredStrands for all photons within
-  /// sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested. For details, see
-  /// PhotonGrid: group() is only to be asked for if the map has groups.
+  /// sqrt(radius2) of p that exist in some of `frames`, and for some others; returns how many it tested. For details,
+  /// see PhotonGrid: group() is only to be asked for if the map has groups.
   template <class Fn>
   std::uint64_t for_each_within(const Vec3& p, float radius2, FrameSet frames, Fn&& fn) const {
     std::array<const PhotonGrid<GatheredPhoton>*, kFewFrames + 1> grids{&common_};

@@ -1,4 +1,5 @@
-// Contributions that were negative or not finite, by the scene element that produced them. None of them reaches a pixel.
+// Contributions that were negative or not finite, by the scene element that produced them. None of them reaches a
+// pixel.
 #pragma once
 
 #include <cstdint>

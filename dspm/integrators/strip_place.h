@@ -1,5 +1,5 @@
-// Light on a surface that turns to each ray, such as a curve. It has no area of its own, but the strip that it shows to a
-// beam has: where light arrives from w with irradiance E across the beam, du dv of the strip p(u, v) receives
+// Light on a surface that turns to each ray, such as a curve. It has no area of its own, but the strip that it shows to
+// a beam has: where light arrives from w with irradiance E across the beam, du dv of the strip p(u, v) receives
 //
 //   E |w . (dp/du x dp/dv)| du dv.
 //

@@ -1,8 +1,8 @@
 // AreaLightSource "diffuse" "rgb L" [40 38 34] "bool twosided" true
 //
-// Makes every point of a shape emit equal radiance in all directions: on the side of its geometric normal, or on
-// both. Points are drawn uniformly by their area in the world, or, if the radiance varies over the surface, in
-// proportion to it.
+// Makes every point of a shape emit equal radiance in all directions: on the side of its geometric normal, or on both.
+// Points are drawn uniformly by their area in the world, or, if the radiance varies over the surface, in proportion to
+// it.
 //
 // | parameter | default | meaning |
 // | --------- | ------- | ------- |

@@ -1,7 +1,8 @@
 // LightSource "distant" "rgb L" [3 3 3] "point3 from" [1 2 0] "point3 to" [0 0 0]
 //
 // A sun: parallel light from infinitely far away. Photons start on a disk that covers the sphere around the scene. With
-// an angle it is a disk in the sky, of even radiance: shadows are soft at their edges, and the camera and mirrors see it.
+// an angle it is a disk in the sky, of even radiance: shadows are soft at their edges, and the camera and mirrors see
+// it.
 //
 // | parameter   | default | meaning |
 // | ----------- | ------- | ------- |

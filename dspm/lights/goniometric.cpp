@@ -14,8 +14,9 @@
 // The light is at the origin of light space. The middle of a square image, and the top row of a latitude-longitude one,
 // is +y. An IES file's lamp hangs there and shines down, along -y; its horizontal angles begin at +x and turn to +z.
 // Images are bilinear between the centres of their pixels, as those of "infinite".
-// An IES file's intensities are in candela, linear between the angles that were measured, and here between angles a third
-// of a degree apart. Its factors for the ballast apply, those for tilted lamps do not; its lamp's size does not count.
+// An IES file's intensities are in candela, linear between the angles that were measured, and here between angles a
+// third of a degree apart. Its factors for the ballast apply, those for tilted lamps do not; its lamp's size does not
+// count.
 //
 // [Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., 12.2.3; ANSI/IES LM-63-19]
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Sends packets to a server without ever waiting for it: a thread connects and sends. A server that is not there, is slow
-// or vanishes costs nothing but its pictures; it is tried again every few seconds.
+// Sends packets to a server without ever waiting for it: a thread connects and sends. A server that is not there, is
+// slow or vanishes costs nothing but its pictures; it is tried again every few seconds.
 #pragma once
 
 #include <atomic>

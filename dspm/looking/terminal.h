@@ -15,8 +15,8 @@ enum class Graphics { none, kitty, sixel };
 /// sw.kovidgoyal.net/kitty/graphics-protocol; device attributes: DEC VT340, 4 is sixel]
 Graphics graphics_of_answer(std::string_view answer);
 /// Asks whether images are known, then for the device's attributes, which every terminal answers. The cursor is at the
-/// start of an empty line, which is erased in between: urxvt and others print the first question. `term`, of $TERM, is the
-/// terminal's kind: tmux and screen, which do not know kitty's images, would take that question for a title.
+/// start of an empty line, which is erased in between: urxvt and others print the first question. `term`, of $TERM, is
+/// the terminal's kind: tmux and screen, which do not know kitty's images, would take that question for a title.
 std::string_view graphics_query(std::string_view term);
 
 struct TerminalGraphics {

@@ -40,8 +40,8 @@ class Bsdf {
   LobeSet all_lobes() const { return lobes(0); }
   /// f(wo, wi) in 1/sr, without the cosine, summed over `lobes`; specular lobes add nothing. The geometric normal
   /// distinguishes reflection from transmission; if it and ns disagree about the side that light comes from (wi for
-  /// radiance, wo for flux), f is 0. So f for flux is f for radiance with the directions exchanged; the cosines of fibres
-  /// (hair.cpp) are those of a surface that turns to each ray.
+  /// radiance, wo for flux), f is 0. So f for flux is f for radiance with the directions exchanged; the cosines of
+  /// fibres (hair.cpp) are those of a surface that turns to each ray.
   virtual Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;
   /// The density of sample() by solid angle, given that it samples `lobes`.
   virtual float pdf_w(const Vec3& wo, const Vec3& wi, Transport transport, LobeSet lobes) const = 0;

@@ -17,10 +17,10 @@
 //   f = F-mirror or GGX + g GGX(o', i') R / eta^2,   g = (1 - F(o)) (1 - F(i)) / (1 - R sqrt(F(o) F(i))),
 // where g counts what goes to and fro on the mirror's way, and is at most 1 - F(o) and 1 - F(i). What white metal would
 // lose (light that is totally reflected in the coat, or meets a second facet) leaves as a diffuse lobe, coloured by two
-// or more reflections. A rough coat widens the metal's lobe: to first order, a facet of slope s turns refracted light by
-// (1 - 1/eta) s and mirrored light by 2 s. White metal gives back all light. Without energycompensation
-// there is no diffuse lobe, and exp(-thickness / cos) is lost on each way through the coat, as in pbrt's walk. That keeps
-// a little of what is totally reflected, and loses what is left at maxdepth, which is small.
+// or more reflections. A rough coat widens the metal's lobe: to first order, a facet of slope s turns refracted light
+// by (1 - 1/eta) s and mirrored light by 2 s. White metal gives back all light. Without energycompensation
+// there is no diffuse lobe, and exp(-thickness / cos) is lost on each way through the coat, as in pbrt's walk. That
+// keeps a little of what is totally reflected, and loses what is left at maxdepth, which is small.
 // [Kulla and Conty 2017; Belcour 2018, Efficient Rendering of Layered Materials]
 #include <algorithm>
 #include <array>

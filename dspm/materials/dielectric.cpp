@@ -15,8 +15,8 @@
 // dispersion. Rough glass is GGX, and on the side that light comes from, a diffuse lobe for light that meets a second
 // facet (made_up.h); without energycompensation that light is lost, as in pbrt. Coloured glass absorbs within the body:
 // after a distance d, attenuationcolor^(d / attenuationdistance) is left (Beer's law). The body ends at its mesh, which
-// should be closed; what is opaque may lie in it. Where bodies overlap, the one of the higher "priority" is there, and eta
-// is that over air; between bodies of equal priority it is as written, and the body that light entered last counts.
+// should be closed; what is opaque may lie in it. Where bodies overlap, the one of the higher "priority" is there, and
+// eta is that over air; between bodies of equal priority it is as written, and the body that light entered last counts.
 // [Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces; glTF 2.0, KHR_materials_volume]
 #include <algorithm>
 #include <cmath>

@@ -11,14 +11,15 @@
 //   beta_n        float texture            0.3     roughness around it, 0.01 to 1
 //   alpha         float texture            2       tilt of the scales on the fibre (degrees)
 //
-// The place across the fibre at which a ray meets it is that of the texture coordinate v: h = 2 v - 1. f is MAN / |cos(wi)|
-// as in pbrt, where M scatters along, N around the fibre and A is what each path through it leaves, for the ray of `wo`.
+// The place across the fibre at which a ray meets it is that of the texture coordinate v: h = 2 v - 1. f is MAN /
+// |cos(wi)| as in pbrt, where M scatters along, N around the fibre and A is what each path through it leaves, for the
+// ray of `wo`.
 //
-// A photon path meets the fibre from where its light comes. A curve turns to each ray, so a unit of its length shows the
-// camera cos(theta_o) of its width and takes cos(theta_i) of the light: f for flux is MAN of the way back, times
+// A photon path meets the fibre from where its light comes. A curve turns to each ray, so a unit of its length shows
+// the camera cos(theta_o) of its width and takes cos(theta_i) of the light: f for flux is MAN of the way back, times
 // cos(theta_o) / (cos(theta_i) |cos(wi)|). On other surfaces it is f for radiance the other way round, as usual. Light does
-// not tell where it leaves the fibre; the way back is taken to be met at the mirrored place, so f for flux turns
-// around the fibre the other way, which nobody sees in a fibre thinner than a pixel.
+// not tell where it leaves the fibre; the way back is taken to be met at the mirrored place, so f for flux turns around
+// the fibre the other way, which nobody sees in a fibre thinner than a pixel.
 //
 // [Chiang, Bitterli, Tappan, Burley 2016, A Practical and Controllable Hair and Fur Model for Production Path Tracing]
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 //
 //   Material "interface"
 //
-// pbrt's older names "" and "none" mean the same. An area light on such a shape is left out as well, with a warning, as in
-// pbrt. As a part of a mix it is a hole.
+// pbrt's older names "" and "none" mean the same. An area light on such a shape is left out as well, with a warning, as
+// in pbrt. As a part of a mix it is a hole.
 #include "dspm/colour/rgb.h"
 #include "dspm/materials/material.h"
 #include "dspm/math/vec.h"

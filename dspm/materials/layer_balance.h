@@ -3,9 +3,9 @@
 // A layer leaves X(o) of the light from o. Of what white facets send from o to i, a(o) a(i) passes the layer both ways,
 // with a such that all that reaches them leaves again, now or after more reflections to and fro:
 //   a(o) * integral of f(o, i) a(i) cos(i) = X(o),
-// which is the scaling of a symmetric matrix to given sums of its rows. f is GGX with the diffuse lobe that makes up for
-// what facets lose. In a = X / sqrt(M), M is X for mirrors, the mean of X for a diffuse base, and in between for rough
-// facets. [Sinkhorn 1964, A Relationship Between Arbitrary Positive Matrices and Doubly Stochastic Matrices]
+// which is the scaling of a symmetric matrix to given sums of its rows. f is GGX with the diffuse lobe that makes up
+// for what facets lose. In a = X / sqrt(M), M is X for mirrors, the mean of X for a diffuse base, and in between for
+// rough facets. [Sinkhorn 1964, A Relationship Between Arbitrary Positive Matrices and Doubly Stochastic Matrices]
 #pragma once
 
 #include <array>

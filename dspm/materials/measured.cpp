@@ -5,12 +5,13 @@
 //   filename   file   required   a .bsdf file of RGL, with spectra or with RGB values
 //
 // The file tabulates the distribution D of facet normals, the area sigma that facets show in a direction, and, over a
-// square that is stretched where facets matter, what they reflect, r: f = r D(m) / (4 sigma(wo) cos(wi)), with m halfway
-// between both directions. The square is warped twice to sample m, by the file's luminance and its visible normals; both
-// warps have exact densities. wo is the direction towards the camera; measured tables are reciprocal up to noise, so
-// light that photons bring is looked up as camera paths would. Both sides reflect. Each spectrum is turned into its
-// colour under D65 when the file is read. The surface counts as rough as GGX with as high a peak of D.
-// [Dupuy and Jakob 2018, An Adaptive Parameterization for Efficient Material Acquisition and Rendering; https://rgl.epfl.ch/materials]
+// square that is stretched where facets matter, what they reflect, r: f = r D(m) / (4 sigma(wo) cos(wi)), with m
+// halfway between both directions. The square is warped twice to sample m, by the file's luminance and its visible
+// normals; both warps have exact densities. wo is the direction towards the camera; measured tables are reciprocal up
+// to noise, so light that photons bring is looked up as camera paths would. Both sides reflect. Each spectrum is turned
+// into its colour under D65 when the file is read. The surface counts as rough as GGX with as high a peak of D.
+// [Dupuy and Jakob 2018, An Adaptive Parameterization for Efficient Material Acquisition and Rendering;
+// https://rgl.epfl.ch/materials]
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

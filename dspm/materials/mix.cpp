@@ -10,9 +10,9 @@
 // The choice is a function of the point alone, like a texture of white noise: camera paths and photons agree about it,
 // frames share it, and where an amount is keyed, points change one by one. pbrt also makes it a function of the viewing
 // direction, so that a point is not the same for light that arrives and light that leaves. Each material keeps its own
-// relief, which a sum of both scattering functions could not have; but photons around a point count by the mean of both.
-// A part may have holes or be an "interface", which is nothing but a hole, and it may emit light: world gives the shape
-// the holes and the light of both parts, each by its share.
+// relief, which a sum of both scattering functions could not have; but photons around a point count by the mean of
+// both. A part may have holes or be an "interface", which is nothing but a hole, and it may emit light: world gives the
+// shape the holes and the light of both parts, each by its share.
 // A body has one inside: where both materials are glass, they must absorb alike, and rust on coloured glass leaves the
 // body its colour.
 #include "dspm/materials/mix.h"

@@ -31,8 +31,8 @@
 //   emission              spectrum texture    0      colour of the light that both sides emit
 //   emissionstrength      float               1      times emission: radiance
 //
-// From the top: sheen s, coat c, and a base. With E the directional albedo of a layer by the cosine to the normal, sheen
-// and coat leave X = (1 - s E_s) (1 - c E_c) to what is below. The base is
+// From the top: sheen s, coat c, and a base. With E the directional albedo of a layer by the cosine to the normal,
+// sheen and coat leave X = (1 - s E_s) (1 - c E_c) to what is below. The base is
 //   metal:    GGX with Schlick's Fresnel term, and a diffuse lobe for light that meets several facets, f =
 //             F' (1 - E(o)) (1 - E(i)) / (pi (1 - mean E)) [Kulla and Conty 2017];
 //   glass:    GGX, both ways, with the same lobe (F' = 1) for what its facets lose;
@@ -40,18 +40,18 @@
 //             f = basecolor Y(o) Y(i) / (pi mean Y), Y = (1 - specular E) X; of that, 1 - diffusetransmission on this
 //             side, and the rest, with its own colour, on the other.
 // E of facets of two roughnesses depends on the azimuth (brushed_albedo.h). Of light that facets below coat or sheen
-// mirror, a(o) a(i) passes both ways, a = X / sqrt(M), where M goes from X for mirrors to means of X for rough facets, as
-// the ground has it (layer_balance.h). Of what passes glass, X(o) does, for o outside, and from inside glass mirrors what
-// layers send back. So f is reciprocal, and white gives back all light, to within
+// mirror, a(o) a(i) passes both ways, a = X / sqrt(M), where M goes from X for mirrors to means of X for rough facets,
+// as the ground has it (layer_balance.h). Of what passes glass, X(o) does, for o outside, and from inside glass mirrors
+// what layers send back. So f is reciprocal, and white gives back all light, to within
 //   0.3%       of bare facets, 1% of rough glass from inside (tables of E);
 //   1% to 2%   of brushed facets, 5% of brushed glass from inside, at anisotropy 1 (tables of E);
 //   1.5%       of metal and panes under coat and sheen, 2% of the opaque dielectric, 5% if brushed as well (M is that of
 //              white metal with one roughness);
 //   9%         of rough glass under white sheen, 6% under a coat, from inside, and nothing of smooth glass (what is sent
 //              back is mirrored as if facets did not spread it).
-// Both sides scatter alike; through a share of glass, the inside is the side away from the geometric normal. A thin wall
-// of glass is seen from outside on both sides: light that passes leaves as if a facet had mirrored it and the wall had
-// mirrored it again, times basecolor, which it crosses once, whatever its thickness.
+// Both sides scatter alike; through a share of glass, the inside is the side away from the geometric normal. A thin
+// wall of glass is seen from outside on both sides: light that passes leaves as if a facet had mirrored it and the wall
+// had mirrored it again, times basecolor, which it crosses once, whatever its thickness.
 // Alpha makes holes for camera paths, shadow rays and photons, times the alpha of the shape, and emission makes each
 // shape of the material an area light, which nothing above it dims; a shape's AreaLightSource takes its place. A `mix`
 // has both by the share of its part.

@@ -1,7 +1,7 @@
 // The layers of the principled material as formulas, for light from one side. Directions are in the shading frame, wo
 // above. From the top: sheen, coat, and a base of three shares: metal, glass (which transmits) and an opaque dielectric
-// over a diffuse ground. From inside, glass has no layers over it, as it has them on its other side. A thin wall is seen
-// from outside on both sides.
+// over a diffuse ground. From inside, glass has no layers over it, as it has them on its other side. A thin wall is
+// seen from outside on both sides.
 #pragma once
 
 #include <array>

@@ -41,8 +41,8 @@ inline std::optional<Facet> facet_between(const Vec3& wo, const Vec3& wi, float 
   return Facet{m, fresnel_dielectric(dot(wo, m), eta), reflected ? 0.f : solid_angle_ratio(wo, wi, m, eta)};
 }
 
-/// f of refraction for flux, if the facets let all light through. [Walter et al. 2007, (21)], divided by eta^2 above and
-/// below the line.
+/// f of refraction for flux, if the facets let all light through. [Walter et al. 2007, (21)], divided by eta^2 above
+/// and below the line.
 inline float refraction(const Ggx& facets, const Vec3& wo, const Vec3& wi, const Facet& facet) {
   return facets.density(facet.m) * facets.visible(wo, wi) * dot(wo, facet.m) * facet.solid_angle_ratio / (wo.z * -wi.z);
 }

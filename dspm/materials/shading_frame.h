@@ -69,7 +69,8 @@ class ShadingFrame {
   Vec3 ng_;
 };
 
-/// wo and wi in the shading frame, wo above, the camera's turned to ns. `valid` if both normals agree about the light's.
+/// wo and wi in the shading frame, wo above, the camera's turned to ns. `valid` if both normals agree about the
+/// light's.
 struct LocalPair {
   float side;
   Vec3 wo, wi;

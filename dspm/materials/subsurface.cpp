@@ -17,17 +17,17 @@
 //
 // The surface mirrors a part F(w) of the light, smooth or as GGX. The rest crosses it and is diffused by it, both ways.
 // Inside, light walks from collision to collision (integrators/walk.h). Where it meets the surface again, it is thrown
-// back, diffusely, with the probability r = 1 - T / eta^2, where T is the mean of 1 - F over diffuse light from outside;
-// else it leaves in the directions (1 - F(w)) cos(w) / (pi T). This is reciprocal and loses nothing, and photons can be
-// gathered where light crosses the surface. As the walk sees the body's real shape, thin parts shine through, which
-// pbrt's profile for a flat thick body leaves out. Nothing else should be inside the body, and its mesh should be closed.
-// Where it overlaps glass, its "priority" must be the higher one: light that enters it by the glass's surface would not
-// be scattered.
+// back, diffusely, with the probability r = 1 - T / eta^2, where T is the mean of 1 - F over diffuse light from
+// outside; else it leaves in the directions (1 - F(w)) cos(w) / (pi T). This is reciprocal and loses nothing, and
+// photons can be gathered where light crosses the surface. As the walk sees the body's real shape, thin parts shine
+// through, which pbrt's profile for a flat thick body leaves out. Nothing else should be inside the body, and its mesh
+// should be closed. Where it overlaps glass, its "priority" must be the higher one: light that enters it by the glass's
+// surface would not be scattered.
 //
 // Of diffuse light, a thick body returns the share R = (1 - s)(1 - 0.139 s) / (1 + 1.17 s), with s^2 = (1 - albedo) /
-// (1 - g albedo) [van de Hulst 1980, Multiple Light Scattering]. Thrown back by the surface again and again, R (1 - r) /
-// (1 - r R) leaves: this is the `reflectance`, from which the albedo is found by solving both equations. It holds to 1.5%
-// for g = 0, and to 5% for g = 0.5.
+// (1 - g albedo) [van de Hulst 1980, Multiple Light Scattering]. Thrown back by the surface again and again, R (1 - r)
+// / (1 - r R) leaves: this is the `reflectance`, from which the albedo is found by solving both equations. It holds to
+// 1.5% for g = 0, and to 5% for g = 0.5.
 #include <algorithm>
 #include <cmath>
 

@@ -169,8 +169,8 @@ void Session::judge(const IntervalProgress& progress, const Integrator& integrat
                 radius > 0 ? fmt::format("; not in it is the blur of photons, within {:.1f} pixels", radius) : "");
 }
 
-// Photons in batches have room for the copy in the plan of --memory. Without a bound a large one must not be most of the
-// memory.
+// Photons in batches have room for the copy in the plan of --memory. Without a bound a large one must not be most of
+// the memory.
 bool Session::can_copy(Integrator& integrator, std::size_t index) const {
   constexpr std::uint64_t kSmall = 1 << 20;
   const std::optional<std::uint64_t> copy = state_bytes(integrator);

@@ -1,5 +1,6 @@
 // A render without a command line: frame intervals one after the other, each iterated until its iterations are done,
-// its error is small enough, its time is up, or the observer wants an end. The observer decides what happens to the images.
+// its error is small enough, its time is up, or the observer wants an end. The observer decides what happens to the
+// images.
 #pragma once
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // Shape "curve" "point3 P" [0 0 0  0 1 0  1 1 0  1 2 0] "float width" 0.1
 //
-// Cubic or quadratic curves with a width, such as hair, fur and grass. Directives that follow one another and are alike in
-// all but their curves become one shape, so hair may have a directive for each of millions of strands.
+// Cubic or quadratic curves with a width, such as hair, fur and grass. Directives that follow one another and are alike
+// in all but their curves become one shape, so hair may have a directive for each of millions of strands.
 //
 // | parameter  | default | meaning |
 // | ---------- | ------- | ------- |
@@ -15,9 +15,9 @@
 // | width1     | width   | at its end |
 // | splitdepth | 3       | a segment has boxes of its own for up to 2^splitdepth pieces, 10 at most |
 //
-// u runs along each segment from 0 to 1, v across it. A flat curve is a ribbon that turns to each ray. It emits no light:
-// that has no density by area. Rays leave it half a width off its centre (twice the width in pbrt). [Pharr, Jakob,
-// Humphreys, Physically Based Rendering, 6.7]
+// u runs along each segment from 0 to 1, v across it. A flat curve is a ribbon that turns to each ray. It emits no
+// light: that has no density by area. Rays leave it half a width off its centre (twice the width in pbrt). [Pharr,
+// Jakob, Humphreys, Physically Based Rendering, 6.7]
 #include <fmt/format.h>
 
 #include <algorithm>

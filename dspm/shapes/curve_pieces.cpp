@@ -99,8 +99,8 @@ PieceLists cut_all(std::span<const CurveSegment> segments, std::span<const std::
   return lists;
 }
 
-/// Sorts pieces along the curve through space, those in one place by their order in the lists: first into cells, then within
-/// each.
+/// Sorts pieces along the curve through space, those in one place by their order in the lists: first into cells, then
+/// within each.
 class Sorting {
  public:
   explicit Sorting(PieceLists lists)

@@ -74,9 +74,9 @@ struct Passage {
   double offset;      // the ray's from the centre line, against `across`
 };
 
-/// Calls fn(const Passage&) for each turn at which the piece passes within half of its width of the ray's line. The sign of
-/// (p . p') decides, with p in projection along the ray, at places that neighbouring steps share, so none is lost between
-/// them; neighbouring pieces overlap by a thousandth of the width.
+/// Calls fn(const Passage&) for each turn at which the piece passes within half of its width of the ray's line. The
+/// sign of (p . p') decides, with p in projection along the ray, at places that neighbouring steps share, so none is
+/// lost between them; neighbouring pieces overlap by a thousandth of the width.
 template <class Fn>
 void for_each_passage(const CurveSegment& segment, const CurvePiece& piece, const Ray& ray, const Fn& fn);
 

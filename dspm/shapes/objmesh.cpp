@@ -1,8 +1,8 @@
 // Shape "objmesh" "string filename" "chair.obj" "string group" "seat"
 //
 // Triangles from a Wavefront OBJ file, with the materials of its MTL files. Faces of any number of corners, normals,
-// texture coordinates, negative indices, colours of vertices (see the texture "vertexcolor"). In a Dynamic block `%03d` in
-// the name stands for the frame's number; where a file of the sequence has no faces, the shape is not there.
+// texture coordinates, negative indices, colours of vertices (see the texture "vertexcolor"). In a Dynamic block `%03d`
+// in the name stands for the frame's number; where a file of the sequence has no faces, the shape is not there.
 //
 // | parameter | default  | meaning |
 // | --------- | -------- | ------- |
@@ -13,18 +13,18 @@
 //
 // Materials of MTL files: illum 4, 6, 7 and 9 are "dielectric" with Ni as eta (1.5 if there is none) and Pr^2 as GGX
 // alpha, or with a Tf below 1 "principled" with transmission 1. Others are "principled" if they have Pr, Pm, Ps, Pc or
-// aniso (with their pictures, Pcr and anisor), or a Ks and no illum 1: Ns is Phong's exponent, a Ks of a half mirrors as
-// Ni says, map_Ks is its colour, and without Kd both are those of metal. The rest is "diffuse" of Kd or map_Kd. Ke and
-// map_Ke are "emission", d (but of glass) and map_d are "alpha", and take "principled" as well. norm is a normal map, and
-// so is map_Bump (bump) if it is a picture of normals; else its heights, times -bm, are in scene units, and so are those
-// of disp. Options of pictures: -s and -o place them at s = scale u + offset, -clamp on, -mm with a base of 0, and
-// -imfchan r, g or b of numbers; -bm of norm multiplies slopes; pictures of normals in map_Bump have none. -boost has no
-// effect: it counters the blur of smaller versions of a picture, and here pictures get as sharp as they are. Everything
-// else is left out, with one warning for each kind of statement. In files that begin with "# Blender", statements mean
-// what Blender writes them for: Ns = 1000 (1 - roughness)^2, illum 3 and 6 are metal, as much as Ka says, 6 and 9 go
-// with d and are no glass, and Tf is "transmission". The scene may use these materials by their names (NamedMaterial,
-// in later shapes), variations may replace them and dim their lights, and a MakeNamedMaterial of the scene with the
-// same name takes their place.
+// aniso (with their pictures, Pcr and anisor), or a Ks and no illum 1: Ns is Phong's exponent, a Ks of a half mirrors
+// as Ni says, map_Ks is its colour, and without Kd both are those of metal. The rest is "diffuse" of Kd or map_Kd. Ke
+// and map_Ke are "emission", d (but of glass) and map_d are "alpha", and take "principled" as well. norm is a normal
+// map, and so is map_Bump (bump) if it is a picture of normals; else its heights, times -bm, are in scene units, and so
+// are those of disp. Options of pictures: -s and -o place them at s = scale u + offset, -clamp on, -mm with a base of
+// 0, and -imfchan r, g or b of numbers; -bm of norm multiplies slopes; pictures of normals in map_Bump have none.
+// -boost has no effect: it counters the blur of smaller versions of a picture, and here pictures get as sharp as they
+// are. Everything else is left out, with one warning for each kind of statement. In files that begin with "# Blender",
+// statements mean what Blender writes them for: Ns = 1000 (1 - roughness)^2, illum 3 and 6 are metal, as much as Ka
+// says, 6 and 9 go with d and are no glass, and Tf is "transmission". The scene may use these materials by their names
+// (NamedMaterial, in later shapes), variations may replace them and dim their lights, and a MakeNamedMaterial of the
+// scene with the same name takes their place.
 #include <algorithm>
 #include <stdexcept>
 

@@ -70,9 +70,9 @@ int usual_threads() {
 
 }  // namespace
 
-// The control raises or lowers the total number of threads; the arena limits how many of them a loop gets. It has a place
-// for a second thread with a loop of its own, which reads an edited scene while the first one renders: it would have to
-// wait for the end of the first one's loop otherwise.
+// The control raises or lowers the total number of threads; the arena limits how many of them a loop gets. It has a
+// place for a second thread with a loop of its own, which reads an edited scene while the first one renders: it would
+// have to wait for the end of the first one's loop otherwise.
 struct ThreadLimit::Arena {
   static constexpr int kLoops = 2;
   explicit Arena(int count)

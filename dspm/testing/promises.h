@@ -1,6 +1,6 @@
 // dspm's promises for every integrator: images depend neither on the number of threads nor on whether the render was
-// interrupted, nor on which other frames and pixels are rendered. An image that is the same in every pixel shows none of
-// this: give a scene with edges.
+// interrupted, nor on which other frames and pixels are rendered. An image that is the same in every pixel shows none
+// of this: give a scene with edges.
 #pragma once
 
 #include <string>

@@ -5,7 +5,8 @@
 //   | tex      | (1, .5, .5) | always spectrum: 2 red - 1 is along u, 2 green - 1 along v |
 //   | rotation | 0           | degrees that are added                                     |
 //
-// In degrees, from u towards v. Directions are averaged before the angle is taken, so turns of 360 degrees leave no seam.
+// In degrees, from u towards v. Directions are averaged before the angle is taken, so turns of 360 degrees leave no
+// seam.
 #include <cmath>
 
 #include "dspm/colour/rgb.h"

@@ -8,8 +8,8 @@
 //   | tex2      | 0 | in the adjacent ones                                     |
 //   and the mapping's parameters, see mapping.h, which apply to squares
 //
-// Within a footprint, squares and cubes are averaged by a product of triangle filters along their edges, whose radius is
-// one and a half footprints, as in pbrt. [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.2]
+// Within a footprint, squares and cubes are averaged by a product of triangle filters along their edges, whose radius
+// is one and a half footprints, as in pbrt. [Pharr, Jakob, Humphreys, Physically Based Rendering, 10.2]
 #include <algorithm>
 #include <cmath>
 
@@ -26,8 +26,8 @@ namespace {
 float sign(float x, float radius) {
   const float cell = std::floor(x);  // a float, because it may exceed every integer type
   if (!(std::floor(x - radius) < std::floor(x + radius))) return cell == 2 * std::floor(cell / 2) ? 1.f : -1.f;
-  // The sign is the second derivative of this function, so its mean is a second difference; in double, as the radius may
-  // be small.
+  // The sign is the second derivative of this function, so its mean is a second difference; in double, as the radius
+  // may be small.
   const auto integral = [](double at) {
     const double y = at / 2 - std::floor(at / 2) - 0.5;
     return y * (1 - 2 * std::abs(y));

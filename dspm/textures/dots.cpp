@@ -7,8 +7,8 @@
 //   and the mapping's parameters, see mapping.h
 //
 // The names are exchanged, since pbrt's pictures have always had what "inside" says around the dots: its factory passes
-// both in the order opposite to that of its texture. Noise decides which squares have a dot, and where in them.
-// [Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.2]
+// both in the order opposite to that of its texture. Noise decides which squares have a dot, and where in them. [Pharr,
+// Jakob, Humphreys, Physically Based Rendering, 3rd edition, 10.6.2]
 #include <cmath>
 
 #include "dspm/colour/rgb.h"

@@ -14,10 +14,11 @@
 //   and the mapping's parameters, see mapping.h.
 //
 // (0, 0) is the picture's lower left corner. A texture of numbers takes the alpha of a picture that has one, else the
-// mean of red, green and blue. Filters are for matte colours (Material::averages) of pictures that go on beyond 0..1 (wrap
-// repeat, mirror or octahedralsphere) and have no values above 1; other lookups take the picture itself. Filters but ewa take a size of the picture at which a pixel is at most twice as wide as the
-// footprint is long: point takes one pixel of it, bilinear blends four, and trilinear blends two sizes as well. ewa
-// averages over the ellipse that the footprint is, and so stays sharp where a surface is seen at a slant.
+// mean of red, green and blue. Filters are for matte colours (Material::averages) of pictures that go on beyond 0..1
+// (wrap repeat, mirror or octahedralsphere) and have no values above 1; other lookups take the picture itself. Filters
+// but ewa take a size of the picture at which a pixel is at most twice as wide as the footprint is long: point takes
+// one pixel of it, bilinear blends four, and trilinear blends two sizes as well. ewa averages over the ellipse that the
+// footprint is, and so stays sharp where a surface is seen at a slant.
 #include <algorithm>
 #include <stdexcept>
 

@@ -7,8 +7,8 @@
 //   | scale     | 1  | of the whole: layers repeat every 2 pi / scale in y, in the texture's own space |
 //   | variation | .2 | how far noise moves the layers |
 //
-// The colours lie on a spline over the sine of the distorted height, with pbrt's control points. A texture of numbers is
-// the mean of red, green and blue. [Perlin 1985; Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition,
+// The colours lie on a spline over the sine of the distorted height, with pbrt's control points. A texture of numbers
+// is the mean of red, green and blue. [Perlin 1985; Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd edition,
 // 10.6.6]
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 //
 //   Texture "waves" "float" "windy"
 //
-// It has no parameters: |fbm of three octaves at a tenth of the frequency| times fbm of six octaves. The waves are about
-// a unit long in the texture's own space, and gusts ten. [Pharr, Jakob, Humphreys, Physically Based Rendering, 3rd
-// edition, 10.6.5]
+// It has no parameters: |fbm of three octaves at a tenth of the frequency| times fbm of six octaves. The waves are
+// about a unit long in the texture's own space, and gusts ten. [Pharr, Jakob, Humphreys, Physically Based Rendering,
+// 3rd edition, 10.6.5]
 #include <cmath>
 
 #include "dspm/colour/rgb.h"

@@ -1,4 +1,5 @@
-// "displacement" of meshes: the texture by which a shape moves, its states over the frames, and the shape that it makes.
+// "displacement" of meshes: the texture by which a shape moves, its states over the frames, and the shape that it
+// makes.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// A set of frames of the file, as ranges: most things are there all the time, for a while, or in one frame. A thing that
-// moves through thousands of frames has a place in each, so a place must not take room for all of them.
+// A set of frames of the file, as ranges: most things are there all the time, for a while, or in one frame. A thing
+// that moves through thousands of frames has a place in each, so a place must not take room for all of them.
 #pragma once
 
 #include <algorithm>
