@@ -23,7 +23,7 @@ namespace dspm {
 struct IntervalState {
   Places places;                       // in the file of that time
   int iterations = 0;                  // done; 0: no state
-  double seconds = 0;                  // that they and making the scene took
+  double seconds = 0;                  // the time that they and making the scene took
   std::uint64_t offset = 0, size = 0;  // of the state in the file
 };
 
@@ -46,7 +46,7 @@ class CheckpointFile {
     std::string sampling = {};  // World::sampling
     Part part = {};
     std::uint64_t memory = 0;                // bound of a part, which cuts it into intervals and batches; 0: none
-    std::vector<std::string> machines = {};  // that worked on it
+    std::vector<std::string> machines = {};  // the machines that worked on it
     std::vector<std::string> words = {};     // the command line of a part
   };
   const Render& render() const { return render_; }

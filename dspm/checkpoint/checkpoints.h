@@ -57,7 +57,7 @@ class Checkpoints {
   std::vector<IntervalState> states_;           // of the last checkpoint
   bool has_changed_ = false;                    // since the resumed one
   bool takes_name_ = false;                     // the file is new and holds no state
-  std::size_t kept_ = 0;                        // so many come first that this run does not go on with
+  std::size_t kept_ = 0;                        // the first ones, with which this run does not go on
   std::unique_ptr<const CheckpointFile> last_;  // resumed or written; null: none yet
 };
 

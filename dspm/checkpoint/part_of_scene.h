@@ -35,7 +35,7 @@ class PartOfScene {
   std::vector<FileFrame> frames_;          // of the part
   std::vector<bool> there_;                // by Dynamic block: in some of the frames
   std::vector<std::vector<bool>> chosen_;  // by axis and variation: likewise
-  std::set<std::string> objects_;          // that have instances there
+  std::set<std::string> objects_;          // objects that have instances there
   bool reads_materials_ = false;           // geometry files may name materials
 };
 

@@ -17,7 +17,7 @@ struct DirectWays {
   std::int64_t photons = 0;                // paths of an iteration; 0: photons bring no direct light
   const EmissionGuides* guides = nullptr;  // they are drawn with; null or off: by power
   float radius = 0;                        // of a typical hit point in this iteration
-  float photons_a_ray = 1;  // so many photons are as good as one ray: the inverse of its relative variance
+  float photons_a_ray = 1;  // the photons that are as good as one ray: the inverse of its relative variance
 };
 
 /// The weights of the ways, which add up to 1 for every path. They may be any functions of the path, so a photon

@@ -49,7 +49,7 @@ class EmissionGuide {
   struct Node {
     double probability = 0;
     int first_child = -1;  // the lower half, followed by the upper one; negative for a cell
-    int side = 0;          // that is halved
+    int side = 0;          // the side that is halved
   };
 
   /// Makes a guide that is off, which guides nothing.

@@ -38,7 +38,7 @@ struct Box {
   Records records, room;  // room: for the halves' records
   double value = 0;       // of the records
   std::unique_ptr<std::array<Box, 2>> halves;
-  int side = 0;                    // that is halved
+  int side = 0;                    // the side that is halved
   double worth = 0;                // of halving it, at most that of halving the larger box
   double arriving = 0, drawn = 0;  // how often a draw comes here, and ends here, not yet normalised
   double drawn_within = 0;         // and in all boxes within

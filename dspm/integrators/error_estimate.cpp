@@ -200,7 +200,7 @@ class ErrorEstimate final : public WrappingIntegrator {
   Sample sample_;
   std::size_t frames_;
   std::vector<float> kept_;               // samples by slot and frame
-  std::array<int, kSlots> kept_after_{};  // so many iterations
+  std::array<int, kSlots> kept_after_{};  // the iterations after which they were kept
   // By frame, of the sum of so many iterations: what parts found independently of one another adds up.
   std::vector<double> squares_;
   int estimated_ = 0;

@@ -22,7 +22,7 @@ struct HitPoint {
   Vec3 p;
   Vec3 ng;         // on the camera path's side
   Rgb throughput;  // of the path, divided by the probability that it ended here; times f if there is no `scattering`
-  ShapeFace face;  // that the camera path has come to
+  ShapeFace face;  // the one that the camera path has reached
   FrameSet frames;
   float radius;            // initial: the scene's, or from the pixel's footprint
   int pixel;               // within the crop, row by row

@@ -24,7 +24,7 @@ struct MemoryNeeds {
 
 /// Thrown if RenderSettings::memory does not suffice.
 struct NotEnoughMemory : std::exception {
-  MemoryNeeds least;  // that would suffice
+  MemoryNeeds least;  // the least that would suffice
 
   explicit NotEnoughMemory(const MemoryNeeds& needs) : least(needs) {}
   const char* what() const noexcept override { return "not enough memory"; }

@@ -61,7 +61,7 @@ struct Vertex {
   float diameter;  // of what the path stands for here
   const PlacedShape& shape;
   const FrameStates<Material>& material;
-  int body;  // that the surface bounds in some frame, if paths need know it: its material
+  int body;  // the material of the body that the surface bounds in some frame, if paths need to know it
 
   /// Returns whether w leads into the body.
   bool leads_inside(const Vec3& w) const { return body != kNoBody && dot(w, point.ng) < 0; }

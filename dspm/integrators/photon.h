@@ -21,12 +21,12 @@ namespace dspm {
 
 struct Photon {
   Vec3 p;
-  ShapeFace face;  // that it has come to
+  ShapeFace face;  // the one that it has reached
   Vec3 wi;         // towards where it came from, unit length
   Rgb flux;        // in W; includes its surface's |cos(wi, ns) / cos(wi, ng)|, so that a gather needs no cosine
   FrameSet frames;
   StrandList strands = 0;  // in its trace's table: factors to the flux by frame, if they differ
-  int light = -1;          // that it comes from: into the scene's
+  int light = -1;          // the light that it comes from: an index of the scene
 };
 
 /// A photon on a surface that turns to each ray. Its flux includes no cosines.

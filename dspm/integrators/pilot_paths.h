@@ -25,7 +25,7 @@ struct FoundPath {
 };
 
 struct PilotRound {
-  EmissionGuides guides;  // that its paths were drawn with
+  EmissionGuides guides;  // the guides with which its paths were drawn
   Buffer<FoundPath> found;
   std::vector<std::uint32_t> found_of;  // how many, by choice and light
   std::uint64_t number = 0, paths = 0;  // paths: of each choice

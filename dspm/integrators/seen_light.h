@@ -16,7 +16,7 @@ struct SeenLight {
   FrameSet frames;
   Rgb radiance;
   int pixel;
-  int light = -1;       // where it comes from, into the scene's; -1: not known
+  int light = -1;       // the light that it comes from: an index of the scene; -1: not known
   bool caught = false;  // on a shadow catcher: see caught_light.h
 };
 

@@ -37,7 +37,7 @@ class ShapeRun {
   /// Text that all directives have in common, up to a list of numbers.
   struct Piece {
     std::string_view text;
-    std::size_t param;      // whose numbers follow, in the list of the first
+    std::size_t param;      // the parameter whose numbers follow, in the list of the first
     std::size_t dimension;  // their count is a multiple of it
     bool is_bare;           // one number without brackets
   };

@@ -45,7 +45,7 @@ class Desk {
   static constexpr int kNobody = -1;
   struct Entry {
     Block block;
-    int machine, other = kNobody;  // that render it; once it is rendered, `machine` has it
+    int machine, other = kNobody;  // the machines that render it; once it is rendered, `machine` has it
     bool is_rendered = false, is_fetched = false;
     std::optional<std::string> state = {};
   };

@@ -98,7 +98,7 @@ class Leader {
   Order order_;                       // but for its block: the interval that is being rendered
   std::optional<std::string> digest_;
   std::deque<int> waiting_;           // machines that have asked for an order
-  std::deque<Letter> ready_;          // that came before the leader knew its own scene
+  std::deque<Letter> ready_;          // letters that came before the leader knew its own scene
   std::map<int, std::string> hosts_;  // of machines
   std::map<Rendered, Asked> asked_;   // for blocks that have not come yet
   bool is_silent_ = false;            // one of them

@@ -68,7 +68,7 @@ class DiffuseTransmission final : public Bsdf {
 
   Vec3 ng_, ns_;
   Rgb reflected_, transmitted_;  // f
-  float chance_;                 // that reflection is sampled
+  float chance_;                 // the probability that reflection is sampled
 };
 
 class DiffuseTransmissionMaterial final : public Material {

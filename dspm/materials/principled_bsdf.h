@@ -58,7 +58,7 @@ class Principled final : public Bsdf {
 
   const PrincipledTables* tables_;
   Vec3 ns_, ng_;
-  SmallDirection tangent_, coat_normal_;  // that of the coat in the frame
+  SmallDirection tangent_, coat_normal_;  // coat_normal_ is in the frame
   SmallRgb base_, sheen_, straight_, beyond_colour_;
   SmallNumber metallic_, specular_, transmission_, beyond_, alpha_x_, alpha_y_, coat_, coat_alpha_, sheen_alpha_;
   SmallNumber film_, film_thickness_;  // of kMostFilmNm

@@ -14,7 +14,7 @@ namespace dspm {
 struct IntervalProgress {
   std::size_t index = 0;             // of the interval
   int iterations = 0;                // done, in this run and those that it resumes
-  double seconds = 0;                // that they and making the scene took
+  double seconds = 0;                // the time that they and making the scene took
   std::optional<double> error = {};  // of the worst frame, if it is estimated and known; see Statistics::errors
 };
 

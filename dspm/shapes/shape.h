@@ -56,7 +56,7 @@ struct SurfacePoint {
 /// The strip that a surface that turns to each ray shows to one of them, near a primitive: with coordinates u along it
 /// and v across it, both in [0, 1]; the surface turns about the line v = 1/2.
 struct Strip {
-  int number = 0;                // that of all primitives whose uv are coordinates of the same strip
+  int number = 0;                // equal for primitives whose uv are coordinates of the same strip
   Vec3 along = {}, across = {};  // derivatives of p by u and v
 };
 

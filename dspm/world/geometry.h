@@ -38,7 +38,7 @@ struct WorldShape {
 /// The reason why a shape emits light: its AreaLightSource, or its material. Both are null if it does not.
 struct EmissionUse {
   const AreaLightUse* use = nullptr;
-  int of_material = -1;  // whose light it is, in Looks; -1: the directive's
+  int of_material = -1;  // the material, in Looks, whose light it is; -1: the directive's
 };
 
 /// An emitter: all places of one MadeShape.

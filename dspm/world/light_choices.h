@@ -14,7 +14,7 @@ struct LightChoices {
   static constexpr std::size_t kMostChoices = 16;
 
   std::vector<int> of_frame;                      // by frame of the file: its choice
-  std::size_t base = 0;                           // so many frames decide about the choices, the first ones
+  std::size_t base = 0;                           // the number of first frames, which decide about the choices
   std::vector<std::vector<float>> probabilities;  // by choice and light
 
   /// The probability with which a photon path of the frame chooses the light.

@@ -27,7 +27,7 @@ struct Surface {
 /// A vertex of a camera subpath.
 struct CameraVertex {
   const Vertex& vertex;
-  std::span<const Surface> surfaces;  // that can be connected
+  std::span<const Surface> surfaces;  // those that can be connected
   FrameSet frames;
   int bounces;
   Inside inside;  // of the segment before

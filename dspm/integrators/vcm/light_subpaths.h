@@ -22,9 +22,9 @@ namespace dspm {
 /// A vertex on a surface that scatters by lobes other than specular ones, too.
 struct LightVertex {
   Vec3 p, wi;      // towards where the flux came from
-  ShapeFace face;  // that it has come to
+  ShapeFace face;  // the one that it has reached
   Rgb flux;        // in W; includes |cos(wi, ns) / cos(wi, ng)|, as Photon::flux does
-  int light;       // that it comes from: into the scene's
+  int light;       // the light that it comes from: an index of the scene
   FrameSet frames;
   StrandList strands;  // in its trace's table
   int bounces;         // scatterings before

@@ -16,7 +16,7 @@ struct Splat {
   Vec2 film;  // in pixels of the full image
   FrameSet frames;
   Rgb radiance;  // of a pixel that sees this place only, for one pixel of film
-  int light;     // that it comes from: into the scene's
+  int light;     // the light that it comes from: an index of the scene
   bool caught;   // the place is on a shadow catcher
 };
 
