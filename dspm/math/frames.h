@@ -1,5 +1,5 @@
 // Frames, moments and sets of frames: the central idea of dspm. A frame of the file, a frame of the interval and a
-// moment do not convert into one another. Inside the program, all count from 0.
+// moment do not convert into one another. Inside the program, frames count from 0.
 #pragma once
 
 #include <bit>
@@ -36,12 +36,12 @@ class FileFrame {
   int index_ = 0;
 };
 
-/// A time of the animation, in frames from the first; between whole frames as well.
+/// A time of the animation, in frames from the one that texts call 1; between whole frames as well.
 class Moment {
  public:
   constexpr Moment() = default;
   constexpr explicit Moment(double frames) : frames_(frames) {}
-  /// Returns the whole moment that texts call `number`; texts count from 1.
+  /// The whole moment that texts call `number`.
   static constexpr Moment numbered(int number) { return Moment(static_cast<double>(number) - 1); }
 
   constexpr double frames() const { return frames_; }
