@@ -36,7 +36,6 @@ std::vector<Fact> facts_of(const Job& job, const FramesPart& part);
 std::vector<Fact> facts_of_scene(const Job& job, const FramesPart& part);
 /// Returns a digest of all facts, and of the version of dspm: two machines with the same digest render the same.
 std::string digest_of(const Job& job);
-/// Returns all frames of the file.
 FramesPart all_frames(const Job& job);
 
 /// What an earlier list of facts belongs to, and the hint for each error.

@@ -1,5 +1,5 @@
-// The light of camera paths whose first surface is a shadow catcher. It is no part of the image; shadow_catcher.h makes
-// the image's alpha of it.
+// The light of camera paths whose first surface is a shadow catcher. It is no part of the image; shadow_catcher.h turns
+// it into the image's alpha.
 #pragma once
 
 #include <vector>

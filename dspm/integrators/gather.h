@@ -16,7 +16,7 @@
 
 namespace dspm {
 
-/// Work done by a gather.
+/// The work of gathers: points, photons found, and distance tests.
 struct GatherCounts {
   SharedCount gathers, found;
   std::uint64_t tests = 0;

@@ -207,7 +207,8 @@ class Progressive final : public Integrator {
     account(traces_, statistics_);
   }
 
-  /// The cell size for the photon map.
+  /// Returns the mean search radius of the hit points, which suits the photon map's cells; the scene's radius if there
+  /// are none.
   float mean_search_radius(const Scene& scene) {
     const StepTimer timer(statistics_.steps[kPhotonMap]);
     std::vector<double> sums(tiles_.size());

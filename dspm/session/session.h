@@ -68,7 +68,7 @@ class Session {
   bool can_copy(Integrator& integrator, std::size_t index) const;
   void iterate_cancellably(const IntervalProgress& before, const Scene& scene, Integrator& integrator,
                            double expected) const;
-  /// Says what the interval has come to.
+  /// Warns of what went badly in the interval and, if an error is to be reached, says how large it is.
   void judge(const IntervalProgress& progress, const Integrator& integrator);
   void write(const IntervalProgress& progress, Integrator& integrator, SessionObserver::Images images);
   /// Returns the seconds for the interval: an equal share of the time that the intervals before it left. Infinite

@@ -15,7 +15,7 @@ namespace dspm {
 /// A quick look has a quarter of the width, of the height and of the iterations, and as many photons per pixel.
 inline constexpr int kQuickShare = 4;
 
-/// The program that makes a second image of each, with less noise.
+/// The denoiser that makes a second image of each, with less noise.
 enum class Denoiser {
   own,
   oidn,  // Intel's Open Image Denoise, as a program

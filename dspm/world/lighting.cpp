@@ -243,7 +243,8 @@ std::vector<const PluginUse*> types_of(const SceneDescription& description, cons
 
 constexpr float kLeastShare = 0x1p-20f;  // a random number of 24 bits chooses it
 
-/// Sets the probabilities.
+/// Sets each light's probability to its share of the mean power. Reports lights that the "photons" of others leave less
+/// than kLeastShare.
 void share_out(std::vector<WorldLight>& lights, int base, Diagnostics& diagnostics) {
   double total = 0, all_photons = 0;
   const auto weight = [](const WorldLight& light) {
